@@ -8,6 +8,7 @@
 #include "devices/common/LinkedDevice.h"
 #include "haptics/geometry/measure/ContactPlace.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/LoopReport.h"
 #include "haptics/session/plan/AskedParameters.h"
 #include "haptics/session/plan/HandMap.h"
 #include "haptics/session/scene/FeltField.h"

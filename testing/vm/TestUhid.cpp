@@ -8,6 +8,7 @@
 #include "devices/hid/HidapiBus.h"
 #include "devices/io/HidDiscovery.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/LoopReport.h"
 #include "testing/vm/OtherProgram.h"
 #include "testing/vm/Pushing.h"
 #include "testing/vm/Servo.h"

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "devices/ReplayDevice.h"
+#include "haptics/recording/writing/EndedRecording.h"
 #include "haptics/session/RecordingSentence.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"

@@ -2,6 +2,7 @@
 #include "vtkHapticServerSurfaces.h"
 
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/tool/ToolChoice.h"
 #include "vtkHapticHandPace.h"
 #include "vtkHapticSceneSurfaces.h"
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "haptics/geometry/scene/SceneMotion.h"
+#include "haptics/session/LoopReport.h"
 #include "haptics/session/PlanSentence.h"
 
 namespace palpate

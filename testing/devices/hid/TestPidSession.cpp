@@ -9,6 +9,7 @@
 #include "devices/io/PidDevice.h"
 #include "haptics/geometry/curves/CurveSet.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/LoopReport.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Eventually.h"

@@ -8,6 +8,7 @@
 #include "SoftBlock.h"
 #include "devices/FedDevice.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/soft/SoftChoice.h"
 
 namespace palpate::test
 {

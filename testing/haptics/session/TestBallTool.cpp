@@ -6,6 +6,7 @@
 
 #include "ToolHand.h"
 #include "haptics/recording/Recording.h"
+#include "haptics/session/soft/SoftChoice.h"
 #include "haptics/tool/motion/Turn.h"
 #include "testing/haptics/compliance/Blocks.h"
 #include "testing/support/CostSample.h"

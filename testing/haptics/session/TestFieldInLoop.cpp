@@ -8,6 +8,7 @@
 #include "devices/FedDevice.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/recording/inputs/Bricks.h"
+#include "haptics/recording/writing/EndedRecording.h"
 #include "haptics/session/HapticSession.h"
 #include "testing/haptics/recording/FlippedBits.h"
 #include "testing/support/Fields.h"

@@ -8,6 +8,7 @@
 #include "devices/FedDevice.h"
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/LoopReport.h"
 #include "testing/support/BareDevice.h"
 #include "testing/support/Eventually.h"
 #include "testing/support/Meshes.h"

@@ -9,6 +9,7 @@
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/mechanism/MechanismChoice.h"
 #include "testing/support/Random.h"
 #include "testing/support/TemporaryFolder.h"
 

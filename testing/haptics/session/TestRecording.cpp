@@ -11,6 +11,7 @@
 #include "haptics/geometry/scene/SceneMotion.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/LoopReport.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/TemporaryFolder.h"
 

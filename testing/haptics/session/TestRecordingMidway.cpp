@@ -10,6 +10,7 @@
 
 #include "devices/FedDevice.h"
 #include "haptics/recording/RecordingChunks.h"
+#include "haptics/recording/writing/EndedRecording.h"
 #include "haptics/session/HapticSession.h"
 #include "testing/support/Eventually.h"
 #include "testing/support/Meshes.h"

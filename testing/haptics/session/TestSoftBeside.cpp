@@ -7,6 +7,7 @@
 #include "haptics/geometry/scene/SceneMotion.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/scene/FeltScene.h"
+#include "haptics/session/soft/SoftChoice.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/TemporaryFolder.h"
 

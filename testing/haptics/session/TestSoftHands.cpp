@@ -10,6 +10,7 @@
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/soft/SoftChoice.h"
 #include "testing/support/TemporaryFolder.h"
 
 namespace palpate::test

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "SoftInLoop.h"
+#include "haptics/session/soft/SoftWorker.h"
 
 namespace palpate::test
 {

@@ -8,6 +8,7 @@
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/Warning.h"
+#include "haptics/session/tool/ToolChoice.h"
 #include "haptics/tool/motion/Turn.h"
 #include "testing/haptics/recording/FlippedBits.h"
 #include "testing/support/Eventually.h"

@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "devices/simulated/SimulatedDevice.h"
+#include "haptics/force/StabilityLimits.h"
 #include "haptics/safety/HandLimits.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/tool/ToolChoice.h"
 #include "haptics/tool/motion/Turn.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Thread.h"

@@ -5,6 +5,7 @@
 
 #include "devices/FedDevice.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/tool/ToolChoice.h"
 
 namespace palpate::test
 {

@@ -12,6 +12,7 @@
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/tool/ToolChoice.h"
 #include "haptics/tool/motion/Turn.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/TemporaryFolder.h"
