@@ -3,14 +3,21 @@
 
 #include <utility>
 
+#include "devices/RecordedHand.h"
 #include "devices/io/broker/DBusBroker.h"
 #include "haptics/session/Warning.h"
 #include "haptics/session/settings/SessionSettings.h"
 #include "vtkCommand.h"
+#include "vtkHapticCheckState.h"
 #include "vtkHapticDeviceCheck.h"
+#include "vtkHapticHeldMechanism.h"
+#include "vtkHapticHeldTool.h"
 #include "vtkHapticInspection.h"
 #include "vtkHapticKnownDevices.h"
 #include "vtkHapticLabyrinthGame.h"
+#include "vtkHapticPressedBody.h"
+#include "vtkHapticRecordingState.h"
+#include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkHapticSight.h"
 #include "vtkHapticTouchedMechanism.h"

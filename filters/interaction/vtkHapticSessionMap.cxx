@@ -2,6 +2,7 @@
 // How the workspace of the device lies in the scene.
 #include <sstream>
 
+#include "devices/RecordedHand.h"
 #include "haptics/session/plan/FittedMap.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
@@ -33,6 +34,12 @@ void vtkHapticSession::FitWorkspace()
   {
     this->Impl->Fit();
   }
+}
+
+bool vtkHapticSession::Internals::FitsNow() const
+{
+  return this->Settings.isOn("FitOnTouch") && !this->Played &&
+         palpate::isSame(this->Asked.asked().map, this->LastFitted);
 }
 
 void vtkHapticSession::Internals::Fit()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Surfaces that move or bend: where they are put, and how late that is felt.
 #include "haptics/core/Clock.h"
+#include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSessionInternals.h"
 
 double vtkHapticSession::Internals::Now()

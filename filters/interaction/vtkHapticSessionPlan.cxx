@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // By what a scene is touched, and whether simpler surfaces of it are.
 #include "haptics/session/PlanSentence.h"
+#include "vtkHapticHeldTool.h"
 #include "vtkHapticSessionInternals.h"
 
 palpate::SimplifyPlan vtkHapticSession::Internals::PlanNow() const

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "devices/common/DeviceNotes.h"
+#include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSessionInternals.h"
 
 bool vtkHapticSession::Internals::RaisesLines() const

@@ -5,6 +5,13 @@
 #include <map>
 #include <string_view>
 
+#include "vtkHapticContactState.h"
+#include "vtkHapticHeldMechanism.h"
+#include "vtkHapticHeldTool.h"
+#include "vtkHapticPressedBody.h"
+#include "vtkHapticRecordingState.h"
+#include "vtkHapticSceneSurfaces.h"
+#include "vtkHapticServerSurfaces.h"
 #include "vtkHapticSessionInternals.h"
 
 namespace

@@ -4,6 +4,9 @@
 
 #include "haptics/session/plan/FittedMap.h"
 #include "vtkCommand.h"
+#include "vtkHapticHeldMechanism.h"
+#include "vtkHapticHeldTool.h"
+#include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSessionInternals.h"
 
 void vtkHapticSession::ClearSurfaces()

@@ -9,6 +9,7 @@
 #include "devices/calibration/SelfTestFindings.h"
 #include "devices/calibration/SelfTestText.h"
 #include "devices/io/broker/DBusBroker.h"
+#include "vtkHapticCheckState.h"
 #include "vtkHapticSessionInternals.h"
 
 void vtkHapticSession::Internals::FollowCheck()

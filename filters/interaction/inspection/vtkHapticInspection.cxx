@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "vtkHapticContactState.h"
 #include "vtkHapticSessionInternals.h"
 
 vtkSmartPointer<vtkHapticInspection> vtkHapticInspection::Of(vtkHapticSession& session)

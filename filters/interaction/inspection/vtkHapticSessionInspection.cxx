@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "haptics/geometry/measure/ContactPlace.h"
+#include "vtkHapticContactState.h"
+#include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSessionInternals.h"
 
 namespace

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "vtkCommand.h"
+#include "vtkHapticContactState.h"
 #include "vtkHapticInspection.h"
+#include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSessionInternals.h"
 
 using palpate::Vec3;

@@ -11,6 +11,7 @@
 #include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
+#include "vtkHapticGameState.h"
 #include "vtkHapticLabyrinthData.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkNew.h"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bodies that laws join, one of them in the hand.
+#include "vtkHapticHeldMechanism.h"
+#include "vtkHapticPressedBody.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"

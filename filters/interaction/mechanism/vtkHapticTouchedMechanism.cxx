@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticTouchedMechanism.h"
 
+#include "vtkHapticHeldMechanism.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"

@@ -6,10 +6,12 @@
 
 #include <unistd.h>
 
+#include "devices/RecordedHand.h"
 #include "devices/ReplayDevice.h"
 #include "haptics/recording/writing/EndedRecording.h"
 #include "haptics/session/RecordingSentence.h"
 #include "vtkCommand.h"
+#include "vtkHapticRecordingState.h"
 #include "vtkHapticSessionInternals.h"
 
 namespace

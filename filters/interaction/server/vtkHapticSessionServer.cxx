@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Surfaces of a server: how much of them is fetched, and what is there.
+#include "vtkHapticServerSurfaces.h"
 #include "vtkHapticSessionInternals.h"
 
 std::string vtkHapticSession::Internals::FollowServerLimit()

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "haptics/geometry/measure/ContactPlace.h"
+#include "vtkHapticHeldTool.h"
 #include "vtkHapticSessionInternals.h"
 
 bool vtkHapticSession::AddTool(const char* name, vtkDataObject* data)

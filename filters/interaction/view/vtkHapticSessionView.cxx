@@ -2,6 +2,7 @@
 // How the workspace of a device follows the hand that holds it and the view that is looked at.
 #include <algorithm>
 
+#include "devices/RecordedHand.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
 

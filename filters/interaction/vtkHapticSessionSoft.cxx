@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A body that gives way.
+#include "vtkHapticHeldMechanism.h"
+#include "vtkHapticHeldTool.h"
+#include "vtkHapticPressedBody.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkUnstructuredGrid.h"
 

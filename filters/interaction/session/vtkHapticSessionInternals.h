@@ -4,7 +4,6 @@
 
 #include "devices/DeviceFactory.h"
 #include "devices/FedDevice.h"
-#include "devices/RecordedHand.h"
 #include "devices/common/LinkedDevice.h"
 #include "haptics/geometry/measure/ContactPlace.h"
 #include "haptics/session/HapticSession.h"
@@ -15,16 +14,7 @@
 #include "haptics/session/scene/FeltScene.h"
 #include "haptics/session/settings/SettingStore.h"
 #include "haptics/session/settings/TickFields.h"
-#include "vtkHapticCheckState.h"
-#include "vtkHapticContactState.h"
 #include "vtkHapticFieldData.h"
-#include "vtkHapticGameState.h"
-#include "vtkHapticHeldMechanism.h"
-#include "vtkHapticHeldTool.h"
-#include "vtkHapticPressedBody.h"
-#include "vtkHapticRecordingState.h"
-#include "vtkHapticSceneSurfaces.h"
-#include "vtkHapticServerSurfaces.h"
 #include "vtkHapticSession.h"
 #include "vtkTimeStamp.h"
 
@@ -36,13 +26,31 @@
 #include <string_view>
 #include <vector>
 
-/// The core's session, what it is started with, and the last that it said.
+class vtkHapticHeldMechanism;
+class vtkHapticHeldTool;
+class vtkHapticPressedBody;
+class vtkHapticSceneSurfaces;
+class vtkHapticServerSurfaces;
+struct vtkHapticCheckState;
+struct vtkHapticContactState;
+struct vtkHapticGameState;
+struct vtkHapticRecordingState;
+namespace palpate
+{
+class RecordedHand;
+}
+
+/// The core's session, what it is started with, and the last that it said. Parts that have a room of their own are
+/// known by name: their rooms include this header, and it includes none of theirs.
 class vtkHapticSession::Internals
 {
 public:
   static constexpr double PeriodSeconds = 1e-3;
 
-  explicit Internals(vtkHapticSession& session) : Session(session) {}
+  explicit Internals(vtkHapticSession& session);
+  ~Internals();
+  Internals(const Internals&) = delete;
+  Internals& operator=(const Internals&) = delete;
 
   vtkHapticSession& Session;
   palpate::SettingStore Settings;
@@ -51,9 +59,7 @@ public:
   std::vector<palpate::KnownDevice> Known;
   vtkHapticMaterialSettings Materials;
   vtkTimeStamp MaterialTime;
-  vtkHapticSceneSurfaces Surfaces;
   palpate::FeltScene Scene{ Core, PeriodSeconds };
-  vtkHapticServerSurfaces Server{ Core, Scene, Surfaces };
   vtkHapticFieldArrays FieldArrays;
   std::string FieldName;
   vtkSmartPointer<vtkDataObject> FieldData, CompareData, SnapData;
@@ -66,22 +72,14 @@ public:
   std::string FieldGone;               ///< that what was felt is not there any more
   std::array<double, 6> FieldBounds{}; ///< of the data that was added [u]
   double FieldGradient[3] = { 0.0, 0.0, 0.0 };
-  vtkHapticHeldTool Tool;
-  vtkHapticPressedBody Soft;
-  vtkHapticHeldMechanism Mechanism;
   palpate::Quat HandTurn_W = palpate::Quat::Identity(); ///< where a program holds it
   bool Raises = false;                                  ///< lines, as the surfaces were told
   std::string PlanSentence;
 
-  vtkHapticCheckState Check;
-  vtkHapticContactState Contact;
-  vtkHapticGameState Game;
-  vtkHapticRecordingState Recorded;
   std::string CalibrationFolder;
   std::optional<palpate::Calibration> Felt; ///< what was kept of a device without serial number, walls included
 
-  std::optional<palpate::RecordedHand> Played; ///< by the running device
-  bool SceneKnown = false;                     ///< it touched what was shown since it is played
+  bool SceneKnown = false; ///< it touched what was shown since it is played
   std::string PlayedSentence;
   std::vector<palpate::Vec3> Stroke_W;
   palpate::WorkspaceMap LastFitted = palpate::sessionDefaults().map;
@@ -117,6 +115,22 @@ public:
 
   std::shared_ptr<palpate::HidBus> Bus; ///< null: this computer's
   palpate::KnownDevice Chosen;          ///< as it was when it was seen last: it may have been unplugged
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> Owned;
+
+public:
+  vtkHapticSceneSurfaces& Surfaces;
+  vtkHapticServerSurfaces& Server;
+  vtkHapticHeldTool& Tool;
+  vtkHapticPressedBody& Soft;
+  vtkHapticHeldMechanism& Mechanism;
+  vtkHapticCheckState& Check;
+  vtkHapticContactState& Contact;
+  vtkHapticGameState& Game;
+  vtkHapticRecordingState& Recorded;
+  std::optional<palpate::RecordedHand>& Played; ///< by the running device
 
   /// What was chosen when touching started; another choice waits until it starts again.
   struct RunningChoice
@@ -234,11 +248,7 @@ public:
   void Fit();
   void FitTo(const palpate::BuiltScene& scene);
   /// Whether touching that begins now, or began with this scene, fits the hand.
-  bool FitsNow() const
-  {
-    return this->Settings.isOn("FitOnTouch") && !this->Played &&
-           palpate::isSame(this->Asked.asked().map, this->LastFitted);
-  }
+  bool FitsNow() const;
   /// The servo gets the ball of the scene that is felt; never in the tick of a swap, in which a pressed hand changes
   /// over.
   void FollowRadius();

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticSessionInternals.h"
+
+#include "devices/RecordedHand.h"
+#include "vtkHapticCheckState.h"
+#include "vtkHapticContactState.h"
+#include "vtkHapticGameState.h"
+#include "vtkHapticHeldMechanism.h"
+#include "vtkHapticHeldTool.h"
+#include "vtkHapticPressedBody.h"
+#include "vtkHapticRecordingState.h"
+#include "vtkHapticSceneSurfaces.h"
+#include "vtkHapticServerSurfaces.h"
+
+/// The parts that have a room of their own.
+struct vtkHapticSession::Internals::Parts
+{
+  explicit Parts(Internals& session) : Server(session.Core, session.Scene, Surfaces) {}
+
+  vtkHapticSceneSurfaces Surfaces;
+  vtkHapticServerSurfaces Server;
+  vtkHapticHeldTool Tool;
+  vtkHapticPressedBody Soft;
+  vtkHapticHeldMechanism Mechanism;
+  vtkHapticCheckState Check;
+  vtkHapticContactState Contact;
+  vtkHapticGameState Game;
+  vtkHapticRecordingState Recorded;
+  std::optional<palpate::RecordedHand> Played;
+};
+
+vtkHapticSession::Internals::Internals(vtkHapticSession& session)
+  : Session(session),
+    Owned(std::make_unique<Parts>(*this)),
+    Surfaces(Owned->Surfaces),
+    Server(Owned->Server),
+    Tool(Owned->Tool),
+    Soft(Owned->Soft),
+    Mechanism(Owned->Mechanism),
+    Check(Owned->Check),
+    Contact(Owned->Contact),
+    Game(Owned->Game),
+    Recorded(Owned->Recorded),
+    Played(Owned->Played)
+{
+}
+
+vtkHapticSession::Internals::~Internals() = default;
