@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "haptics/field/GridPlace.h"
-#include "haptics/field/TrilinearCell.h"
 #include "haptics/field/cells/FieldCells.h"
+#include "haptics/field/cells/GridPlace.h"
+#include "haptics/field/cells/TrilinearCell.h"
 
 namespace palpate
 {

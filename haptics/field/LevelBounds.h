@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include "haptics/field/GridPlace.h"
+#include "haptics/field/cells/GridPlace.h"
 
 namespace palpate
 {

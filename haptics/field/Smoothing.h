@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "haptics/field/GridPlace.h"
+#include "haptics/field/cells/GridPlace.h"
 
 namespace palpate
 {
@@ -19,8 +19,8 @@ inline constexpr double trappingNoise = 0.2;
 
 /// How far the noise of the values moves the surface f = level, in spacings of the grid: the median of |f - smoothed f|
 /// over |gradient of smoothed f| at the points beside the surface. White noise that moves it by one standard deviation
-/// gives 0.60 of that. 0 where there is no such surface, and where f - smoothed f goes on from point to point: that is a
-/// wave or a bend of the data, not noise.
+/// gives 0.60 of that. 0 where there is no such surface, and where f - smoothed f goes on from point to point: that is
+/// a wave or a bend of the data, not noise.
 [[nodiscard]] double measuredNoise(const std::vector<float>& values, const GridIndex& size, double level);
 
 } // namespace palpate

@@ -106,7 +106,7 @@ class Rules(unittest.TestCase):
         self.assertEqual(self.found(rules.long_files), ["ui/pqHapticPanel.cxx"])
 
     def test_the_header_of_the_session_has_a_limit_of_its_own(self):
-        name = "filters/interaction/vtkHapticSession.h"
+        name = "filters/interaction/session/vtkHapticSession.h"
         self.write(name, "\n" * rules.MOST_LINES_OF[name])
         self.assertEqual(rules.long_files(self.root), [])
         self.write(name, "\n" * (rules.MOST_LINES_OF[name] + 1))
@@ -141,6 +141,16 @@ class Rules(unittest.TestCase):
         self.write_including("filters/views/drawings/vtkHapticDrawing.h")
         self.write_including("filters/views/drawings/vtkHapticDrawing.cxx", '"vtkHapticGuard.h"')
         self.assertEqual(self.found(rules.include_circles), ["filters/views/drawings"])
+
+    def test_a_folder_and_the_room_within_it_that_include_one_another_are_found_but_for_the_tick(self):
+        self.write_including("haptics/tick/StageList.h")
+        self.write_including("haptics/tick/Stages.h", '"haptics/tick/stages/forces/Field.h"')
+        self.write_including("haptics/tick/stages/forces/Field.h", '"haptics/tick/StageList.h"')
+        self.assertEqual(rules.include_circles(self.root), [])
+        self.write_including("haptics/field/Brick.h")
+        self.write_including("haptics/field/FieldProxy.cpp", '"haptics/field/iso/IsoProxy.h"')
+        self.write_including("haptics/field/iso/IsoProxy.h", '"haptics/field/Brick.h"')
+        self.assertEqual(self.found(rules.include_circles), ["haptics/field"])
 
     def test_cgal_is_found_in_any_header_and_outside_haptics(self):
         self.write_including("haptics/geometry/Tree.cpp", "<CGAL/AABB_tree.h>")

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "haptics/field/GridPlace.h"
+#include "haptics/field/cells/GridPlace.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"

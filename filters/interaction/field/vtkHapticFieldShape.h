@@ -3,7 +3,7 @@
 #define vtkHapticFieldShape_h
 
 #include "haptics/field/Brick.h"
-#include "haptics/field/FieldPlan.h"
+#include "haptics/field/proxy/FieldPlan.h"
 
 class vtkPolyData;
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "haptics/core/Types.h"
-#include "haptics/field/TrilinearCell.h"
+#include "haptics/field/cells/TrilinearCell.h"
 
 namespace palpate
 {

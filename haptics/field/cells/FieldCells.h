@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "haptics/field/GridPlace.h"
 #include "haptics/field/cells/CellMap.h"
+#include "haptics/field/cells/GridPlace.h"
 
 namespace palpate
 {

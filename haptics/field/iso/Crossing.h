@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "haptics/field/TrilinearCell.h"
+#include "haptics/field/cells/TrilinearCell.h"
 
 namespace palpate
 {

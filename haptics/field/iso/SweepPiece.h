@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "haptics/field/GridPlace.h"
-#include "haptics/field/TrilinearCell.h"
+#include "haptics/field/cells/GridPlace.h"
+#include "haptics/field/cells/TrilinearCell.h"
 
 namespace palpate
 {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "haptics/field/Brick.h"
-#include "haptics/field/FieldProxy.h"
+#include "haptics/field/proxy/FieldProxy.h"
 #include "haptics/recording/inputs/InputList.h"
 
 namespace palpate

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "haptics/field/FieldPlan.h"
+#include "haptics/field/proxy/FieldPlan.h"
 #include "haptics/session/background/LatestTask.h"
 #include "haptics/session/scene/FieldSource.h"
 #include "haptics/tick/HapticState.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "haptics/field/FieldPlan.h"
+#include "haptics/field/proxy/FieldPlan.h"
 #include "haptics/geometry/mesh/Material.h"
 
 namespace palpate

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "haptics/field/FieldProxy.h"
+#include "haptics/field/proxy/FieldProxy.h"
 #include "testing/support/Fields.h"
 
 namespace palpate::test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/field/FieldProxy.h"
+#include "haptics/field/proxy/FieldProxy.h"
 #include "haptics/recording/inputs/Bricks.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Random.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/field/FieldProxy.h"
+#include "haptics/field/proxy/FieldProxy.h"
 #include "testing/support/Fields.h"
 #include "testing/support/Random.h"
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "haptics/field/GridPlace.h"
+#include "haptics/field/cells/GridPlace.h"
 
 namespace palpate::lab
 {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "haptics/field/FieldProxy.h"
+#include "haptics/field/proxy/FieldProxy.h"
 #include "haptics/tick/ForceRenderer.h"
 #include "testing/lab/Experiments.h"
 #include "testing/lab/backends/MeshContour.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/field/FieldPlan.h"
+#include "haptics/field/proxy/FieldPlan.h"
 #include "haptics/session/scene/FieldSource.h"
 #include "vtkHapticCliSettings.h"
 #include "vtkHapticFieldData.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "haptics/field/FieldProxy.h"
+#include "haptics/field/proxy/FieldProxy.h"
 #include "haptics/force/PassivityController.h"
 #include "haptics/force/WorkspaceMap.h"
 #include "haptics/tick/PlanRules.h"

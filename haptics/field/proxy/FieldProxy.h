@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "haptics/field/Brick.h"
-#include "haptics/field/FieldPlan.h"
 #include "haptics/field/iso/IsoProxy.h"
+#include "haptics/field/proxy/FieldPlan.h"
 
 namespace palpate
 {

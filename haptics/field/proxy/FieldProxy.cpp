@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/field/FieldProxy.h"
+#include "haptics/field/proxy/FieldProxy.h"
 
 #include <algorithm>
 #include <cmath>
