@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What keeps a held force from shaking the hand, and what that costs.
 #include "haptics/session/DeviceAdaptation.h"
+#include "haptics/session/tool/ToolChoice.h"
 #include "vtkHapticSessionInternals.h"
 
 void vtkHapticSession::Internals::JudgeStability()

@@ -15,6 +15,8 @@
 #include "haptics/session/settings/SettingStore.h"
 #include "haptics/session/settings/TickFields.h"
 #include "vtkHapticFieldData.h"
+#include "vtkHapticMarkRecords.h"
+#include "vtkHapticMaterialArrays.h"
 #include "vtkHapticSession.h"
 #include "vtkTimeStamp.h"
 
