@@ -7,6 +7,7 @@
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/mechanism/MechanismBodies.h"
 #include "haptics/session/mechanism/MechanismChoice.h"
 
 using namespace palpate;
