@@ -212,7 +212,7 @@ TEST(HapticSessionDevice, AMaskOfButtonsThatIsNoneIsRefusedAndSaid)
   vtkNew<vtkHapticSession> session;
   session->SetSetting("DeadManButtons", 1 << 3);
   EXPECT_THAT(errorsOf(session, [&] { session->SetSetting("DeadManButtons", -1); }), ::testing::SizeIs(1));
-  EXPECT_THAT(session->GetProblem(), HasSubstr("bit i stands for button i + 1"));
+  EXPECT_THAT(session->GetProblem(), HasSubstr("Bit i stands for button i + 1"));
   EXPECT_EQ(session->GetSetting("DeadManButtons"), 1 << 3);
 }
 
