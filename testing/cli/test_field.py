@@ -249,7 +249,7 @@ class InAField(CommandLineTest):
         self.write_path([(0.0, 1.0, 2.0, 2.0), (0.001, 2.5, 2.0, 2.0)])
         command = ("touch", "f.vtu", "--path", "path.csv", "--csv", "out.csv", "--field", "f", "--mode", "isosurface", "--iso", 2)
         self.assertEqual(self.succeed(*command).stderr, "")
-        self.assertIn("not in its own cells: its values are smoothed", self.succeed(*command, "--smoothing", 1).stderr)
+        self.assertIn("not from its own cells: its values are smoothed", self.succeed(*command, "--smoothing", 1).stderr)
 
     def test_chosen_levels_hold_and_what_is_between_them_does_not(self):
         self.write_image(("f", 1, lambda x, y, z: z))
@@ -376,7 +376,7 @@ class InAField(CommandLineTest):
             (("--field", "f", "--mode", "compare", "--strength", 1), ["--compare-with"]),
             (("--field", "f", "--field", "v", "--mode", "snap", "--strength", 1), ["--field"]),
             (("--field", "f", "--field", "v", "--mode", "snap", "--strength", 1, "--mode", "detent", "--strength", 1),
-             ["same numbers"]),
+             ["choose one"]),
             (("--iso", 3, "--snap-reach", 2), ["--snap-reach", "--field"]),
             (("--field", "f", "--mode", "isosurface", "--iso", 99), ["f.vti", "0 to 16", "isovalue 99"]),
             (("--field", "f", "--mode", "detent", "--strength", 1, "--levels", "20,30"), ["0 to 16", "no level"]),

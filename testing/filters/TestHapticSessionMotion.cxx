@@ -10,6 +10,7 @@
 #include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "haptics/geometry/mesh/TriangleMesh.h"
+#include "testing/support/Says.h"
 #include "vtkCellArray.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticSession.h"
@@ -409,7 +410,7 @@ TEST_F(HapticSessionMotion, AnEmptyTimeStepLetsGoWithASentenceAndTheSurfaceComes
   EXPECT_THAT(errors[0], HasSubstr("plate: it has no polygons"));
   this->session_->CommitScene();
   EXPECT_FALSE(this->session_->FinishScene());
-  EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("not touched: plate: it has no polygons"));
+  EXPECT_TRUE(test::says(this->session_->GetSceneReport(), { "not touched: plate", "no polygons" }));
   this->session_->Step(60); // the ramp takes 50 ms
   EXPECT_EQ(this->session_->GetForceMagnitude(), 0.0);
   EXPECT_STRNE(this->session_->GetFaultText(), "");
@@ -443,7 +444,7 @@ TEST_F(HapticSessionMotion, AMatrixThatPutsASurfaceNowhereIsRefusedByNameAndItSt
   }
   const auto errors =
     errorsOf(this->session_, [&] { EXPECT_FALSE(this->session_->SetSurfacePose("saucer", shiftTo(1.0))); });
-  EXPECT_THAT(errors.at(0), HasSubstr("saucer: there is no surface of that name"));
+  EXPECT_TRUE(test::says(errors.at(0), { "saucer", "no surface of that name" }));
   this->session_->CommitScene();
   ASSERT_TRUE(this->session_->FinishScene());
   double bounds[6];

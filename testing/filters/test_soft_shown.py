@@ -167,7 +167,7 @@ class Shown(unittest.TestCase):
             self.skin.SetInputData(0, surface)
             self.skin.SetInputData(1, body)
             self.skin.Update()
-            self.assertIn("Nothing rides on the body", errors.pop())
+            self.assertIn("The surface cannot follow the body", errors.pop())
             self.assertEqual(self.skin.GetText(), "")
 
 

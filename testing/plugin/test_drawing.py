@@ -150,7 +150,7 @@ class Drawing(ViewTest):
         simple.GetDisplayProperties(self.line, self.view).Representation = "Feature Edges"  # a line has none
         self.next_picture()
         self.assertEqual(self.scene.GetNumberOfSurfaces(), 0)
-        self.assertIn("only its outline or edges are drawn", self.scene.GetReport())
+        self.assertIn("only the outline or edges are drawn", self.scene.GetReport())
         self.drag_widget([0, -1, 0], [-0.6, 1, 0])
         self.assertEqual(self.scene.GetNumberOfSurfaces(), 0)
 

@@ -111,7 +111,7 @@ class Held(unittest.TestCase):
 class Mechanism(Held):
     def test_a_needle_presses_pierces_and_drags_and_its_table_and_picture_say_so(self):
         source = self.hold()
-        self.assertIn("2 laws", HapticState()["MechanismText"])
+        self.assertIn("2 constraints", HapticState()["MechanismText"])
         self.assertEqual([law["Law"] for law in Laws()], ["skin", "capsule"])
         self.assertEqual(HapticState()["ForceMagnitude"], 0.0)
         pressed = self.press(FACE + 1.0)
@@ -145,8 +145,8 @@ class Mechanism(Held):
             self.assertIn("tape", pathlib.Path(file).read_text())
         RemoveLaw("thread")
         self.assertEqual([law["Law"] for law in Laws()], ["tape"])
-        for call, words in ((lambda: RemoveLaw("nothing"), "there is no law"), (lambda: BreakLaw("nothing"), "there is no law"),
-                            (lambda: AddLaw(name="x", kind="weld", a="needle", b="tissue"), "there are contact")):
+        for call, words in ((lambda: RemoveLaw("nothing"), "there is no constraint"), (lambda: BreakLaw("nothing"), "there is no constraint"),
+                            (lambda: AddLaw(name="x", kind="weld", a="needle", b="tissue"), "valid kinds: contact")):
             with self.assertRaisesRegex(HapticRefusal, words):
                 call()
 
@@ -162,7 +162,7 @@ class Mechanism(Held):
             file = pathlib.Path(folder) / "sledge.json"
             file.write_text(json.dumps(scene))
             self.hold(file)
-            self.assertIn("not met within a tick's work", HapticState()["MechanismText"])
+            self.assertIn("not satisfied within the work of a tick", HapticState()["MechanismText"])
             self.assertGreater(HapticState()["CappedTicks"], TICKS_TO_ENGAGE / 2)
             self.assertEqual(HapticState()["ForceMagnitude"], 0.0)
 
@@ -171,7 +171,7 @@ class Mechanism(Held):
         LetGo()
         SetHaptics(MechanismSource="")
         HoldMechanism(source)
-        self.assertIn("2 laws", HapticState()["MechanismText"])
+        self.assertIn("2 constraints", HapticState()["MechanismText"])
         self.assertEqual([law["Law"] for law in Laws()], ["skin", "capsule"])
 
     def test_a_law_that_nobody_can_meet_is_refused_and_a_needle_that_is_in_stays_in(self):
@@ -208,18 +208,18 @@ class Mechanism(Held):
         simple.GetDisplayProperties(source, self.view).Position = [100, 0, 0]
         simple.Render(self.view)
         HapticState()
-        self.assertIn("; it is felt where its scene file has it, not where it is drawn", HapticState()["MechanismText"])
+        self.assertIn("; its touched position is that of the scene file, not of the display", HapticState()["MechanismText"])
         simple.GetDisplayProperties(source, self.view).Position = [0, 0, 0]
         HapticState()
         self.assertNotIn("not where", HapticState()["MechanismText"])
         moved = simple.Transform(registrationName="Moved", Input=source)
         HoldMechanism(moved)
-        self.assertIn("2 laws", HapticState()["MechanismText"])  # nothing has been moved yet
+        self.assertIn("2 constraints", HapticState()["MechanismText"])  # nothing has been moved yet
         moved.Transform.Translate = [100, 0, 0]
         HapticState()
-        self.assertTrue(HapticState()["MechanismText"].startswith("Moved cannot be held: it is not where its scene file has it"))
+        self.assertTrue(HapticState()["MechanismText"].startswith("Moved cannot be held: it was moved away from the position of its scene file"))
         HoldMechanism(None)
-        with self.assertRaisesRegex(HapticRefusal, "Moved cannot be held: it is not where its scene file has it"):
+        with self.assertRaisesRegex(HapticRefusal, "Moved cannot be held: it was moved away from the position of its scene file"):
             HoldMechanism(moved)
 
     def test_a_row_says_what_its_law_is_and_what_joins_two_points_is_never_open(self):
@@ -356,9 +356,9 @@ class Files(Held):
             simple.Render(self.view)
             state = HapticState()
         self.assertEqual(len(self.errors), 1, self.errors)
-        self.assertIn("joined.json: bodies[1]: tissue cannot give way", self.errors[0])
+        self.assertIn("joined.json: bodies[1]: tissue cannot be a soft body", self.errors[0])
         self.assertIn(str(self.body), self.errors[0])
-        self.assertIn("joined.json: bodies[1]: tissue cannot give way", state["MechanismText"])
+        self.assertIn("joined.json: bodies[1]: tissue cannot be a soft body", state["MechanismText"])
         self.assertNotIn("\n", state["MechanismText"])
         shutil.move(kept, self.body)
         self.read_again()
@@ -375,15 +375,15 @@ class Wrong(Held):
             wrong.write_text("[]")
             source = HapticMechanism(registrationName="Wrong", FileName=str(wrong))  # noqa: F821  of the plugin
             simple.Show(source, self.view)
-            said = f"Wrong cannot be held: {wrong}: it must be an object"
+            said = f"Wrong cannot be held: {wrong}: must be an object"
             with self.assertRaises(HapticRefusal) as refused:
                 HoldMechanism(source)
             self.assertIn(said, str(refused.exception))
             self.assertTrue(HapticState()["MechanismText"].startswith(said), HapticState()["MechanismText"])
             source.FileName = str(SCENES / "needle.json")
             HapticState()
-            self.assertIn("2 laws", HapticState()["MechanismText"])
-            for file, words in ((wrong, "it must be an object"), (pathlib.Path(folder) / "none.json", "it cannot be read")):
+            self.assertIn("2 constraints", HapticState()["MechanismText"])
+            for file, words in ((wrong, "must be an object"), (pathlib.Path(folder) / "none.json", "cannot be read")):
                 source.FileName = str(file)
                 HapticState()
                 self.assertIn(f"Wrong cannot be held: {file}: {words}", HapticState()["MechanismText"])

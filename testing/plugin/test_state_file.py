@@ -107,7 +107,7 @@ class StateFile(unittest.TestCase):
         loaded = self.saved_and_loaded(proxy, change)
         self.assertEqual((loaded.GetSetting("Stiffness"), loaded.GetSetting("Radius")), (345.0, 0.0))
         self.assertEqual((loaded.GetSettingText("MarksText"), loaded.GetSettingText("Hand")), ("", "stylus"))
-        self.assertIn("cannot be read: its columns do not begin with Source, X, Y and Z", loaded.GetProblem())
+        self.assertIn("cannot be read: the first columns must be Source, X, Y and Z", loaded.GetProblem())
 
     def test_a_workspace_that_was_fitted_comes_back_as_it_was(self):
         proxy = manager().NewProxy("haptics", "HapticSession")

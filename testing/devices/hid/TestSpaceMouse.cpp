@@ -291,7 +291,7 @@ TEST(SpaceMouse, TheFactoryListsItWithWhatItCannotDo)
   EXPECT_EQ(known.problem, "");
   EXPECT_FALSE(known.info.rendersForce);
   EXPECT_EQ(kindOf(known.info), "6 axes of motion, no force");
-  EXPECT_NE(shortcomings(known.info).find("gives no force"), std::string::npos);
+  EXPECT_NE(shortcomings(known.info).find("renders no force"), std::string::npos);
   const MadeDevice made = makeDevice(known.name, options);
   ASSERT_NE(made.device, nullptr);
   EXPECT_EQ(made.device->open(), "");

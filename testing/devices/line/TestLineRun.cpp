@@ -69,7 +69,7 @@ TEST(LineRun, AWorldStifferThanTheDeviceHoldsIsRefusedByNumber)
   LineWorld world = detents();
   world.detent_N = 1000.0;
   LineRun run;
-  EXPECT_NE(run.start(wheelLedTo(0.0), world).find("can be held"), std::string::npos);
+  EXPECT_NE(run.start(wheelLedTo(0.0), world).find("rendered stably"), std::string::npos);
   EXPECT_FALSE(run.running());
 }
 

@@ -8,7 +8,7 @@
 
 pqHapticDeviceChoice::pqHapticDeviceChoice(QWidget* parent) : Superclass(parent)
 {
-  this->setToolTip(tr("Who moves the hand: the mouse in the view, a recording, or a device that is plugged in"));
+  this->setToolTip(tr("Device that moves the hand: the mouse in the view, a recording, or an attached device"));
 }
 
 pqHapticDeviceChoice::~pqHapticDeviceChoice() = default;
