@@ -64,7 +64,7 @@ Setting at(SettingPlaces places, Setting setting)
   return setting;
 }
 
-/// Whoever feels along a path in the scene begins with another value than a session.
+/// Default used by Touch Along Path, where it differs from the session's.
 Setting along(double path, Setting setting)
 {
   setting.alongPath = path;
