@@ -19,6 +19,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
 from palpate.simple import (AddLaw, BreakLaw, GetHapticSession, HapticRefusal, HapticState, HoldMechanism, Laws,  # noqa: E402
                             LetGo, RemoveLaw, SetHaptics, Touch)
+from says import unsaid
 
 SCENES = pathlib.Path(os.environ["PALPATE_SOURCE_DIR"]) / "data" / "mechanisms"
 SCALE, STIFFNESS = 1000.0, 500.0  # u/m, N/m
@@ -162,7 +163,7 @@ class Mechanism(Held):
             file = pathlib.Path(folder) / "sledge.json"
             file.write_text(json.dumps(scene))
             self.hold(file)
-            self.assertIn("not satisfied within the work of a tick", HapticState()["MechanismText"])
+            self.assertEqual(unsaid(HapticState()["MechanismText"], "not satisfied", "tick"), [])
             self.assertGreater(HapticState()["CappedTicks"], TICKS_TO_ENGAGE / 2)
             self.assertEqual(HapticState()["ForceMagnitude"], 0.0)
 
@@ -208,7 +209,7 @@ class Mechanism(Held):
         simple.GetDisplayProperties(source, self.view).Position = [100, 0, 0]
         simple.Render(self.view)
         HapticState()
-        self.assertIn("; its touched position is that of the scene file, not of the display", HapticState()["MechanismText"])
+        self.assertEqual(unsaid(HapticState()["MechanismText"], "scene file", "not of the display"), [])
         simple.GetDisplayProperties(source, self.view).Position = [0, 0, 0]
         HapticState()
         self.assertNotIn("not where", HapticState()["MechanismText"])
@@ -217,9 +218,9 @@ class Mechanism(Held):
         self.assertIn("2 constraints", HapticState()["MechanismText"])  # nothing has been moved yet
         moved.Transform.Translate = [100, 0, 0]
         HapticState()
-        self.assertTrue(HapticState()["MechanismText"].startswith("Moved cannot be held: it was moved away from the position of its scene file"))
+        self.assertEqual(unsaid(HapticState()["MechanismText"], "Moved cannot be held", "moved away", "scene file"), [])
         HoldMechanism(None)
-        with self.assertRaisesRegex(HapticRefusal, "Moved cannot be held: it was moved away from the position of its scene file"):
+        with self.assertRaisesRegex(HapticRefusal, "Moved cannot be held: .*scene file"):
             HoldMechanism(moved)
 
     def test_a_row_says_what_its_law_is_and_what_joins_two_points_is_never_open(self):
@@ -356,9 +357,9 @@ class Files(Held):
             simple.Render(self.view)
             state = HapticState()
         self.assertEqual(len(self.errors), 1, self.errors)
-        self.assertIn("joined.json: bodies[1]: tissue cannot be a soft body", self.errors[0])
+        self.assertEqual(unsaid(self.errors[0], "joined.json: bodies[1]: tissue", "soft body"), [])
         self.assertIn(str(self.body), self.errors[0])
-        self.assertIn("joined.json: bodies[1]: tissue cannot be a soft body", state["MechanismText"])
+        self.assertEqual(unsaid(state["MechanismText"], "joined.json: bodies[1]: tissue", "soft body"), [])
         self.assertNotIn("\n", state["MechanismText"])
         shutil.move(kept, self.body)
         self.read_again()

@@ -8,6 +8,7 @@ from paraview import simple
 
 from haptic_proxies import put
 from view_fixture import DEPTH, FORCE, ViewTest
+from says import unsaid
 
 DEFAULT_SCALE = 1000.0  # u/m
 
@@ -119,12 +120,12 @@ class TouchInAView(ViewTest):
         self.assertIn("or apply the filter Contour", said)
 
     def test_an_outline_is_refused_with_what_to_do(self):
-        self.assertIn("only the outline or edges are drawn; choose the representation Surface", self.refusal("Outline"))
+        self.assertEqual(unsaid(self.refusal("Outline"), "outline", "edges", "representation Surface"), [])
 
     def test_what_is_drawn_as_lines_is_refused_with_what_helps(self):
         self.show(simple.Line())
         self.follow()
-        self.assertIn("drawn as lines; set Radius of lines", self.scene.GetReport())
+        self.assertEqual(unsaid(self.scene.GetReport(), "drawn as lines", "Radius of lines"), [])
         self.assertEqual(self.scene.GetRefusal(), self.scene.GetReport().strip().removeprefix("Not touched: "))
         put(self.proxy, "LineRadius", 0.1)  # what it says helps
         self.assertTrue(self.follow())
@@ -134,7 +135,7 @@ class TouchInAView(ViewTest):
         points = simple.PointSource(NumberOfPoints=5, Radius=1.0)
         self.show(points)
         self.follow()
-        self.assertIn("drawn as points; set Radius of points", self.scene.GetReport())
+        self.assertEqual(unsaid(self.scene.GetReport(), "drawn as points", "Radius of points", "Glyph", "Sphere"), [])
         simple.Hide(points, self.view)
         self.show(simple.Glyph(Input=points, GlyphType="Sphere", GlyphMode="All Points"))  # what it says helps
         self.follow()
@@ -148,7 +149,7 @@ class TouchInAView(ViewTest):
         simple.Render(self.view)
         self.assertTrue(self.follow())
         self.assertEqual(self.scene.GetNumberOfSurfaces(), 0)
-        self.assertIn("fully transparent; raise the opacity to touch this source", self.scene.GetReport())
+        self.assertEqual(unsaid(self.scene.GetReport(), "transparent", "opacity"), [])
         display.Opacity = 0.01
         simple.Render(self.view)
         self.follow()
