@@ -153,8 +153,8 @@ class Shown(unittest.TestCase):
         ball.Update()
         self.skin.SetInputData(0, ball.GetOutput())
         self.skin.Update()
-        more = float(self.skin.GetText().split("fill ")[1].split(" %")[0])
-        self.assertIn("% more", self.skin.GetText())
+        more = float(self.skin.GetText().split("tetrahedra is ")[1].split(" %")[0])
+        self.assertIn("% above", self.skin.GetText())
         self.assertAlmostEqual(more, 100 * (SIDE**2 * HEIGHT / (4 / 3 * math.pi * 20**3) - 1), delta=0.01 * more)
 
     def test_what_is_no_body_carries_nothing(self):

@@ -253,7 +253,7 @@ TEST(PidEngine, ASlowBlockLoadIsAwaitedButNotForEver)
   rig.device().slowLoads = 30;
   EXPECT_EQ(rig.engine.create(pid::spring).problem, "");
   rig.device().slowLoads = 1000;
-  EXPECT_NE(rig.engine.create(pid::spring).problem.find("never says"), std::string::npos);
+  EXPECT_NE(rig.engine.create(pid::spring).problem.find("does not confirm"), std::string::npos);
 }
 
 TEST(PidEngine, FeatureRequestsThatTimeOutComeShortOrWithAnotherIdAreSaid)

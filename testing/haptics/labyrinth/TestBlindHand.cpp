@@ -262,7 +262,7 @@ TEST(BlindHand, IsSentWithEncoderStepsUpToTheCoarsestThatTellAPlaceAndRefusedBey
     EXPECT_EQ(runBlind(maze, run).problem.empty(), hand.stiffness_N_per_m > 0.0) << hand.name;
   }
   run.device.encoderStep_m = 1.001 * coarsest_m;
-  EXPECT_NE(runBlind(maze, run).problem.find("steps of"), std::string::npos);
+  EXPECT_NE(runBlind(maze, run).problem.find("resolution of"), std::string::npos);
 }
 
 TEST(BlindHand, IsNotSentIntoAStructureWithoutAnExit)

@@ -152,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(All, WrongMechanism,
       [](MechanismRig& r) { r.join(LawKind::Hinge, "wall", Vec3::Zero(), Vec3(0.0, 0.0, 0.05)); },
       "no rotation of its own" },
     Wrong{ "PunctureOfTheWorld", [](MechanismRig& r) { r.mechanism.laws[1].b = "world"; }, "needs a soft body" },
-    Wrong{ "AxisWithoutDirection", [](MechanismRig& r) { r.mechanism.laws[0].axis_B.setZero(); }, "without direction" },
+    Wrong{ "AxisWithoutDirection", [](MechanismRig& r) { r.mechanism.laws[0].axis_B.setZero(); }, "axis of length 0" },
     Wrong{ "FrictionThatNothingDividesAmongItsPoints",
       [](MechanismRig& r)
       {

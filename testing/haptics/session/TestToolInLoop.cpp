@@ -219,7 +219,7 @@ TEST_F(ToolInLoop, ThatIsClosedAllAroundWhatIsShownSaysSo)
   this->begin(sceneOf(part), {});
   take(shell);
   this->hold(0.0, 5);
-  EXPECT_NE(this->session.toolNoWayOut().find("all around"), std::string::npos);
+  EXPECT_NE(this->session.toolNoWayOut().find("encloses"), std::string::npos);
   this->hold(0.5, 50);
   EXPECT_NE(this->session.toolNoWayOut(), "") << "nothing is passed";
   shell.triangles.resize(10); // without its top
