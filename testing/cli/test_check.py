@@ -173,7 +173,7 @@ class Curves(CommandLineTest):
 
     def test_tubes_are_counted_and_their_radius_is_said(self):
         text = self.succeed("check", "lines.vtp", "--line-radius", 0.25).stdout
-        for said in ("kept 3 of 3 segments", "4 x 4 x 3 scene units", "all 3 segments are felt",
+        for said in ("kept 3 of 3 segments", "4 x 4 x 3 scene units", "all 3 segments are used",
                      "3 segments, touched as tubes of 0.25 scene units"):
             self.assertIn(said, text)
         self.assertNotIn("facets", text)
@@ -187,7 +187,7 @@ class Curves(CommandLineTest):
 <DataArray type="Int64" Name="offsets" format="ascii">2</DataArray></Lines><Polys>""")
         self.write("both.vtp", both)
         text = self.succeed("check", "both.vtp", "--line-radius", 0.25).stdout
-        for said in ("kept 2 of 2 triangles", "kept 1 of 1 segments", "all 3 triangles and segments are felt", "tubes of 0.25"):
+        for said in ("kept 2 of 2 triangles", "kept 1 of 1 segments", "all 3 triangles and segments are used", "tubes of 0.25"):
             self.assertIn(said, text)
         found = json.loads(self.succeed("check", "both.vtp", "--line-radius", 0.25, "--json").stdout)
         self.assertEqual((found["triangles_in"], found["lines"]["triangles_in"]), (2, 1))

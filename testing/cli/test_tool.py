@@ -81,7 +81,7 @@ class Tool(CommandLineTest):
         for option in (("--radius", 1), ("--two-d",), ("--stiffness-array", "E"), ("--shading",),
                        ("--strength", 1), ("--compare-with", "g"), ("--values", 1), ("--range", "0,1"), ("--snap", "points"),
                        ("--young", 20000)):
-            self.refused(*base, *option, saying=(option[0], "--tool"))
+            self.refused(*base, *option, saying=("tool", "--tool"))
         self.refused(*base, "--lever", 0, saying=("lever",))
         for stiffness in (-1, 0, "inf"):
             self.refused(*base, "--torque-stiffness", stiffness, saying=(f"--torque-stiffness {stiffness}:", "finite number"))

@@ -168,7 +168,7 @@ TEST_F(HapticSessionInspection, AMarkIsKeptAsPointTableTextAndFile)
 {
   const auto errors = errorsOf(static_cast<vtkObject*>(this->session_), [this] { this->session_->AddMark(); });
   ASSERT_EQ(errors.size(), 1u);
-  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("nothing is touched"));
+  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("a mark needs a contact"));
   this->show(planeWithArrays());
   this->pressPlane(20.0, -30.0);
   ASSERT_TRUE(this->session_->AddMark());

@@ -144,7 +144,7 @@ TEST_F(HapticSessionPlan, TheNewestCommitCancelsWhatIsLookedForAndOnlyItsOwnSimp
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_THAT(this->sentence(), StartsWith("all " + trianglesOf(fine) + " triangles"));
   ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
-  EXPECT_THAT(this->sentence(), HasSubstr(" of " + trianglesOf(fine) + " triangles are felt"));
+  EXPECT_THAT(this->sentence(), HasSubstr(" of " + trianglesOf(fine) + " triangles are used"));
   this->session_->Step(ticksToSettle);
   EXPECT_NEAR(this->force_N(), stiffness * depth / scale, stiffness * (notNoticed + sagitta(fine)) / scale);
 }
@@ -174,7 +174,7 @@ TEST_F(HapticSessionPlan, ASmallSurfaceIsLeftAsItIsUnlessAskedFor)
   EXPECT_TRUE(test::says(this->sentence(), { "surfaces", "worthwhile", "50000 triangles" }));
   this->session_->SetSetting("Simplify", vtkHapticSession::On);
   EXPECT_TRUE(this->session_->FinishSimplification());
-  EXPECT_THAT(this->sentence(), HasSubstr(" of " + triangles + " triangles are felt"));
+  EXPECT_THAT(this->sentence(), HasSubstr(" of " + triangles + " triangles are used"));
   this->session_->SetSetting("Scale", scale / 10); // what was not noticed is felt ten times larger
   this->session_->Update();
   EXPECT_THAT(
@@ -288,7 +288,7 @@ TEST_F(HapticSessionPlan, TheSentenceSaysWhatTouchesAndAChoiceThatIsNoneIsRefuse
   EXPECT_EQ(this->sentence(), "there is nothing to touch");
   this->commit(makePlane(sphereRadius));
   ASSERT_TRUE(this->session_->FinishScene());
-  EXPECT_THAT(this->sentence(), StartsWith("all 2 triangles are felt"));
+  EXPECT_THAT(this->sentence(), StartsWith("all 2 triangles are used"));
   EXPECT_TRUE(test::says(this->sentence(), { "radius", "friction", "8 triangles" }));
   this->session_->SetSetting("Radius", 1.5);
   this->session_->SetSetting("FrictionStatic", 0.5);

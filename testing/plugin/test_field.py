@@ -116,7 +116,7 @@ class FieldInAView(ViewTest):
         self.follow()
         self.session.Step(1)
         self.session.Update()
-        self.assertIn("is gone", self.session.GetWarning())
+        self.assertIn("is missing", self.session.GetWarning())
         self.scene.Update()
         self.assertIn('has "RTData"', self.scene.GetReport())
         put(self.proxy, "Touching", 0)

@@ -205,14 +205,14 @@ class Mechanism(Held):
 
     def test_one_that_is_drawn_elsewhere_than_its_file_has_it_is_refused_or_said(self):
         source = self.hold()
-        self.assertNotIn("not where", HapticState()["MechanismText"])
+        self.assertNotIn("not of the display", HapticState()["MechanismText"])
         simple.GetDisplayProperties(source, self.view).Position = [100, 0, 0]
         simple.Render(self.view)
         HapticState()
         self.assertEqual(unsaid(HapticState()["MechanismText"], "scene file", "not of the display"), [])
         simple.GetDisplayProperties(source, self.view).Position = [0, 0, 0]
         HapticState()
-        self.assertNotIn("not where", HapticState()["MechanismText"])
+        self.assertNotIn("not of the display", HapticState()["MechanismText"])
         moved = simple.Transform(registrationName="Moved", Input=source)
         HoldMechanism(moved)
         self.assertIn("2 constraints", HapticState()["MechanismText"])  # nothing has been moved yet
@@ -239,7 +239,7 @@ class Mechanism(Held):
         simple.Delete(source)
         HapticState()
         self.assertLess(self.steps(), 1e-6)
-        self.assertIn("is not there", HapticState()["MechanismText"])
+        self.assertIn("does not exist", HapticState()["MechanismText"])
 
     def test_a_body_that_is_pressed_is_seen_to_bend_and_all_are_as_at_first_when_they_are_laid_down(self):
         source = self.hold()

@@ -89,7 +89,7 @@ class MechanismOnAServer(unittest.TestCase):
             self.assertIn("1 constraints", there.text())
             simple.Delete(there.source)
             there.follow()
-            self.assertIn("is not there", there.text())
+            self.assertIn("does not exist", there.text())
 
     def test_a_file_of_a_body_that_is_on_the_server_alone_is_said_with_the_cure(self):
         before = os.getcwd()

@@ -139,7 +139,7 @@ class Functions(unittest.TestCase):
         self.assertNotIn("Box", session.GetSceneReport())
         simple.Delete(box)
         HapticState()
-        self.assertIn("is not there", HapticState()["ToolText"])
+        self.assertIn("does not exist", HapticState()["ToolText"])
         with self.assertRaisesRegex(HapticRefusal, "has no source"):
             HoldTool("Drill")
         HoldTool(None)

@@ -226,7 +226,7 @@ protected:
   {
     if (this->Drawing.Problem.empty())
     {
-      this->Drawing.Problem = "not XML, or damaged" + (this->Last.empty() ? "" : " behind " + this->Last);
+      this->Drawing.Problem = "not XML, damaged or cut short" + (this->Last.empty() ? "" : " behind " + this->Last);
     }
   }
 

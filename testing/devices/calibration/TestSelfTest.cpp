@@ -648,7 +648,7 @@ TEST(SelfTest, ADeviceThatHasNotSaidWhereTheHandIsIsWaitedForWithoutForceAndTheP
   Unheard check;
   check.wait(29.9);
   EXPECT_EQ(check.state.verdict, SelfTestVerdict::None);
-  EXPECT_NE(askOf(check.plan, check.state).find("move it"), std::string::npos) << askOf(check.plan, check.state);
+  EXPECT_NE(askOf(check.plan, check.state).find("move the handle"), std::string::npos) << askOf(check.plan, check.state);
   static_cast<void>(stepSelfTest(check.plan, {}, DeviceStatus::Ok, period_s, check.state));
   EXPECT_NE(askOf(check.plan, check.state).find("still"), std::string::npos) << askOf(check.plan, check.state);
   check.wait(29.9); // counted anew

@@ -76,7 +76,7 @@ TEST(LineRun, AWorldStifferThanTheDeviceHoldsIsRefusedByNumber)
 TEST(LineRun, ADeviceWithoutForceIsRefused)
 {
   LineRun run;
-  EXPECT_NE(run.start(std::make_unique<FedDevice>(), detents()).find("does not"), std::string::npos);
+  EXPECT_NE(run.start(std::make_unique<FedDevice>(), detents()).find("no force"), std::string::npos);
 }
 
 TEST(LineRun, OnItsOwnThreadItEndsWithoutForce)

@@ -60,7 +60,7 @@ void pqHapticDeviceChoice::list()
   if (this->findText(chosen) < 0)
   {
     this->addItem(chosen);
-    this->setItemData(this->count() - 1, tr("it is not plugged in"), Qt::ToolTipRole);
+    this->setItemData(this->count() - 1, tr("the device is not attached"), Qt::ToolTipRole);
   }
   this->setCurrentText(chosen);
 }
