@@ -117,7 +117,7 @@ class Labyrinths(unittest.TestCase):
             session.SetTouching(True)
             self.assertTrue(step_until(session, "leads"), device)
             text = "leads" if forces else "move to the start yourself"
-            self.assertEqual(session.GetLabyrinth().GetText(), text, device)
+            self.assertTrue(session.GetLabyrinth().GetText().startswith(text), device)
 
     def test_trace_is_the_way_since_the_hand_was_let_go(self):
         session, _ = self.session("hampton-court", "fed")

@@ -208,7 +208,7 @@ class SoftBody(unittest.TestCase):
         weight = 900 * 9.81 * SIDE**3 / 2
         for got, expected in zip(borne(grid), (0, 0, -weight)):
             self.assertAlmostEqual(got, expected, delta=1e-6 * weight)  # its points are of single precision
-        self.assertIn(f"bears {weight:.5g} N", self.body.GetText())
+        self.assertIn(f"total load {weight:.5g} N", self.body.GetText())
         block, pull = tetrahedra(), vtkDoubleArray()
         pull.SetName("pull")
         pull.SetNumberOfComponents(3)

@@ -240,7 +240,7 @@ class Refusals(Case):
         for path in ([[1, 2]], [], [[0, 0, float("nan")]], [[1, 0, 0, 0], [1, 0, 0, 0]], "way", vtkPolyData()):
             self.refusal(path=path)
         self.assertIn("is empty", self.refusal(vtkPolyData()))
-        self.assertIn("nothing to touch", self.refusal(vtkTable()))
+        self.assertIn("cannot be touched", self.refusal(vtkTable()))
 
     def test_a_baseline_that_cannot_be_written_leaves_the_old_one(self):
         held = self.file.read_bytes()
