@@ -42,7 +42,7 @@ MadeDevice makeSimulated(const DeviceModel& model, const DeviceOptions& options)
     {
       names += (names.empty() ? "" : ", ") + known.name;
     }
-    return { nullptr, "hand \"" + options.hand + "\" is not known; known are " + names };
+    return { nullptr, "hand \"" + options.hand + "\" is unknown; valid names: " + names };
   }
   SimulationOptions simulation;
   simulation.period_s = options.period_s;
@@ -53,7 +53,7 @@ MadeDevice makeSimulated(const DeviceModel& model, const DeviceOptions& options)
 std::vector<Kind> builtIn()
 {
   std::vector<Kind> all{
-    { "fed", "poses fed by a program",
+    { "fed", "poses set by a program",
       [](const DeviceOptions&) {
         return MadeDevice{ std::make_unique<FedDevice>(), "" };
       },
@@ -244,7 +244,7 @@ MadeDevice makeDevice(const std::string& name, const DeviceOptions& options)
       names += (names.empty() ? "" : ", ") + kind.name;
     }
   }
-  return { nullptr, "device \"" + name + "\" is not known; known are " + names };
+  return { nullptr, "device \"" + name + "\" is unknown; valid names: " + names };
 }
 
 } // namespace palpate

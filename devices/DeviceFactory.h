@@ -44,12 +44,12 @@ struct KnownDevice
 };
 
 /// Of a device with a twin, for a person. What a check found out about one of the two may be wrong for the other.
-inline constexpr const char* twinNote =
-  "Another one is plugged in that neither its kind nor a serial number tells apart: no calibration is used or kept.";
+inline constexpr const char* twinNote = "Another attached device has the same kind and no distinct serial number: no "
+                                        "calibration is used or saved. Attach only one of them.";
 
 /// Of a device without a grip sensor, for a person who chose the grip as what must be held.
 inline constexpr const char* noGripNote =
-  "It has no grip sensor: with the grip as what must be held it never pushes; choose a button.";
+  "The device has no grip sensor: with the grip as dead-man switch it renders no force; choose a button.";
 
 /// All devices this build knows and all that are plugged in, usable or not.
 [[nodiscard]] std::vector<KnownDevice> knownDevices(const DeviceOptions& options = {});

@@ -53,9 +53,10 @@ std::string otherSceneSentence(const RecordedHand& hand, std::uint64_t shown)
   {
     return {};
   }
-  return shown == 0 ? "what this recording touched is not shown: the hand moves as it did and touches nothing"
-                    : "what is shown is not what this recording touched: the hand moves as it did, and feels what is "
-                      "shown now";
+  return shown == 0 ? "the recorded scene is not visible: the hand repeats its motion and touches nothing; show the "
+                      "recorded data"
+                    : "the visible scene differs from the recorded one: the hand repeats its motion and touches the "
+                      "visible scene";
 }
 
 } // namespace palpate

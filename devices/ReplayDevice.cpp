@@ -32,7 +32,7 @@ std::string ReplayDevice::open()
     }
     this->hand_ = recordedHand(std::get<Recording>(read));
   }
-  return this->hand_.samples.empty() ? "the recording to replay has no samples: give one that has" : "";
+  return this->hand_.samples.empty() ? "the recording has no samples: choose another recording" : "";
 }
 
 DeviceStatus ReplayDevice::read(double tickTime_s, DeviceSample& sample) noexcept

@@ -63,34 +63,34 @@ QDoubleSpinBox* CorridorBox(QWidget* parent)
   box->setRange(0.0, 1e9);
   box->setDecimals(4);
   box->setSuffix(QObject::tr(" u"));
-  box->setSpecialValueText(QObject::tr("as the file says, else measured"));
-  box->setToolTip(
-    QObject::tr("Width of corridors: the disc that is led through them has a fifth of that as its radius"));
+  box->setSpecialValueText(QObject::tr("from the file, or else measured"));
+  box->setToolTip(QObject::tr("Width of the corridors; the radius of the disc in the hand is 1/5 of the width"));
   return box;
 }
 } // namespace
 
 pqHapticLabyrinths::pqHapticLabyrinths(QWidget* parent)
   : Superclass(parent), Worlds(new QListWidget(this)), Corridor(CorridorBox(this)),
-    Hidden(Check(this, "hidden", tr("&Hide walls: by touch alone"), tr("Walls cannot be seen but are felt"))),
-    Trace(Check(this, "trace", tr("&Trace"), tr("Draws the way since the hand was let go"))),
-    State(pqHapticLabel(this, "state", tr("Where the game stands"))),
-    Time(pqHapticLabel(this, "time", tr("Time of exploring"))),
-    Place(pqHapticLabel(this, "place", tr("The proxy in the plane, in scene units"))),
-    Message(pqHapticLabel(this, "message", tr("What happened, and what to do next")))
+    Hidden(Check(this, "hidden", tr("&Hide walls: touch only"), tr("The walls are invisible and can be touched"))),
+    Trace(Check(this, "trace", tr("&Trace"), tr("Draw the path since the hand was released"))),
+    State(pqHapticLabel(this, "state", tr("State of the game"))),
+    Time(pqHapticLabel(this, "time", tr("Duration of the exploration"))),
+    Place(pqHapticLabel(this, "place", tr("Position of the proxy in the plane, in scene units"))),
+    Message(pqHapticLabel(this, "message", tr("Last event and next step")))
 {
   this->setObjectName("hapticLabyrinths");
   this->setWindowTitle(tr("Labyrinths"));
   this->Worlds->setObjectName("worlds");
-  this->Worlds->setToolTip(tr("The gallery and files of your own; Enter plays"));
+  this->Worlds->setToolTip(tr("Gallery and user files; Enter plays the selected one"));
   QPushButton* const file =
-    Button(this, "file", tr("&Own file..."), tr("Adds a drawing (svg), a picture (png) or lines (vtp)"));
-  QPushButton* const play = Button(this, "play", tr("&Play"), tr("Opens the world and leads the hand to its start"));
+    Button(this, "file", tr("&Own file..."), tr("Add a drawing (svg), a picture (png) or lines (vtp)"));
+  QPushButton* const play = Button(this, "play", tr("&Play"), tr("Open the labyrinth and guide the hand to its start"));
   QPushButton* const again =
-    Button(this, "again", tr("Start &again"), tr("Shows the whole world and leads the hand to its start"));
+    Button(this, "again", tr("Start &again"), tr("Show the whole labyrinth and guide the hand to its start"));
   QPushButton* const zoom = Button(this, "zoom", tr("&Zoom until it can be felt"),
-    tr("Enlarges the world about the hand until neighbouring corridors can be told apart"));
-  QPushButton* const end = Button(this, "end", tr("&End the game"), tr("Ball, scale and place are as before the game"));
+    tr("Enlarge the labyrinth about the hand until neighbouring corridors are distinguishable by touch"));
+  QPushButton* const end =
+    Button(this, "end", tr("&End the game"), tr("Restore proxy radius, scale and position from before the game"));
   auto* const corridors = new QLabel(tr("&Corridors"), this);
   corridors->setBuddy(this->Corridor);
   play->setDefault(true);
@@ -210,7 +210,8 @@ void pqHapticLabyrinths::begin()
   auto* const lines = vtkAlgorithm::SafeDownCast(this->Source->getProxy()->GetClientSideObject());
   if (!session || !lines)
   {
-    this->Message->setText(tr("A labyrinth is played where ParaView computes: with the built-in server."));
+    this->Message->setText(
+      tr("A labyrinth needs the built-in server of ParaView: disconnect from the remote server first."));
     return;
   }
   const std::string world = vtkSMPropertyHelper(this->Source->getProxy(), "World").GetAsString();
@@ -224,8 +225,8 @@ void pqHapticLabyrinths::begin()
   this->hideWalls(this->Hidden->isChecked());
   const bool maze = session->GetLabyrinth()->Play(lines->GetOutputDataObject(0), world.c_str());
   const QString begins = session->GetDeviceGivesForce()
-                           ? tr("You are brought to the start, then let go.")
-                           : tr("This device gives no force: go to the start yourself, there the game begins.");
+                           ? tr("The device guides your hand to the start, then releases it.")
+                           : tr("This device renders no force: move to the start yourself to begin the game.");
   this->Message->setText(maze ? begins : QString(session->GetProblem()));
   pqHapticController::instance()->setTouching(true);
 }
@@ -278,7 +279,7 @@ void pqHapticLabyrinths::end()
   }
   proxy->UpdateVTKObjects();
   this->hideWalls(false);
-  this->Message->setText(tr("The game is over: ball, scale and place are as before."));
+  this->Message->setText(tr("The game is over: proxy radius, scale and position are restored."));
 }
 
 /// So transparent that nobody sees it, yet not wholly: what is not shown at all is not felt.
@@ -314,13 +315,13 @@ void pqHapticLabyrinths::zoom()
   const double zoom = session->GetLabyrinth()->GetFeelableZoom();
   if (!std::isfinite(zoom))
   {
-    this->Message->setText(tr("Nothing is felt without stiffness: set one first."));
+    this->Message->setText(tr("The stiffness is 0, so that there is no force: set a stiffness first."));
     return;
   }
-  this->Message->setText(zoom > 1.0 ? tr("Enlarged %1 times: corridors of %2 mm and more can be told apart.")
+  this->Message->setText(zoom > 1.0 ? tr("Enlarged %1 times: corridors from %2 mm on are distinguishable.")
                                         .arg(zoom, 0, 'g', 3)
                                         .arg(1e3 * session->GetLabyrinth()->GetFeelableWidth(), 0, 'g', 3)
-                                    : tr("Its corridors can be told apart as they are."));
+                                    : tr("The corridors are distinguishable without enlargement."));
   double offset[3];
   for (int i = 0; i < 3; ++i)
   {

@@ -43,11 +43,11 @@ pqHapticMenu::pqHapticMenu(QObject* parent) : Superclass(parent)
 
   QAction* panel = this->addAction(tr("Show &Panel"));
   panel->setObjectName("hapticPanelAction");
-  panel->setToolTip(tr("Show the panel with device, stiffness and the servo's state"));
+  panel->setToolTip(tr("Show the panel with device, stiffness and state of the servo"));
   this->connect(panel, &QAction::triggered, this, &ShowPanel);
 
   QAction* labyrinths = this->addAction(tr("&Labyrinths..."));
   labyrinths->setObjectName("hapticLabyrinthsAction");
-  labyrinths->setToolTip(tr("Find the way through a maze by touch"));
+  labyrinths->setToolTip(tr("Find the path through a labyrinth by touch"));
   this->connect(labyrinths, &QAction::triggered, this, &ShowLabyrinths);
 }

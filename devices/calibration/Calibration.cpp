@@ -56,11 +56,11 @@ std::string refusalOf(const AxisCalibration& axis, int count)
 {
   if (!isAxis(axis.sensor, axis.sensorSign, count) || !isAxis(axis.motor, axis.motorSign, count))
   {
-    return "names an axis that the device does not have";
+    return "names an axis that the device lacks";
   }
   if (!(std::fabs(axis.low_m) <= farthest_m && std::fabs(axis.high_m) <= farthest_m))
   {
-    return "has an end that is not a length a device has";
+    return "has an end outside the lengths of a device";
   }
   if (!(axis.low_m < axis.high_m))
   {
@@ -69,7 +69,7 @@ std::string refusalOf(const AxisCalibration& axis, int count)
   if (!(axis.response_m_per_N >= 0.0 && axis.response_m_per_N <= farthest_m && axis.strength >= 0.0 &&
         axis.strength <= strongest))
   {
-    return "has a response or a strength that cannot be";
+    return "has an impossible response or strength";
   }
   return {};
 }
@@ -213,7 +213,7 @@ std::string Calibration::refusal() const
 {
   if (this->device.empty() || !isPlain(this->device) || !isPlain(this->serial))
   {
-    return "the name or the serial number of the device is empty, too long or has characters that are not text";
+    return "the name or serial number of the device is empty, too long or not text";
   }
   if (!isDate(this->date))
   {
@@ -221,7 +221,7 @@ std::string Calibration::refusal() const
   }
   if (this->axisCount < 1 || this->axisCount > mostAxes)
   {
-    return "it has no axis, or more than three";
+    return "the number of axes is not 1 to 3";
   }
   const int known = std::max(2, this->axisCount); // a wheel may call itself a stick
   int sensors = 0, motors = 0;
@@ -259,20 +259,19 @@ ParsedCalibration parseCalibration(std::string_view text)
 {
   if (text.size() > longestText)
   {
-    return { std::nullopt, "it is longer than any calibration" };
+    return { std::nullopt, "the file is longer than any calibration" };
   }
   if (!text.starts_with(firstLine))
   {
-    return { std::nullopt, "it is not a calibration" };
+    return { std::nullopt, "not a calibration file" };
   }
   if (text.substr(firstLine.size()).starts_with(std::string(formerVersion) + '\n'))
   {
-    return { std::nullopt,
-      "it was made before forces came from where effects say: its directions mean something else" };
+    return { std::nullopt, "the file comes from an old version with another convention for directions" };
   }
   if (!text.substr(firstLine.size()).starts_with(std::string(version) + '\n'))
   {
-    return { std::nullopt, "it has a version that this program does not know" };
+    return { std::nullopt, "the version of the file is unknown to this program" };
   }
   Reader reader(text);
   Calibration calibration = readAll(reader);

@@ -69,8 +69,8 @@ KeptCalibration readFile(const std::string& path, const std::string& device, con
   ParsedCalibration parsed = parseCalibration(text);
   if (parsed.calibration && (parsed.calibration->serial != serial || parsed.calibration->device != device))
   {
-    return { std::nullopt, path + ": it is of another device (" + parsed.calibration->device + ", serial number \"" +
-                             parsed.calibration->serial + "\")" };
+    return { std::nullopt, path + ": the calibration belongs to another device (" + parsed.calibration->device +
+                             ", serial number \"" + parsed.calibration->serial + "\")" };
   }
   return { std::move(parsed.calibration), parsed.problem.empty() ? "" : path + ": " + parsed.problem };
 }
@@ -136,7 +136,7 @@ KeptCalibration loadCalibration(const std::string& folder, const std::string& de
   }
   // What the damaged one said of walls may have been less.
   older.calibration->held = HeldProof::Unfelt;
-  return { std::move(older.calibration), newest.problem + "; the calibration before it is used" };
+  return { std::move(older.calibration), newest.problem + "; the previous calibration is used" };
 }
 
 std::string takeBackTrust(
@@ -161,15 +161,15 @@ std::string saveCalibration(const std::string& folder, const Calibration& calibr
   const std::string refused = calibration.refusal();
   if (folder.empty() || !refused.empty())
   {
-    return folder.empty() ? "the calibration is not kept: there is no folder for it"
-                          : "the calibration is not kept: " + refused;
+    return folder.empty() ? "the calibration is not saved: there is no folder for calibrations"
+                          : "the calibration is not saved: " + refused;
   }
   const std::string path = calibrationFile(folder, calibration.device, calibration.serial);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
   {
-    return folder + ": the folder cannot be made: " + error.message();
+    return folder + ": the folder cannot be created: " + error.message();
   }
   Calibration kept = calibration;
   kept.held = calibration.serial.empty() ? HeldProof::Unfelt : calibration.held;

@@ -257,10 +257,11 @@ std::string SelfTestPlan::refusal() const
 {
   if (this->axes == 0)
   {
-    return "this device gives no force, so there is nothing to check";
+    return "this device renders no force, so there is nothing to check";
   }
   const bool measurable = this->radius_m > 0.0 && this->radius_m < std::numeric_limits<double>::infinity();
-  return measurable && this->push_N > 0.0 ? "" : "this device says neither how far it moves nor how strong it is";
+  return measurable && this->push_N > 0.0 ? ""
+                                          : "this device reports neither its range of motion nor its largest force";
 }
 
 DeviceCommand stepSelfTest(

@@ -49,50 +49,51 @@ std::string because(SelfTestReason reason)
     case SelfTestReason::None:
       return "";
     case SelfTestReason::NeverStill:
-      return "the hand moves by itself: let it rest on the device, and try again";
+      return "the hand moved during the measurement: rest your hand on the device and try again";
     case SelfTestReason::NotMoved:
-      return "it was not moved to the end that was asked for, or that axis is not measured";
+      return "the handle was not moved to the requested end, or the device does not measure that axis";
     case SelfTestReason::NotAlongAxis:
-      return "two ends of one axis did not lie along one axis of the device: move it straight from end to end";
+      return "the two ends of one axis do not lie along one axis of the device: move the handle straight from end to "
+             "end";
     case SelfTestReason::NotInMiddle:
-      return "it was not brought back to the middle";
+      return "the handle was not moved back to the middle";
     case SelfTestReason::PushUnclear:
-      return "the hand did something else than the pushes: let it rest, hold the device loosely, and try again";
+      return "the hand moved against the pushes: rest your hand, hold the device loosely, and try again";
     case SelfTestReason::NoMotion:
-      return "a motor moves nothing; if it is a wheel, say so and try again";
+      return "a motor moves nothing; if the device is a wheel, select the wheel option and try again";
     case SelfTestReason::BothAxes:
-      return "one push moves two axes at once: its motors are coupled, or its firmware mixes directions";
+      return "one push moves two axes at once: the motors are coupled, or the firmware mixes directions";
     case SelfTestReason::SharedAxis:
-      return "two of its motors move the same axis; if it is a wheel, say so and try again";
+      return "two motors move the same axis; if the device is a wheel, select the wheel option and try again";
     case SelfTestReason::AnswersLate:
-      return "it is moved only after a push is over: so late no force is safe";
+      return "The device reacts only after the force pulse has ended. With that latency no closed-loop force is safe";
     case SelfTestReason::Sometimes:
-      return "only some of the pushes move it: look at its cable, its power and its safety switch";
+      return "only some pushes move the device: check its cable, power supply and safety switch";
     case SelfTestReason::Fades:
-      return "the later pushes moved it far less than the first: let its motors cool, hold it as loosely all the time, "
-             "and "
-             "try again";
+      return "the later pushes moved the device far less than the first: let the motors cool, hold the device equally "
+             "loosely throughout, and try again";
     case SelfTestReason::NoExpiry:
-      return "what it is told does not end by itself: if this program dies its force goes on; switch it off by its "
+      return "force commands do not expire: if this program stops, the force continues; switch the device off with its "
              "power switch";
     case SelfTestReason::TooFar:
-      return "a gentle push moved it too far: rest a hand on it; if one did, the device may push the wrong way";
+      return "a gentle push moved the device too far: rest a hand on it; if a hand did rest on it, the device may push "
+             "in the wrong direction";
     case SelfTestReason::TooFast:
-      return "it moved faster than a gentle push can: rest a hand on it";
+      return "the device moved faster than a gentle push allows: rest a hand on it";
     case SelfTestReason::NotFinite:
-      return "the device gave a position that is no number";
+      return "the device reported a position that is not a finite number";
     case SelfTestReason::Impossible:
-      return "it shows positions where no hand can be: look at its cable and its power";
+      return "the device reports impossible positions: check its cable and power supply";
     case SelfTestReason::Lost:
-      return "the device does not answer any more: is it plugged in?";
+      return "the device no longer answers: check its cable";
     case SelfTestReason::Late:
-      return "the computer was too busy to push gently: close other programs, and try again";
+      return "the computer was too busy for timed pushes: close other programs and try again";
     case SelfTestReason::LetGo:
-      return "what must be held was let go";
+      return "the dead-man switch was released";
     case SelfTestReason::Stopped:
-      return "it was stopped";
+      return "the check was stopped";
     case SelfTestReason::Silent:
-      return "the device has not said where the hand is: move it until it does, and try again";
+      return "the device has not reported a position: move the handle until it does, and try again";
   }
   return "";
 }
@@ -108,13 +109,13 @@ std::string axisLine(const SelfTestPlan& plan, const SelfTestState& state, int a
   }
   if (range_m < shortest * 2.0 * plan.radius_m)
   {
-    line += text(", less than half of the %.3g mm it was said to have", 2e3 * plan.radius_m);
+    line += text(", less than half of the %.3g mm in its description", 2e3 * plan.radius_m);
   }
   if (found.sensor != axis)
   {
     line += std::string(", measured by the driver's ") + axisLetters[found.sensor];
   }
-  return line + (found.sign < 0 ? ", counted the other way" : "");
+  return line + (found.sign < 0 ? ", with reversed sign" : "");
 }
 
 std::string held(const SelfTestPlan& plan, const SelfTestState& state, int motor)
@@ -124,9 +125,10 @@ std::string held(const SelfTestPlan& plan, const SelfTestState& state, int motor
   {
     return {};
   }
-  return text(", its own walls are %.2f", found.walls[0]) + text(" and %.2f of what they should be", found.walls[1]) +
-         text(", while it brakes %.0f %%", 1e2 * found.braking[0]) +
-         text(" and %.0f %% of the way are left", 1e2 * found.braking[1]);
+  return text(", its own walls are %.2f", found.walls[0]) +
+         text(" and %.2f of the requested stiffness", found.walls[1]) +
+         text(", while the viscosity leaves %.0f %%", 1e2 * found.braking[0]) +
+         text(" and %.0f %% of the displacement", 1e2 * found.braking[1]);
 }
 
 std::string motorLine(const SelfTestPlan& plan, const SelfTestState& state, int motor, double strongest)
@@ -135,15 +137,15 @@ std::string motorLine(const SelfTestPlan& plan, const SelfTestState& state, int 
   std::string line = std::string("motor ") + axisLetters[motor] + ": ";
   if (found.motion == MotorMotion::None)
   {
-    return line + text("moves nothing when it is asked for %.2g N", plan.push_N);
+    return line + text("moves nothing at %.2g N", plan.push_N);
   }
   if (found.motion != MotorMotion::Clear)
   {
-    return line + "does not do what it is asked for";
+    return line + "does not follow its commands";
   }
   line += std::string("moves the driver's ") + axisLetters[found.sensor] +
           text(" by %.2g mm per N", 1e3 * found.response_m_per_N);
-  line += found.sign < 0 ? ", the other way" : "";
+  line += found.sign < 0 ? ", in the reverse direction" : "";
   line += found.response_m_per_N < weakest * strongest ? ", weak beside the strongest" : "";
   return line + held(plan, state, motor);
 }
@@ -155,9 +157,9 @@ std::string heldLine(const SelfTestPlan& plan, const SelfTestState& state)
     return {};
   }
   const HeldProof proof = heldProofOf(plan, state);
-  return proof == HeldProof::Felt ? "\nIts own walls hold from both sides of each axis, and it brakes: once this is "
-                                    "kept, walls are left to it."
-                                  : std::string("\nThe program closes its walls: ") + whyNotHeld(proof) + ".";
+  return proof == HeldProof::Felt ? "\nThe device's own walls work from both sides of each axis, with viscosity: after "
+                                    "saving, the device holds walls itself."
+                                  : std::string("\nThe program renders the walls: ") + whyNotHeld(proof) + ".";
 }
 
 /// Of what ends by itself, and of what shakes.
@@ -167,10 +169,10 @@ std::string otherLines(const SelfTestPlan& plan, const SelfTestState& state)
   for (int motor = 0; motor < plan.axes; ++motor)
   {
     const bool ended = endedByItself(plan, state, motor).value_or(false);
-    lines = ended ? "\nWhat is not renewed ends by itself." : lines;
+    lines = ended ? "\nForce commands that are not renewed expire." : lines;
   }
-  lines += state.shake == ShakeFinding::Seen     ? "\nIt shakes."
-           : state.shake == ShakeFinding::Unseen ? "\nIts shaking moves it less than it can tell."
+  lines += state.shake == ShakeFinding::Seen     ? "\nThe device can vibrate."
+           : state.shake == ShakeFinding::Unseen ? "\nIts vibration is smaller than its own position resolution."
                                                  : "";
   return lines;
 }
@@ -178,7 +180,7 @@ std::string otherLines(const SelfTestPlan& plan, const SelfTestState& state)
 std::string linkLine(const LinkReport& link)
 {
   return link.outOfRange > 0
-           ? '\n' + std::to_string(link.outOfRange) + " of its positions were beyond what it says it can show."
+           ? '\n' + std::to_string(link.outOfRange) + " of its positions were outside the range in its description."
            : "";
 }
 
@@ -197,7 +199,7 @@ double strongestOf(const SelfTestPlan& plan, const SelfTestState& state)
 std::string foundLines(const SelfTestPlan& plan, const SelfTestState& state)
 {
   std::string lines = text(" At rest its position wanders by %.3g mm.", 1e3 * state.noise_m);
-  lines += state.oneAxis ? "\nIt is a wheel: it moves along one axis only." : "";
+  lines += state.oneAxis ? "\nThe device is a wheel: one axis of motion." : "";
   const double strongest = strongestOf(plan, state);
   for (int i = 0; i < plan.axes; ++i)
   {
@@ -213,24 +215,24 @@ std::string askOf(const SelfTestPlan& plan, const SelfTestState& state)
 {
   if (state.waiting_s > 0.0 && state.stage != SelfTestStage::Done)
   {
-    return "It has not said yet where the hand is: move it.";
+    return "The device has not reported a position yet: move the handle.";
   }
   switch (state.stage)
   {
     case SelfTestStage::Still:
       return "Hold the handle still.";
     case SelfTestStage::End:
-      return (plan.wheel ? "Turn it all the way " : "Move the handle all the way ") + endName(plan, state) +
-             " and hold it there." + (state.axis == 1 && plan.axes == 2 ? " A wheel that only turns: wait." : "");
+      return (plan.wheel ? "Turn the wheel to its end " : "Move the handle to its end ") + endName(plan, state) +
+             " and hold it there." + (state.axis == 1 && plan.axes == 2 ? " With a wheel: wait." : "");
     case SelfTestStage::Middle:
-      return "Bring it to the middle and rest a relaxed hand on it.";
+      return "Move the handle to the middle and rest a relaxed hand on it.";
     case SelfTestStage::Settle:
     case SelfTestStage::Brace:
     case SelfTestStage::Push:
     case SelfTestStage::Rest:
-      return "Let your hand rest on it, relaxed: it is pushed gently, to and fro.";
+      return "Rest a relaxed hand on the handle: the device pushes gently to and fro.";
     case SelfTestStage::Shake:
-      return "It shakes for a moment: let your hand rest on it.";
+      return "The device vibrates for a moment: rest your hand on the handle.";
     case SelfTestStage::Done:
       break;
   }
@@ -246,7 +248,7 @@ std::string resultOf(const SelfTestPlan& plan, const SelfTestState& state, const
     case SelfTestVerdict::None:
       return {};
     case SelfTestVerdict::Inconclusive:
-      return "Nothing was found out: " + why + '.' + linkLine(link);
+      return "No result: " + why + '.' + linkLine(link);
     case SelfTestVerdict::Aborted:
       return "The check ended without force: " + why + '.' + linkLine(link);
     case SelfTestVerdict::Passed:

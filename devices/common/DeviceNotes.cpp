@@ -20,11 +20,11 @@ const char* missingDirections(DeviceClass deviceClass) noexcept
   switch (deviceClass)
   {
     case DeviceClass::Vibration0D:
-      return "It pushes in no direction: contact and sliding are felt as vibration.";
+      return "The device has no directed force: contact and sliding are rendered as vibration.";
     case DeviceClass::Wheel1D:
-      return "It pushes along x only: what pushes along y and z is not felt.";
+      return "The device renders force along x only: force along y and z is not felt.";
     case DeviceClass::Joystick2D:
-      return "It pushes along x and y only: what pushes along z is not felt.";
+      return "The device renders force along x and y only: force along z is not felt.";
     case DeviceClass::Point3D:
     case DeviceClass::Rigid6D:
       break;
@@ -39,25 +39,25 @@ const char* whyNotHeld(HeldProof proof) noexcept
   switch (proof)
   {
     case HeldProof::Unfelt:
-      return "no check of the device has felt them yet";
+      return "no device check has measured them yet";
     case HeldProof::Felt:
       return "";
     case HeldProof::WrongWay:
-      return "its check felt one that pulls the hand through";
+      return "the check measured a wall that pulls the hand through";
     case HeldProof::NoForce:
-      return "its check felt one that does nothing";
+      return "the check measured a wall without force";
     case HeldProof::WrongSize:
-      return "its check felt one that is more than a quarter softer or stiffer than asked for";
+      return "the check measured a wall more than 25 % softer or stiffer than requested";
     case HeldProof::Drives:
-      return "its check felt its viscosity drive the hand on";
+      return "the check measured a viscosity that drives the hand";
     case HeldProof::NoBrake:
-      return "its check felt no viscosity";
+      return "the check measured no viscosity";
     case HeldProof::Unclear:
-      return "its check could not tell: the hand did not stay the same";
+      return "the check was inconclusive: the grip of the hand changed";
     case HeldProof::Misplaced:
-      return "its check felt one that does not stand where it was asked to";
+      return "the check measured a wall at the wrong position";
     case HeldProof::NoLimit:
-      return "its check felt one that pushes harder than it may";
+      return "the check measured a wall with too much force";
   }
   return "";
 }
@@ -67,7 +67,7 @@ std::string shortcomings(const DeviceInfo& device)
   std::string text;
   if (!device.rendersForce)
   {
-    add(text, true, "It gives no force: contact is seen, not felt.");
+    add(text, true, "The device renders no force: contact is visible, not felt.");
   }
   else
   {
@@ -75,22 +75,22 @@ std::string shortcomings(const DeviceInfo& device)
     add(text, *directions != '\0', directions);
   }
   const DeviceAbilities& abilities = device.abilities;
-  add(text, abilities.sensedAxes == 1, "It moves along x only.");
-  add(text, abilities.sensedAxes == 2, "It moves along x and y only.");
+  add(text, abilities.sensedAxes == 1, "The device moves along x only.");
+  add(text, abilities.sensedAxes == 2, "The device moves along x and y only.");
   const bool real = device.rendersForce && !device.simulated;
   const bool pushes = device.deviceClass != DeviceClass::Vibration0D;
   const bool doubted = device.offersWalls && !device.closesWalls();
   add(text, real && pushes && !abilities.holdsWalls && !doubted,
-    "It holds no walls by itself: the program closes them, softer.");
+    "The device holds no walls itself: the program renders them, softer.");
   add(text, real && pushes && abilities.holdsWalls && !abilities.viscous,
-    "It holds walls without viscosity, in which corridors shake: the program closes them, softer.");
-  add(text, real && pushes && !abilities.holdsWalls && !abilities.viscous && !doubted, "It has no viscosity.");
+    "The device holds walls without viscosity, so that corridors vibrate: the program renders them, softer.");
+  add(text, real && pushes && !abilities.holdsWalls && !abilities.viscous && !doubted, "The device has no viscosity.");
   if (real && pushes && doubted)
   {
-    text += (text.empty() ? "" : " ") + std::string("It offers to hold walls by itself, but ") +
-            whyNotHeld(device.heldProof) + ": the program closes them, softer.";
+    text += (text.empty() ? "" : " ") + std::string("The device offers walls of its own, but ") +
+            whyNotHeld(device.heldProof) + ": the program renders them, softer.";
   }
-  add(text, real && pushes && !abilities.signals, "It cannot shake.");
+  add(text, real && pushes && !abilities.signals, "The device cannot vibrate.");
   return text;
 }
 

@@ -12,16 +12,17 @@ namespace palpate
 
 std::string describeLink(const LinkReport& link)
 {
-  return std::to_string(std::lround(link.inputRate_Hz)) + " reports a second, " + std::to_string(link.restarts) +
+  return std::to_string(std::lround(link.inputRate_Hz)) + " reports per second, " + std::to_string(link.restarts) +
          " effects renewed, " + std::to_string(link.stalls) + " stalls, " + std::to_string(link.losses) + " losses, " +
          std::to_string(link.strange) + " strange, " + std::to_string(link.outOfRange) + " out of range" +
-         (link.attached ? "" : "; not there") + (link.message.empty() ? "" : ": " + link.message);
+         (link.attached ? "" : "; not attached") + (link.message.empty() ? "" : ": " + link.message);
 }
 
 std::string describeFailedWrite(const std::string& error)
 {
   const std::string gone = std::make_error_code(std::errc::no_such_device).message();
-  return error.find(gone) != std::string::npos ? "it was unplugged" : "it does not take forces: " + error;
+  return error.find(gone) != std::string::npos ? "the cable was unplugged"
+                                               : "the device rejects force commands: " + error;
 }
 
 std::string describeLoss(const LinkReport& link)
@@ -36,7 +37,7 @@ std::string describeLoss(const LinkReport& link)
     return "the device is lost: " + why + "; then engage again";
   }
   const bool saysMore = !link.message.empty() && link.message != why;
-  return "the device was lost: " + why + "; it is there again" +
+  return "the device was lost: " + why + "; the device is attached again" +
          (saysMore ? ", but " + link.message + ", then engage again" : ": engage again");
 }
 

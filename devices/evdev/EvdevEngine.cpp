@@ -93,7 +93,7 @@ std::string EvdevEngine::open()
   this->ownSpring_ = this->connection_.setting("autocenter");
   const bool taken = (!this->traits_.forces[FF_GAIN] || this->connection_.tell(FF_GAIN, everything)) &&
                      (!this->traits_.forces[FF_AUTOCENTER] || this->connection_.tell(FF_AUTOCENTER, 0));
-  return taken ? "" : "it does not take commands: " + this->connection_.error();
+  return taken ? "" : "the device rejects commands: " + this->connection_.error();
 }
 
 void EvdevEngine::close() noexcept
@@ -117,7 +117,7 @@ EffectEngine::Created EvdevEngine::create(HidUsage type)
   effect.told = emptyOf(kernels.value_or(0));
   if (!kernels || this->connection_.upload(effect.told) != EvdevTaken::Yes)
   {
-    return { 0, "it does not take a new effect: " + this->connection_.error() };
+    return { 0, "the device rejects a new effect: " + this->connection_.error() };
   }
   this->effects_.push_back(effect);
   return { static_cast<int>(this->effects_.size()), "" };

@@ -27,7 +27,7 @@ std::string EvdevInput::begin()
   {
     if (this->axes_[i].minimum >= this->axes_[i].maximum)
     {
-      return "the kernel does not know the range of its axis " + std::to_string(this->kind_.axes[i]);
+      return "the kernel reports no range for the axis " + std::to_string(this->kind_.axes[i]);
     }
   }
   return {};

@@ -60,9 +60,9 @@ std::vector<std::uint16_t> buttonsOf(const EvdevTraits& traits)
 
 std::string problemOf(const EvdevTraits& traits, const PidKind& kind)
 {
-  return traits.forces.none()          ? "it gives no force: the kernel's driver for it has none"
-         : !traits.forces[FF_CONSTANT] ? "the kernel's driver for it has no constant force: it only shakes"
-         : kind.sensedAxes == 0        ? "it has no axis that tells where the hand is"
+  return traits.forces.none()          ? "no force: the kernel driver of the device has no force feedback"
+         : !traits.forces[FF_CONSTANT] ? "vibration only: the kernel driver of the device has no constant force"
+         : kind.sensedAxes == 0        ? "the device has no axis that reports the position of the hand"
                                        : "";
 }
 

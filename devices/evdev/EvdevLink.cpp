@@ -87,7 +87,7 @@ bool EvdevLink::listen(AttachedEvdev& device, int timeout_ms, std::optional<Hand
 
 void EvdevLink::unplugged(const std::shared_ptr<AttachedEvdev>& device)
 {
-  static_cast<void>(this->lose(device, "it was unplugged"));
+  static_cast<void>(this->lose(device, "the cable was unplugged"));
 }
 
 void EvdevLink::giveUp(const std::shared_ptr<AttachedEvdev>& device, std::int64_t /*since_ns*/, const std::string& why)

@@ -155,7 +155,8 @@ public:
     const std::vector<fs::path> folders = hidFolders(folderOf(entry));
     if (const std::string holder = hidrawHolder(folders); !holder.empty())
     {
-      return { nullptr, "the program " + holder + " drives it past the kernel's driver: close that program first" };
+      return { nullptr,
+        "the program " + holder + " drives the device and bypasses the kernel driver: close that program first" };
     }
     const int file = ::open(entry.path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
     if (file < 0)

@@ -48,7 +48,7 @@ bool SpaceMouseInput::describes(const ReportDescriptor& descriptor) noexcept
 std::string SpaceMouseInput::refusal() const
 {
   const bool all = std::all_of(this->axes_.begin(), this->axes_.end(), [](const HidControl& axis) { return !!axis; });
-  return all ? "" : "it does not have all of the six axes x, y, z and the turns about them";
+  return all ? "" : "the device lacks some of the six axes x, y, z and the rotations about them";
 }
 
 std::uint32_t SpaceMouseInput::buttonCount() const noexcept

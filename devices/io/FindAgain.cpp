@@ -86,14 +86,14 @@ FoundDevice DeviceSearch::only(const std::vector<HidEntry>& alike) const
 {
   if (alike.empty())
   {
-    return { std::nullopt, this->name() + " is not there: plug it in" };
+    return { std::nullopt, this->name() + " is not attached: plug the device in" };
   }
   if (alike.size() == 1)
   {
     return { alike.front(), {} };
   }
   return { std::nullopt, "there are " + std::to_string(alike.size()) + " of " + this->name() +
-                           " and nothing tells them apart: plug in only one" };
+                           " attached, and they cannot be distinguished: plug in only one" };
 }
 
 FoundDevice DeviceSearch::newcomer(const std::vector<HidEntry>& alike) const
@@ -104,8 +104,8 @@ FoundDevice DeviceSearch::newcomer(const std::vector<HidEntry>& alike) const
   if (!come.empty() && alike.size() - come.size() < this->others_.size())
   {
     return { std::nullopt, "another one of " + this->name() +
-                             " went meanwhile, and nothing tells them apart: plug in only the right one, then choose "
-                             "the device again" };
+                             " disconnected meanwhile, and they cannot be distinguished: plug in only the right one, "
+                             "then choose the device again" };
   }
   return this->only(come);
 }

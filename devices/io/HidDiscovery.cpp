@@ -48,7 +48,8 @@ std::optional<std::string> shortfall(const HidEntry& entry, const HidBus::Descri
   {
     return std::nullopt;
   }
-  return read.problem.empty() ? PidEngine::refusal(d) : "its report descriptor cannot be read: " + read.problem;
+  return read.problem.empty() ? PidEngine::refusal(d)
+                              : "the report descriptor of the device cannot be read: " + read.problem;
 }
 
 std::string refusal(FoundHid::Kind kind, const ReportDescriptor& descriptor)

@@ -10,8 +10,8 @@ namespace
 
 constexpr int firstReads = 10, firstRead_ms = 10; ///< a device that has something to say says it in that time
 
-constexpr const char* effectsTaken =
-  "another program took its effects: close that program, or take the device's evdev node away (see plugin/README.md)";
+constexpr const char* effectsTaken = "another program took the effects of the device: close that program, or remove "
+                                     "access to the device's evdev node (see plugin/README.md)";
 
 } // namespace
 
@@ -20,7 +20,7 @@ std::string AttachedPid::begin(HidBus& bus, const PidOutputOptions& options)
   const HidBus::Descriptor read = bus.descriptor(this->entry);
   if (!read.problem.empty())
   {
-    return "its report descriptor cannot be read: " + read.problem;
+    return "the report descriptor of the device cannot be read: " + read.problem;
   }
   this->descriptor = parseReportDescriptor(read.bytes);
   std::string problem = PidEngine::refusal(this->descriptor);
@@ -66,13 +66,13 @@ const char* AttachedPid::disturbance(std::int64_t now_ns) noexcept
 {
   if (this->stalled)
   {
-    return "it did not take forces in time and was told to stop";
+    return "the device accepted forces too late and was stopped";
   }
   const bool off = this->actuatorsOff.exchange(false) && this->output->shouldBeOn(now_ns);
   const bool stopped = this->output->plays(this->stoppedBlock.exchange(0));
   if (off || stopped)
   {
-    return "another program or a switch on it took its forces away";
+    return "another program, or a switch on the device, disabled its forces";
   }
   return this->watch->undisturbed(now_ns) ? nullptr : effectsTaken;
 }
@@ -101,7 +101,7 @@ bool PidLink::listen(AttachedPid& device, int timeout_ms, std::optional<Hand>& n
 void PidLink::unplugged(const std::shared_ptr<AttachedPid>& device)
 {
   this->stopping_ = true;
-  if (this->lose(device, "it was unplugged"))
+  if (this->lose(device, "the cable was unplugged"))
   {
     device->stopPastTheWriter();
   }
@@ -139,9 +139,9 @@ void PidLink::takeState(AttachedPid& device, const PidState& state, std::optiona
     device.stoppedBlock = state.block;
   }
   device.switchSeen = device.switchSeen || state.overrideOn;
-  device.withoutForce = !state.power                             ? "its motors have no power: check its power supply"
-                        : state.paused                           ? "it is paused"
-                        : device.switchSeen && !state.overrideOn ? "its forces are switched off by a switch on it"
+  device.withoutForce = !state.power                             ? "the motors have no power: check the power supply"
+                        : state.paused                           ? "the device is paused"
+                        : device.switchSeen && !state.overrideOn ? "a switch on the device disables its forces"
                                                                  : nullptr;
   device.gripped = state.safetyClosed;
   if (device.last)

@@ -123,7 +123,7 @@ public:
     }
     if (report.attached && !this->exchange_.handKnown())
     {
-      report.message = "it has not said yet where the hand is: move it";
+      report.message = "the device has not reported a position yet: move the handle";
     }
     return report;
   }
@@ -191,7 +191,7 @@ private:
     if (const std::string lack = problem.empty() ? missing(least, device->output->abilities()) : ""; !lack.empty())
     {
       device->engine->close();
-      problem = "it came back without " + lack + ": its memory for effects may be full";
+      problem = "the device came back without " + lack + ": the effect memory of the device may be full";
     }
     if (!problem.empty())
     {

@@ -39,7 +39,7 @@ std::string SpaceMouseLink::begin(const HidEntry& entry, Attached& device)
   const HidBus::Descriptor read = this->bus_->descriptor(entry);
   if (!read.problem.empty())
   {
-    return "its report descriptor cannot be read: " + read.problem;
+    return "the report descriptor of the device cannot be read: " + read.problem;
   }
   device.descriptor = parseReportDescriptor(read.bytes);
   if (!device.descriptor.problem.empty())
@@ -80,7 +80,7 @@ bool SpaceMouseLink::readPass(int timeout_ms)
   }
   if (length < 0)
   {
-    this->held_.letGo(device, "it was unplugged", [this] { this->presence_.lost(); });
+    this->held_.letGo(device, "the cable was unplugged", [this] { this->presence_.lost(); });
     this->search_.lost(*this->bus_);
   }
   return length >= 0;

@@ -51,7 +51,7 @@ std::string LineRun::start(
   const LoopSettings loop = loopSettings(plain, options.period_s);
   const double largest_N_per_m = pushes ? stabilityLimits(info, loop).largest_N_per_m : 0.0;
   std::string problem =
-    pushes ? world.refusal(largest_N_per_m) : "a line is felt by a device that pushes, and this one does not";
+    pushes ? world.refusal(largest_N_per_m) : "a path needs a force-feedback device, and this device renders no force";
   if (problem.empty())
   {
     problem = device->open();

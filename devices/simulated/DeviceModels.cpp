@@ -26,8 +26,8 @@ const Model* byName(const std::vector<Model>& models, const std::string& name)
 const std::vector<DeviceModel>& deviceModels()
 {
   static const std::vector<DeviceModel> models = {
-    { "D0", "simulated-ideal", "0.1 kg and nothing else", 0.1, 0.0, 0.0, 0.0, none, none, none, 0.1, none, false,
-      Provenance::Definition },
+    { "D0", "simulated-ideal", "0.1 kg, without damping or friction", 0.1, 0.0, 0.0, 0.0, none, none, none, 0.1, none,
+      false, Provenance::Definition },
     { "D1", "simulated-generic", "0.1 kg with a damping of 1 N s/m", 0.1, 1.0, 0.0, 0.0, none, none, none, 0.1, none,
       false, Provenance::Definition },
     { "D2", "simulated-touch", "a desktop stylus arm: light, with friction, 3.3 N", 0.045, 0.1, 0.26, 55e-6, 3.3, 400.0,

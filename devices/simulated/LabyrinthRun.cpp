@@ -74,8 +74,7 @@ public:
   Runner(const Labyrinth& labyrinth, const LabyrinthRun& run)
     : run_(run), every_(std::max(1, static_cast<int>(std::lround(1.0 / (run.host_Hz * device_s))))),
       device_(run.device, run.hand, { { Vec3::Zero() } }, { .period_s = device_s }),
-      scene_(wholeScene({ wallsOf(labyrinth) }).scene),
-      parameters_(parametersOf(labyrinth, run, this->device_.info())),
+      scene_(wholeScene({ wallsOf(labyrinth) }).scene), parameters_(parametersOf(labyrinth, run, this->device_.info())),
       hand_(blindPlan(labyrinth, run, this->parameters_.map),
         this->parameters_.map.toDevice(this->parameters_.game.start_W))
   {
@@ -97,8 +96,7 @@ public:
     }
     if (this->outcome_.problem.empty())
     {
-      this->outcome_.problem =
-        this->outcome_.explored ? "it did not arrive in the time it was given" : this->notBrought();
+      this->outcome_.problem = this->outcome_.explored ? "the hand did not arrive in time" : this->notBrought();
     }
     return this->finish();
   }
@@ -142,8 +140,9 @@ private:
     this->note(state);
     if (this->hand_.exhausted() || this->hand_.lost())
     {
-      this->outcome_.problem = this->hand_.lost() ? "it could not get back to where it came from"
-                                                  : "it has been everywhere it could reach, and nowhere was the exit";
+      this->outcome_.problem = this->hand_.lost()
+                                 ? "the hand could not return to its previous position"
+                                 : "the hand explored all reachable corridors without finding the exit";
     }
   }
 
@@ -168,11 +167,11 @@ private:
   [[nodiscard]] std::string notBrought() const
   {
     std::ostringstream text;
-    text << "it could not be brought to the start in the time it was given";
+    text << "the hand could not be guided to the start in time";
     if (this->lead_N_ <= this->run_.device.friction_N)
     {
-      text << ": a host of " << this->run_.host_Hz << " Hz may pull it by " << this->lead_N_
-           << " N at most, and its friction is " << this->run_.device.friction_N
+      text << ": a host of " << this->run_.host_Hz << " Hz may pull the hand with " << this->lead_N_
+           << " N at most, and the friction of the device is " << this->run_.device.friction_N
            << " N; a faster host, or a device that holds its walls itself, can";
     }
     return text.str();
@@ -209,16 +208,16 @@ std::string refuse(const Labyrinth& labyrinth, const LabyrinthRun& run)
   }
   if (!(run.hand.stiffness_N_per_m > 0.0))
   {
-    return "the hand '" + run.hand.name + "' has no stiffness: it leads the handle nowhere";
+    return "the hand '" + run.hand.name + "' has no stiffness, so that the handle does not move; choose another hand";
   }
   const double scale_u_per_m = fitted(labyrinth, run.device.workspaceRadius_m).scale_u_per_m;
   const double coarsest_m = near * labyrinth.radius_u() / scale_u_per_m / std::sqrt(2.0);
   if (run.device.encoderStep_m > coarsest_m)
   {
     std::ostringstream text;
-    text << "the device '" << run.device.name << "' shows steps of " << 1e3 * run.device.encoderStep_m
-         << " mm, and in corridors of " << 1e3 * labyrinth.corridor_u / scale_u_per_m << " mm a hand finds its way by "
-         << 1e3 * coarsest_m << " mm at most";
+    text << "the device '" << run.device.name << "' has a resolution of " << 1e3 * run.device.encoderStep_m
+         << " mm, but corridors of " << 1e3 * labyrinth.corridor_u / scale_u_per_m << " mm need " << 1e3 * coarsest_m
+         << " mm or finer";
     return text.str();
   }
   return {};

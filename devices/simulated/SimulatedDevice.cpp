@@ -41,7 +41,7 @@ std::string SimulatedDevice::refusal() const
 {
   if (this->path_.points_D.empty())
   {
-    return "the simulated hand has nowhere to go: give it a stroke with at least one point";
+    return "the simulated hand has no path: set a stroke with at least one point";
   }
   if (!std::all_of(
         this->path_.points_D.begin(), this->path_.points_D.end(), [](const Vec3& p) { return p.allFinite(); }))
@@ -50,7 +50,7 @@ std::string SimulatedDevice::refusal() const
   }
   if (!this->path_.turn_D.allFinite())
   {
-    return "the simulated hand's turn [rad] is not finite";
+    return "the simulated hand's rotation [rad] is not finite";
   }
   if (!(this->path_.speed_m_per_s > 0.0))
   {

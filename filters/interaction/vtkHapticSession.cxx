@@ -180,7 +180,7 @@ void vtkHapticSession::Internals::Start()
   this->Session.InvokeEvent(vtkCommand::StartEvent);
   if (this->Check.Run.running())
   {
-    this->Refuse("the device is being checked; stop that first");
+    this->Refuse("a device check is running; stop the check first");
     return;
   }
   palpate::MadeDevice made = palpate::makeDevice(this->Chosen.name, this->Options());

@@ -48,7 +48,7 @@ void vtkHapticSession::SetStrokePath(vtkPolyData* path)
 {
   if (!path || path->GetNumberOfLines() != 1)
   {
-    this->Impl->Refuse("a stroke is poly data with one polyline");
+    this->Impl->Refuse("a stroke must be poly data with one polyline");
     return;
   }
   vtkNew<vtkIdList> ids;

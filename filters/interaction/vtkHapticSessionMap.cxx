@@ -27,7 +27,7 @@ void vtkHapticSession::FitWorkspace()
   this->InvokeEvent(vtkCommand::UpdateDataEvent);
   impl.FitAsked = impl.Scene.worker().building();
   const bool nothing = !impl.FitAsked && !impl.IsFittable();
-  const std::string problem = nothing ? "there is nothing to fit the hand to: show a surface that can be touched" : "";
+  const std::string problem = nothing ? "no touchable data to fit the workspace to: show a surface" : "";
   this->Impl->Refuse(problem);
   impl.Follow("FitWorkspace", problem);
   if (!nothing && !impl.FitAsked)
@@ -74,7 +74,7 @@ void vtkHapticSession::FitToSources(const char* names)
   palpate::BuiltScene chosen = impl.Scene.built();
   const std::string missing = palpate::boundsOf(chosen.scene.get(), wanted, chosen.bounds);
   const std::string problem =
-    missing.empty() ? "" : missing + " is not touched: show it, or choose another source to fit the hand to";
+    missing.empty() ? "" : missing + " is not touchable: show this source, or choose another one for the workspace";
   this->Impl->Refuse(problem);
   impl.Follow("FitWorkspace", problem);
   if (problem.empty())

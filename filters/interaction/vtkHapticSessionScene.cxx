@@ -110,7 +110,7 @@ void vtkHapticSession::CancelScene()
     impl.Surfaces.Cancel(impl.Scene.worker());
     impl.FitAsked = false;
     ++impl.ScenesCancelled;
-    impl.Cancelled = "what is shown was not made ready to be touched, for that was cancelled: press Touch to try again";
+    impl.Cancelled = "the preparation of the visible data was cancelled: press Touch to try again";
   }
 }
 

@@ -56,8 +56,8 @@ std::string LackOf(const vtkHapticSession& session)
   {
     list += (list.empty() ? "\"" : ", \"") + name + "\"";
   }
-  return (chosen.empty() ? "nothing that is shown" : chosen) + " has " + (chosen.empty() ? "" : "not ") + list +
-         ", to be felt as a field";
+  return (chosen.empty() ? "no visible source" : chosen) + " has " + (chosen.empty() ? "" : "not ") + list +
+         ", for the field";
 }
 } // namespace
 
@@ -90,15 +90,16 @@ vtkHapticFieldCandidates vtkHapticCandidatesOfField(
   const std::string chosen = session.GetSettingText("FeltSource");
   const std::vector<vtkHapticViewScan::Source> sources = vtkHapticSourcesOfField(session, view, shown);
   candidates.Refusal = !sources.empty()  ? LackOf(session)
-                       : !chosen.empty() ? chosen + ": no source with data is called so"
+                       : !chosen.empty() ? chosen + ": no source with data has this name"
                                          : "";
   for (const vtkHapticViewScan::Source& source : sources)
   {
     const bool has = HasArrays(source, session) && session.GetSourceTouched(source.Name.c_str());
     if (has && source.Moved)
     {
-      candidates.Refusal = source.Name + " is moved, turned or scaled in the view, and its numbers are not: use the "
-                                         "filter Transform, or set its display back";
+      candidates.Refusal =
+        source.Name +
+        " is transformed in the view, but its data are not: use the filter Transform, or reset the display transform";
     }
     else if (has)
     {

@@ -79,9 +79,9 @@ std::uint64_t GeometryKey(vtkDataObject* shown, const Also& also)
   return key;
 }
 
-constexpr const char* OnlyOutline = "only its outline or edges are drawn; choose the representation Surface";
+constexpr const char* OnlyOutline = "only the outline or edges are drawn; choose the representation Surface";
 constexpr const char* LinesNeedRadius =
-  "it is drawn as lines; give lines a radius in the panel (Advanced, Radius of lines) to feel them as tubes";
+  "drawn as lines; set Radius of lines in the panel (Advanced) to touch the lines as tubes";
 
 /// What is drawn of it instead of polygons.
 struct Drawn
@@ -128,8 +128,8 @@ std::string WhyNoPolygons(vtkObject* active, vtkDataObject* shown)
   }
   if (drawn.Points > 0)
   {
-    return "it is drawn as points; apply the filter Glyph with the type Sphere and show its result, or give points a "
-           "radius in the panel (Advanced, Radius of points)";
+    return "drawn as points; set Radius of points in the panel (Advanced), or apply the filter Glyph with the type "
+           "Sphere and show its result";
   }
   return "no polygons are shown; choose the representation Surface, or apply Extract Surface";
 }
@@ -139,10 +139,10 @@ std::string WhyNoSurface(vtkObject* active)
   if (active && (active->IsA("vtkVolumeRepresentation") || active->IsA("vtkImageVolumeRepresentation") ||
                   active->IsA("vtkUnstructuredGridVolumeRepresentation")))
   {
-    return "a volume has no surface; choose its values in the panel (Advanced, Field) to feel it as a field, or apply "
-           "the Contour filter and show its result";
+    return "a volume has no surface; choose its values in the panel (Advanced, Field) for a field, or apply the filter "
+           "Contour and show its result";
   }
-  return "it is not drawn as a surface; choose the representation Surface";
+  return "not drawn as a surface; choose the representation Surface";
 }
 
 /// What a representation draws: where it is, and what is to be felt of it.
@@ -200,9 +200,10 @@ Seen SeenThere(vtkSMProxy* proxy, vtkObject* active, const vtkHapticRemoteSurfac
   {
     return { actor, actor ? remote.ShapeOf(proxy) : vtkHapticShape() };
   }
-  return { actor, { nullptr, active->IsA("vtkGlyph3DRepresentation")
-                               ? "glyphs of a server are not here; apply the filter Glyph and show its result"
-                               : OnlyOutline } };
+  return { actor,
+    { nullptr, active->IsA("vtkGlyph3DRepresentation")
+                 ? "glyphs of a remote server cannot be touched; apply the filter Glyph and show its result"
+                 : OnlyOutline } };
 }
 
 /// Others show what they make of a curve, and nothing of it while it is drawn.
@@ -293,7 +294,7 @@ void ScanRepresentation(
   }
   if (IsTransparent(proxy))
   {
-    scan.Refusals.push_back(name + ": it is fully transparent; raise its opacity to feel it.");
+    scan.Refusals.push_back(name + ": fully transparent; raise the opacity to touch this source.");
     return;
   }
   vtkDataObject* shown = seen.Shape.Data;
@@ -337,7 +338,7 @@ std::string RefusalOf(vtkSMProxy* view)
   auto* render = vtkPVRenderView::SafeDownCast(view->GetClientSideObject());
   if (!render)
   {
-    return "The active view is not a 3D render view: click one that is.";
+    return "The active view is not a 3D render view: click a 3D view.";
   }
   return {};
 }

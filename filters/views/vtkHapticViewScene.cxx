@@ -29,7 +29,7 @@ vtkStandardNewMacro(vtkHapticViewScene);
 
 namespace
 {
-constexpr const char* NothingShown = "Nothing is shown: open a file and press Apply.";
+constexpr const char* NothingShown = "No data are visible: open a file and press Apply.";
 
 std::string Lines(const std::set<std::string>& names)
 {
@@ -136,7 +136,7 @@ std::string vtkHapticViewScene::Internals::HandOverBeside()
   const auto named = [&](const std::string& name)
   {
     vtkDataObject* const data = name.empty() ? nullptr : vtkHapticNamedData(this->View, name);
-    missing = data || name.empty() ? missing : name + ": no source with data is called so";
+    missing = data || name.empty() ? missing : name + ": no source with data has this name";
     return data;
   };
   vtkDataObject* const compared = named(this->Session->GetSettingText("CompareSource"));
@@ -443,7 +443,7 @@ void vtkHapticViewScene::WriteReport()
   }
   if (report.empty())
   {
-    report = this->Impl->Scan.Pending ? "Waiting for the first picture.\n" : std::string(NothingShown) + "\n";
+    report = this->Impl->Scan.Pending ? "Waiting for the first frame.\n" : std::string(NothingShown) + "\n";
   }
   this->Impl->Report = std::move(report);
 }

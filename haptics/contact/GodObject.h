@@ -23,7 +23,7 @@ class MovingScene;
 [[nodiscard]] ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const Vec3& p_W,
   GodObjectState& state, PathSink* sink = nullptr) noexcept;
 
-/// The same at a moment of a scene that moves. How the ball came along with what moved is CarryBall's business.
+/// The same at a moment of a scene that moves. CarryBall moves the ball with moving surfaces.
 [[nodiscard]] ContactResult moveGodObject(const MovingScene& scene, const ContactPlan& plan, const Vec3& p_W,
   GodObjectState& state, PathSink* sink = nullptr) noexcept;
 

@@ -34,7 +34,7 @@ struct PoseTarget
   double stiffness_N_per_m = 0.0; ///< of that spring; 0: there is none, and the pose is where the hand is
 };
 
-/// What the servo asks of a device for one tick.
+/// The servo's command to a device for one tick.
 struct DeviceCommand
 {
   std::uint32_t hand = 0; ///< whose it is, from 0
@@ -47,7 +47,7 @@ struct DeviceCommand
   Mat3 wallMotors = Mat3::Identity();
   double viscosity_Ns_per_m = 0.0;
   double brakeLargest_N = std::numeric_limits<double>::infinity(); ///< viscosity brakes no harder
-  bool lapses = false; ///< what the device was told is not renewed any more, so that it must end by itself
+  bool lapses = false; ///< commands are no longer renewed, so that they must expire in the device
   Signal signal = Signal::None;
 };
 

@@ -39,7 +39,7 @@ struct DeviceQuantity
   bool known = false;
 };
 
-/// What a device tells of the hand, and what it can do to it besides one force.
+/// Sensed and rendered abilities of a device, besides one force.
 struct DeviceAbilities
 {
   std::uint8_t sensedAxes = 3; ///< 1: x; 2: x and y; 3: a point; 6: a point and how it is turned
@@ -52,8 +52,8 @@ struct DeviceAbilities
   friend bool operator==(const DeviceAbilities&, const DeviceAbilities&) = default;
 };
 
-/// What a check has felt of the walls and the viscosity that a device closes by itself. Nothing else tells whether a
-/// firmware does what its descriptor offers.
+/// Result of a check of the walls and the viscosity in the device's own loop. Nothing else tells whether a
+/// firmware has the functions of its descriptor.
 enum class HeldProof : std::uint8_t
 {
   Unfelt,    ///< it was not checked
@@ -68,7 +68,7 @@ enum class HeldProof : std::uint8_t
   NoLimit,   ///< a wall pushes harder than it may
 };
 
-/// What a device can do. Filled once when it is opened.
+/// Abilities of a device. Filled once at opening.
 struct DeviceInfo
 {
   std::string name;   ///< the name the factory knows
@@ -77,7 +77,7 @@ struct DeviceInfo
   Causality causality = Causality::Impedance;
   Pacing pacing = Pacing::Timer;
   bool rendersForce = true;   ///< false: forces go nowhere (poses fed by a program, a replay, a SpaceMouse)
-  bool rendersTorque = false; ///< it turns the hand; else what a command says of torque is not for it
+  bool rendersTorque = false; ///< it turns the hand; otherwise torques of commands are ignored
   bool simulated = false;     ///< lateness is counted, never a fault
   DeviceAbilities abilities;
   bool offersWalls = false; ///< so it says; with viscosity

@@ -8,7 +8,8 @@
 namespace palpate
 {
 
-/// What a device says about the hand at one tick. Wide from the start: a new device adds values, not fields.
+/// The state of the hand at one tick, as measured by a device. Wide from the start: a new device adds values, not
+/// fields.
 struct DeviceSample
 {
   double time_s = 0.0;       ///< tick time of the measurement [s]

@@ -11,25 +11,25 @@ const char* describe(Fault fault) noexcept
     case Fault::None:
       return "no fault";
     case Fault::NonFiniteSample:
-      return "the device sent numbers that are not finite: check its cable, then engage again";
+      return "the device sent values that are not finite: check its cable, then engage again";
     case Fault::LateServo:
       return "the servo loop ran too late: close other programs or grant real-time priority, then engage again";
     case Fault::DeviceLost:
-      return "the device stopped answering: plug it in again, then engage again";
+      return "the device stopped answering: plug the device in again, then engage again";
     case Fault::EnergyLatch:
-      return "the device was given more energy than allowed: lower the stiffness, then engage again";
+      return "the device received more energy than allowed: lower the stiffness, then engage again";
     case Fault::VelocityCut:
-      return "the handle moved too fast: hold it, then engage again";
+      return "the handle moved too fast: hold the handle, then engage again";
     case Fault::SceneRefused:
-      return "nothing that can be touched is shown: show a surface";
+      return "no touchable data are visible: show a surface";
     case Fault::Seated:
-      return "the ball does not fit where it is: move the hand out of the surface or use a smaller radius";
+      return "the proxy sphere does not fit at its position: move the hand out of the surface or use a smaller radius";
     case Fault::NoHand:
-      return "there is no hand yet: move the device or the pointer, or tell the session where the hand is";
+      return "there is no hand position yet: move the device or the pointer, or set HandPosition";
     case Fault::ToolWaits:
-      return "the tool meets the scene where the hand is: move the hand to where the tool is free";
+      return "the tool overlaps the scene at the hand: move the hand to a position at which the tool is free";
     case Fault::BodyLate:
-      return "the soft body is not computed any more: give it fewer tetrahedra, then engage again";
+      return "the soft body is no longer solved in time: use fewer tetrahedra, then engage again";
   }
   return "unknown fault";
 }

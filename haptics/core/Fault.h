@@ -22,7 +22,7 @@ enum class Fault : std::uint8_t
   BodyLate,        ///< a soft body that is pressed is not computed any more: latched
 };
 
-/// One sentence for the panel: what happened and what to do next.
+/// One sentence for the panel: the event and the remedy.
 [[nodiscard]] const char* describe(Fault fault) noexcept;
 
 } // namespace palpate

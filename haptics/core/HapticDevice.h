@@ -31,7 +31,7 @@ public:
 
   [[nodiscard]] virtual const DeviceInfo& info() const noexcept = 0;
 
-  /// Makes the device ready. Not real-time safe. Returns an empty string, or why it cannot be used and what to do.
+  /// Makes the device ready. Not real-time safe. Returns an empty string, or the reason and the remedy.
   [[nodiscard]] virtual std::string open() = 0;
 
   /// Leaves the device without force. Not real-time safe.

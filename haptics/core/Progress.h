@@ -7,7 +7,7 @@
 namespace palpate
 {
 
-/// Told now and then what share of some work is done, 0..1; answers whether to go on.
+/// Called now and then with the completed share of some work, 0..1; returns whether to continue.
 using Goes = std::function<bool(double share)>;
 
 inline bool always(double /*share*/)

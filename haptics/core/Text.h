@@ -39,7 +39,7 @@ template<class T>
                                          : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// What stands before the separator, which goes too.
+/// The text before the separator; the separator is removed too.
 [[nodiscard]] inline std::string_view takeUntil(std::string_view& text, char separator)
 {
   const std::size_t end = text.find(separator);
@@ -48,7 +48,7 @@ template<class T>
   return part;
 }
 
-/// What stands between separators. Behind the last one nothing needs to stand.
+/// The texts between separators. Behind the last one nothing needs to stand.
 [[nodiscard]] inline std::vector<std::string> partsOf(std::string_view text, char separator)
 {
   std::vector<std::string> parts;

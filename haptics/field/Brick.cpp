@@ -71,7 +71,7 @@ std::string refuseGrid(const BrickGrid& grid)
   {
     if (grid.size[k] < 2)
     {
-      return "a field needs at least two points along each axis: data of one cell or of a plane have none";
+      return "a field needs at least two points along each axis; data of one cell or of a plane are too small";
     }
     if (grid.size[k] > mostAlongAxis)
     {
@@ -124,21 +124,21 @@ std::string Brick::refuse(const BrickGrid& grid, const std::vector<BrickArray>& 
     components += wanted;
     if (array.values.size() / wanted != grid.points() || array.values.size() % wanted != 0)
     {
-      return "array '" + array.name + "' has not one value for each point of the field";
+      return "array '" + array.name + "' does not have one value per point of the field";
     }
     if (!std::isfinite(array.offset) || (wanted > 1 && array.offset != 0.0))
     {
-      return "array '" + array.name + "' of a field has an offset that is not finite, or one of directions";
+      return "array '" + array.name + "' of a field has an offset that is not finite, or a vector array has an offset";
     }
     if (std::ranges::count(arrays, array.role, &BrickArray::role) > 1)
     {
-      return "array '" + array.name + "' would be felt as another array is already";
+      return "array '" + array.name + "' has the same use as another array; choose one of them";
     }
   }
   if (grid.points() > mostBytes / sizeof(float) / std::max<std::size_t>(components, 1))
   {
     return "the field around the hand would take more than " + std::to_string(mostBytes >> 20) +
-           " MB: take fewer points or fewer arrays";
+           " MB: use fewer points or fewer arrays";
   }
   return {};
 }

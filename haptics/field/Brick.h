@@ -50,13 +50,13 @@ struct BrickGrid
   }
 };
 
-/// What an array of a brick is felt as.
+/// The use of an array of a block.
 enum class BrickRole : std::uint8_t
 {
   Scalar,     ///< isosurface, detent, extrema
   Vector,     ///< followed, pushed by; three components in the axes of W
   Resistance, ///< how strongly the hand is dragged; not negative
-  Other,      ///< what the scalar is compared with
+  Other,      ///< compared with the scalar
   Axis,       ///< followed where there is no vector: three components in the axes of W, whose sign means nothing
 };
 
@@ -141,9 +141,10 @@ public:
   [[nodiscard]] static std::string refuse(
     const BrickGrid& grid, const std::vector<BrickArray>& arrays, std::size_t mostBytes = Brick::mostBytes);
   static constexpr std::size_t mostPlaces = 256; ///< that a hand snaps to: a tick looks at all of them
-  /// What refuse() is silent about. Infinities become NaN: there is no value. `places_W`, `lines_W`: what the hand
-  /// snaps to, the first mostPlaces of each. `finer`: the same arrays at points that are nearer to each other, in a
-  /// part of this brick; it has none of its own. `cells`: the data's own, with the scalar, where it is known by those.
+  /// Assumptions that refuse() does not check. Infinities become NaN: there is no value. `places_W`, `lines_W`: what
+  /// the hand snaps to, the first mostPlaces of each. `finer`: the same arrays at points that are nearer to each other,
+  /// in a part of this brick; it has none of its own. `cells`: the data's own, with the scalar, where it is known by
+  /// those.
   Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays, std::vector<Vec3> places_W = {},
     std::vector<BrickLine> lines_W = {}, std::shared_ptr<const Brick> finer = nullptr,
     std::shared_ptr<const FieldCells> cells = nullptr);
@@ -165,14 +166,14 @@ public:
   [[nodiscard]] const Brick* called(std::uint64_t contentHash) const noexcept;
   [[nodiscard]] std::size_t bytes() const noexcept;
 
-  /// One component of what has that role; exists() is false where there is none.
+  /// One component of the array with that role; exists() is false without such an array.
   [[nodiscard]] BrickComponent component(BrickRole role, int component = 0) const noexcept;
   /// The scalar at a place in W as a surface of it is felt: that of the data's own cells where they are there. None
   /// outside.
   [[nodiscard]] std::optional<double> scalarFelt(const Vec3& p_W) const noexcept;
   /// The trilinear value at a place in W; none outside and where a corner has none.
   [[nodiscard]] std::optional<FieldSample> sample(BrickRole role, const Vec3& p_W) const noexcept;
-  /// What a hand at p_W is nearest to of the places and lines that it snaps to; none within that reach.
+  /// The snap target nearest to a hand at p_W; none within that reach.
   [[nodiscard]] std::optional<Vec3> nearestPlace_W(const Vec3& p_W, double reach_u) const noexcept;
   /// The trilinear vector at a place in W, in W.
   [[nodiscard]] std::optional<Vec3> vector(const Vec3& p_W) const noexcept;

@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// How steep a scalar is and how much it bends, at most, anywhere in the data: what limits the strength of smooth
+/// How steep a scalar is and how much it bends, at most, anywhere in the data: the limit for the strength of smooth
 /// levels. Infinite: nobody knows them, and smooth levels do not hold. 0: nothing limits their strength.
 struct LevelBounds
 {

@@ -101,9 +101,9 @@ std::string reasonOf(const StabilityLimits& limits, const DeviceInfo& device, co
 {
   if (limits.decides == StiffnessLimit::Device)
   {
-    return "the device is made for no more";
+    return "the device's own limit";
   }
-  const std::string share = format("80 %% of what the loop holds at %.0f Hz", 1.0 / loop.period_s);
+  const std::string share = format("80 %% of the stability limit of the loop at %.0f Hz", 1.0 / loop.period_s);
   if (limits.decides == StiffnessLimit::Loop)
   {
     return share + format(" with %.3g kg", device.mass_kg.value) +
@@ -161,8 +161,8 @@ std::string describe(const StabilityLimits& limits, const DeviceInfo& device, co
   const LoopSettings loop = throughLink(device, asked);
   if (limits.decides == StiffnessLimit::None)
   {
-    return device.rendersForce ? "any stiffness: nothing is known of this device's mass and damping"
-                               : "any stiffness: no force reaches a hand through this device";
+    return device.rendersForce ? "any stiffness: mass and damping of this device are unknown"
+                               : "any stiffness: this device renders no force";
   }
   std::string text = format("up to %.0f N/m: ", limits.largest_N_per_m) + reasonOf(limits, device, loop);
   if (!loop.passivity.enabled)
@@ -175,7 +175,7 @@ std::string describe(const StabilityLimits& limits, const DeviceInfo& device, co
   }
   if (std::isfinite(limits.quantised_N_per_m))
   {
-    text += format("; its friction covers the encoder's steps up to %.0f N/m", limits.quantised_N_per_m);
+    text += format("; friction covers the resolution of the encoder up to %.0f N/m", limits.quantised_N_per_m);
   }
   return text;
 }

@@ -27,7 +27,7 @@ bool onePoint(const CurveSet& curves)
 std::string dot(const Eigen::Vector2d& p_W)
 {
   std::ostringstream text;
-  text << "its lines are all one point, (" << p_W.x() << ", " << p_W.y() << "): a line needs two";
+  text << "all lines are a single point, (" << p_W.x() << ", " << p_W.y() << "): a line needs two points";
   return text.str();
 }
 
@@ -44,7 +44,7 @@ std::string refuseWorld(const Labyrinth& labyrinth)
   const bool linesFinite = std::all_of(points.begin(), points.end(), [](const auto& p) { return p.allFinite(); });
   if (!linesFinite || !finite(labyrinth.start_W) || !finite(labyrinth.exit_W))
   {
-    return because("a point of it is not finite");
+    return because("a point is not finite");
   }
   if (onePoint(labyrinth.curves))
   {
@@ -66,13 +66,13 @@ std::string refuse(const Labyrinth& labyrinth)
   const auto because = [&](const char* reason) { return labyrinth.name + ": " + reason; };
   if (!labyrinth.start_W)
   {
-    return because("it says no place to start (field array Start, id start in a drawing, a green spot in a picture): a "
-                   "structure to explore, not a maze");
+    return because("no start (field array Start, id start in a drawing, a green spot in a picture): a structure to "
+                   "explore, not a labyrinth");
   }
   if (!labyrinth.exit_W)
   {
-    return because("it says no exit (field array Exit, id exit in a drawing, a red spot in a picture): nobody could "
-                   "arrive");
+    return because(
+      "no exit (field array Exit, id exit in a drawing, a red spot in a picture): the labyrinth cannot be completed");
   }
   return {};
 }

@@ -121,17 +121,16 @@ std::string refuse(const GamePlan& plan)
   }
   if (!within(plan.lead_m_per_s, 0.5 * GamePlan::fastest_m_per_s))
   {
-    return "labyrinth: a hand is led with 0.1 m/s at most, and more than 0";
+    return "labyrinth: the guiding speed must be above 0 and at most 0.1 m/s";
   }
   if (!within(plan.stiffness_N_per_m, 1000.0) || !within(plan.largest_N, 5.0) || !within(plan.near_m, 0.02) ||
       !within(plan.damping_Ns_per_m, 20.0) || !within(plan.fade_s, 10.0))
   {
-    return "labyrinth: a hand is led by a spring of at most 1000 N/m, 5 N and 20 N s/m, and let go within 20 mm and 10 "
-           "s";
+    return "labyrinth: the guiding spring is limited to 1000 N/m, 5 N and 20 N s/m, the release to 20 mm and 10 s";
   }
   if (!within(plan.shake_N, 3.0) || !within(plan.shake_Hz, 100.0) || !within(plan.shake_s, 5.0))
   {
-    return "labyrinth: the exit shakes with at most 3 N, 100 Hz and 5 s";
+    return "labyrinth: the vibration at the exit is limited to 3 N, 100 Hz and 5 s";
   }
   return {};
 }

@@ -75,7 +75,7 @@ ParsedLine parseLine(std::string_view text)
     LinePlace place;
     if (!readRow(line, columns, place))
     {
-      return { {}, where + "it is not one finite number per column" };
+      return { {}, where + "expected one finite number per column" };
     }
     if (!parsed.places.empty() && !(place.s_m > parsed.places.back().s_m))
     {
@@ -83,11 +83,11 @@ ParsedLine parseLine(std::string_view text)
     }
     if (parsed.places.size() == mostPlaces)
     {
-      return { {}, where + "more than 1000000 places are more than a hand can tell apart" };
+      return { {}, where + "more than 1000000 positions cannot be distinguished by a hand" };
     }
     parsed.places.push_back(place);
   }
-  return parsed.places.size() < 2 ? ParsedLine{ {}, "a line needs at least two places" } : parsed;
+  return parsed.places.size() < 2 ? ParsedLine{ {}, "a line needs at least two positions" } : parsed;
 }
 
 void scaleToHardest(std::vector<LinePlace>& places, double hardest_N) noexcept

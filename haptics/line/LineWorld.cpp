@@ -55,18 +55,18 @@ std::string LineWorld::refusal(double largest_N_per_m) const
 {
   if (this->places.size() < 2)
   {
-    return "a line needs at least two places";
+    return "a line needs at least two positions";
   }
   for (std::size_t i = 0; i < this->places.size(); ++i)
   {
     if (!isUsable(this->places[i]))
     {
       return "place " + std::to_string(i + 1) +
-             " has a number that cannot be: it must be finite, and friction not negative";
+             " has an invalid number: values must be finite, friction must not be negative";
     }
     if (i > 0 && !(this->places[i].s_m > this->places[i - 1].s_m))
     {
-      return "place " + std::to_string(i + 1) + " does not lie beyond the one before it";
+      return "place " + std::to_string(i + 1) + " does not lie beyond the previous one";
     }
   }
   const double length_m = this->places.back().s_m - this->places.front().s_m;
@@ -74,12 +74,12 @@ std::string LineWorld::refusal(double largest_N_per_m) const
                        (this->detentEvery_m == 0.0 || this->detentEvery_m > 1e-9 * longest_m);
   if (!detents || !std::isfinite(this->detent_N) || !(this->stop_N_per_m > 0.0))
   {
-    return "its detents must lie on the line, none of their forces negative, and its stops push";
+    return "detents must lie on the line with forces of 0 or more, and stops must have a stiffness above 0";
   }
   if (this->stiffest_N_per_m() > largest_N_per_m)
   {
-    return "its stiffest spring has " + number(this->stiffest_N_per_m()) + " N/m, and " + number(largest_N_per_m) +
-           " can be held: make detents weaker or wider, or stops softer";
+    return "the stiffest spring has " + number(this->stiffest_N_per_m()) + " N/m, and " + number(largest_N_per_m) +
+           " can be rendered stably: make detents weaker or wider, or stops softer";
   }
   return {};
 }

@@ -285,7 +285,7 @@ std::string HapticSession::record(const std::string& file)
 {
   if (!this->run_)
   {
-    return "nothing is touched that could be recorded";
+    return "there is no touch to record: start touching first";
   }
   this->storePublished();
   std::string problem = this->run_->recordings->begin(file, this->run_->device->info().name, *this->inputs_);

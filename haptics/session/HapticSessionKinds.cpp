@@ -118,7 +118,7 @@ MechanismGrip HapticSession::grip(const HapticParameters& adapted) const noexcep
 std::string HapticSession::toolBesideSoft() const
 {
   const bool refused = this->kept_->soft.input && this->kept_->tool.tool && !(this->kept_->tool.tool->ball_u() > 0.0);
-  return refused ? "a tool does not feel what gives way: hold no tool, or let nothing give way" : "";
+  return refused ? "a tool cannot touch a soft body: release the tool, or remove the soft body" : "";
 }
 
 std::string HapticSession::toolRefusal() const

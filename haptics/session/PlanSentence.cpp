@@ -44,16 +44,16 @@ std::string reasonForBall(const TouchChoice& touch)
   text.precision(3);
   if (std::isinf(touch.largest_u))
   {
-    text << "asked for; one of any size finishes its work in a tick";
+    text << "as set; any size can be computed within a tick";
   }
   else if (touch.asked_u <= touch.largest_u)
   {
-    text << "asked for; up to " << touch.largest_u << " u one finishes its work in a tick";
+    text << "as set; up to " << touch.largest_u << " u can be computed within a tick";
   }
   else
   {
-    text << "asked for and forced; above " << touch.largest_u
-         << " u one may run out of a tick's work and then moves only as far as is proven free";
+    text << "as set and forced; above " << touch.largest_u
+         << " u the work of a tick may be exceeded, and then the sphere moves only as far as is proven free";
   }
   return text.str();
 }
@@ -64,7 +64,7 @@ std::string ballOf(const TouchChoice& touch)
   text.precision(3);
   const double used_u = touch.plan.radius_u;
   const bool smaller = used_u < touch.asked_u;
-  text << (used_u > 0.0 ? "a ball of " : "a point");
+  text << (used_u > 0.0 ? "a sphere of " : "a point");
   if (used_u > 0.0)
   {
     text << used_u << " u";
@@ -72,15 +72,15 @@ std::string ballOf(const TouchChoice& touch)
   text << " (";
   if (smaller)
   {
-    text << touch.asked_u << " u is asked for, and may run out of a tick's work on triangles so fine";
+    text << touch.asked_u << " u is set, but may exceed the work of a tick on triangles of this size";
   }
   else if (used_u > touch.asked_u)
   {
-    text << "curves are rolled round, by a point as by the smallest of balls";
+    text << "curves need a small sphere in place of a point";
   }
   else
   {
-    text << (used_u > 0.0 ? reasonForBall(touch) : "no radius is asked for");
+    text << (used_u > 0.0 ? reasonForBall(touch) : "no radius is set");
   }
   text << ")";
   return text.str();
@@ -92,11 +92,11 @@ std::string frictionOf(const TouchChoice& touch)
   const FrictionPlan& friction = touch.plan.friction;
   if (!friction.none())
   {
-    text << " with friction " << friction.statical << " at rest, " << friction.kinetic << " sliding (asked for"
-         << (touch.frictionFromData ? "; where the data has its own, that)" : ")");
+    text << " with friction " << friction.statical << " at rest, " << friction.kinetic << " sliding (as set"
+         << (touch.frictionFromData ? "; data with their own friction keep it)" : ")");
     return text.str();
   }
-  return touch.frictionFromData ? " with friction from the data" : " without friction (none is asked for)";
+  return touch.frictionFromData ? " with friction from the data" : " without friction (none is set)";
 }
 
 std::string searchOf(std::size_t surfaces, std::size_t triangles)
@@ -104,9 +104,9 @@ std::string searchOf(std::size_t surfaces, std::size_t triangles)
   const std::string capacity = std::to_string(Leaf::capacity);
   if (surfaces == 1 && triangles <= Leaf::capacity)
   {
-    return "a list (up to " + capacity + " triangles are one)";
+    return "a list (up to " + capacity + " triangles)";
   }
-  return "a tree of boxes (lists of more than " + capacity + " triangles are dearer)";
+  return "a tree of boxes (lists of more than " + capacity + " triangles are slower)";
 }
 
 /// "9000 of 79600 triangles are felt (...)".
@@ -116,12 +116,12 @@ std::string partsOf(const SurfaceChoice& choice, const std::string& unit)
   text.precision(3);
   if (choice.felt < choice.triangles)
   {
-    text << choice.felt << " of " << choice.triangles << " " << unit << " are felt (proven: no point is further than "
+    text << choice.felt << " of " << choice.triangles << " " << unit << " are used (proven: no point is further than "
          << choice.bound_u << " u from the data's " << (unit == "segments" ? "lines" : "surface")
-         << ", or the data's from it, and that is not noticed)";
+         << ", or vice versa, which is not perceptible)";
     return text.str();
   }
-  text << "all " << choice.triangles << " " << unit << " are felt (" << choice.reason << ")";
+  text << "all " << choice.triangles << " " << unit << " are used (" << choice.reason << ")";
   return text.str();
 }
 

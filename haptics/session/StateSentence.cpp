@@ -31,14 +31,14 @@ std::string stateSentence(const SessionGlance& glance)
   }
   if (!glance.touching)
   {
-    return glance.problem.empty() ? "Press Touch to feel what is shown." : asSentence(glance.problem);
+    return glance.problem.empty() ? "Press Touch to touch the visible data." : asSentence(glance.problem);
   }
   const std::string& note = first(glance.warning, glance.problem);
   if (glance.engage == EngageState::Engaged)
   {
     return note.empty() ? "Touching." : "Touching. " + asSentence(note);
   }
-  return note.empty() ? "Waiting: move the hand out of what it is in, then the force comes."
+  return note.empty() ? "Waiting: move the hand out of the data it overlaps, then the force starts."
                       : "No force: " + asSentence(note);
 }
 

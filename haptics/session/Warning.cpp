@@ -21,12 +21,12 @@ std::string beyondSentence(const HapticState& state)
 {
   if (state.known.late)
   {
-    return "the server does not answer: no force until what is around the hand is there";
+    return "the server does not answer: no force until the surroundings of the hand are loaded";
   }
   return state.tool.held && state.tool.ball_u == 0.0
-           ? "the tool reaches beyond what is there of the server's surfaces: no force until all that it reaches is "
-             "there; if it stays so, raise the number of triangles up to which a surface is fetched whole"
-           : "the hand is beyond what is there of the server's surfaces: no force until what is around it is there";
+           ? "the tool reaches beyond the loaded part of the remote surfaces: no force until its surroundings are "
+             "loaded; if this persists, raise 'Server whole up to'"
+           : "the hand is beyond the loaded part of the remote surfaces: no force until its surroundings are loaded";
 }
 
 } // namespace
@@ -35,7 +35,7 @@ std::string warning(const HapticState& state, const LoopReport& report)
 {
   if (state.letGo)
   {
-    return "the dead-man is not held: hold its button or the grip to feel";
+    return "the dead-man switch is released: hold its button or the grip to enable force";
   }
   if (state.known.beyond)
   {
@@ -43,14 +43,15 @@ std::string warning(const HapticState& state, const LoopReport& report)
   }
   if (state.frozen)
   {
-    return "the position has not changed for a quarter of a second under force: if the handle moved, check the device";
+    return "the position has not changed for 0.25 s under force: if the handle moved, check the device";
   }
   return state.stiffnessFactor < 1.0 ? lateSentence(report.lateness.p99_us, state.stiffnessFactor) : std::string();
 }
 
 std::string otherDeviceSentence(const std::string& running, const std::string& chosen)
 {
-  return running == chosen ? std::string() : running + " still leads the hand: let go and touch again to use " + chosen;
+  return running == chosen ? std::string()
+                           : running + " still moves the hand: release and touch again to use " + chosen;
 }
 
 } // namespace palpate

@@ -38,7 +38,7 @@ class MeshFiles(CommandLineTest):
 
     def test_a_folder_instead_of_a_file(self):
         (self.folder / "folder.off").mkdir()
-        self.refused("check", "folder.off", saying=["folder.off", "not a file"])
+        self.refused("check", "folder.off", saying=["folder.off", "not a regular file"])
 
     def test_an_empty_file(self):
         for extension in ("off", "obj", "ply", "stl", "vtp", "vtu", "vti", "nii", "nii.gz"):

@@ -5,6 +5,7 @@ import json
 import unittest
 
 from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest, vtp_text
+from says import unsaid
 
 HALF = 8.0  # scene units, of the square
 STIFFNESS = 512.0  # N/m, of the coupling
@@ -110,7 +111,7 @@ class Materials(CommandLineTest):
         touch = ("--path", "path.csv", "--csv", "out.csv", "--line-radius", 0.5, "--stiffness-array", "x")
         self.refused("touch", "line.vtp", *touch, saying=["line.vtp", "no array 'x'"])
         run = self.succeed("touch", "line.vtp", "square.vtp", *touch)
-        self.assertIn("line.vtp (lines): its own stiffness, for it has no array 'x'", run.stderr)
+        self.assertEqual(unsaid(run.stderr, "line.vtp (lines): its own stiffness", "no array 'x'"), [])
 
     def test_friction_follows_an_array(self):
         rows = [(0.0, -4.0, 2.0, 1.0)] + [(n / 1024, -4.0 + n / 32, 2.0, -DEPTH) for n in range(1, 200)]
@@ -130,7 +131,7 @@ class Materials(CommandLineTest):
 
     def test_an_array_of_text_that_ends_with_nan_is_said_to_be_what_vtk_cannot_read(self):
         self.write("nan.vtp", vtp_text(SQUARE_POINTS, SQUARE_FACES, point_data=array("a", [1, 2, 3, "nan"])))
-        self.refused("check", "nan.vtp", saying=["nan.vtp", "broken or cut short", "ends with nan"])
+        self.refused("check", "nan.vtp", saying=["nan.vtp", "damaged", "ends with nan"])
 
     def test_check_says_what_an_array_gives(self):
         text = self.succeed("check", "square.vtp", "--friction-array", "c", "--friction-to", "0.25,0.75").stdout
@@ -143,7 +144,7 @@ class Materials(CommandLineTest):
         self.write_path([(0.0, 0.0, 0.5, 1.0)])
         run = self.succeed("touch", "square.vtp", "other.off", "--path", "path.csv", "--csv", "out.csv",
                            "--stiffness-array", "x")
-        self.assertIn("other.off: its own stiffness, for it has no array 'x'", run.stderr)
+        self.assertEqual(unsaid(run.stderr, "other.off: its own stiffness", "no array 'x'"), [])
 
     def test_what_the_coupling_cuts_off_is_said(self):
         self.write_path([(0.0, 0.0, 0.0, 1.0)])

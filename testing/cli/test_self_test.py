@@ -7,6 +7,7 @@ import subprocess
 import unittest
 
 from palpate_cli import PROGRAM, CommandLineTest
+from says import unsaid
 
 
 class SelfTest(CommandLineTest):
@@ -47,7 +48,7 @@ class SelfTest(CommandLineTest):
         for home in ({}, {"HOME": "here"}):
             run = subprocess.run(command, env=environment | home, capture_output=True, text=True, timeout=60)
             self.assertEqual((run.returncode, run.stdout), (2, ""))
-            self.assertIn("--keep: there is no folder to keep anything in", run.stderr)
+            self.assertIn("--keep: no folder", run.stderr)
 
     def test_a_damaged_file_is_named_where_devices_are_listed(self):
         folder = self.folder / "palpate" / "calibration"
@@ -55,14 +56,14 @@ class SelfTest(CommandLineTest):
         (folder / "simulated-joystick.calibration").write_text("nonsense")
         listed = self.devices()
         self.assertEqual(listed.returncode, 0, listed.stderr)
-        self.assertIn(f"cannot be used: {folder}/simulated-joystick.calibration: it is not a calibration", listed.stdout)
+        self.assertEqual(unsaid(listed.stdout, f"cannot be used: {folder}/simulated-joystick.calibration", "not a calibration"), [])
 
     def test_a_file_of_the_old_directions_is_refused_with_what_to_do(self):
         folder = self.folder / "palpate" / "calibration"
         folder.mkdir(parents=True)
         (folder / "simulated-joystick.calibration").write_text("palpate calibration 1\ndevice simulated-joystick\n")
         listed = self.devices()
-        self.assertIn("its directions mean something else; remove the file, or check the device again", listed.stdout)
+        self.assertEqual(unsaid(listed.stdout, "directions", "remove the file", "check the device again"), [])
 
     def test_who_says_that_it_is_a_wheel_is_asked_for_one_axis(self):
         run = self.check("simulated-joystick", "--wheel")

@@ -49,8 +49,8 @@ class Turn(CommandLineTest):
         self.refused("turn", "nowhere.csv", saying=["nowhere.csv", "cannot be read"])
         self.refused("turn", self.write("s,value\n0,1\n0,2\n"), saying=["world.csv", "line 3"])
         good = self.write("s,value\n0,1\n0.01,2\n")
-        self.refused("turn", good, "--stop", "1e9", saying=["can be held"])
-        self.refused("turn", good, "--device", "fed", saying=["fed", "does not"])
+        self.refused("turn", good, "--stop", "1e9", saying=["rendered stably"])
+        self.refused("turn", good, "--device", "fed", saying=["fed", "no force"])
         self.refused("turn", good, "--hardest", "-1", saying=["--hardest"])
 
 

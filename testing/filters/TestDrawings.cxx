@@ -246,7 +246,7 @@ TEST_F(Drawings, ABrokenOneIsRefusedWithTheFileTheElementAndThePlace)
   for (const auto& [elements, reason] :
     { Case{ "<path d='10 10'/>", "expected a command after 0 characters" }, Case{ "<path d='L10 10'/>", "M first" },
       Case{ "<path d='M1'/>", "expected a number after 2" }, Case{ "<path d='M1 2 L'/>", "expected a number after 6" },
-      Case{ "<path d='M1 2 X3'/>", "one of the commands" },
+      Case{ "<path d='M1 2 X3'/>", "one of the path commands" },
       Case{ "<path d='M1 2 A1 1 0 2 0 5 5'/>", "expected 0 or 1" }, Case{ "<path d='M1 nan'/>", "expected a number" },
       Case{ "<path d='M1 2z3 4'/>", "expected a command" }, Case{ "<path d='M1 2 3e999 4'/>", "expected a number" },
       Case{ "<path d='M1 2 L1e150 4'/>", "out of range" }, Case{ "<polyline points='1 2 3'/>", "second number" },
@@ -254,7 +254,7 @@ TEST_F(Drawings, ABrokenOneIsRefusedWithTheFileTheElementAndThePlace)
       Case{ "<line x2='9' transform='spin(3)'/>", "expected matrix" },
       Case{ "<line x2='9' transform='scale'/>", "expected '('" },
       Case{ "<line x2='9' transform='scale(1'/>", "expected a number" },
-      Case{ "<path d='M0 0 C1e60 0 0 1e60 5 5'/>", "out of range" }, Case{ "<path id='start' d=''/>", "no size" } })
+      Case{ "<path d='M0 0 C1e60 0 0 1e60 5 5'/>", "out of range" }, Case{ "<path id='start' d=''/>", "without size" } })
   {
     const vtkHapticReadResult result = this->readElements("<line x2='3'/>" + elements);
     EXPECT_FALSE(result.Surface) << elements;
@@ -267,7 +267,7 @@ TEST_F(Drawings, ABrokenOneIsRefusedWithTheFileTheElementAndThePlace)
 TEST_F(Drawings, WhatIsNoDrawingIsRefused)
 {
   EXPECT_THAT(this->readText("<svg><path d='M0 0h9'/>").Problem, HasSubstr("cut short behind path 1"));
-  EXPECT_THAT(this->readText("once upon a time").Problem, HasSubstr("no XML"));
+  EXPECT_THAT(this->readText("once upon a time").Problem, HasSubstr("not XML"));
   EXPECT_THAT(this->readText("<html><path d='M0 0h9'/></html>").Problem, HasSubstr("not an SVG"));
   EXPECT_THAT(this->readText("<svg></svg>").Problem, HasSubstr("no lines"));
   EXPECT_THAT(this->readText("<svg viewBox='0 0 0 9'><line x2='9'/></svg>").Problem, HasSubstr("viewBox"));

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "testing/support/Random.h"
+#include "testing/support/Says.h"
 #include "vtkCellArray.h"
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkDoubleArray.h"
@@ -207,7 +208,7 @@ TEST(FieldBesideData, SnapsToLinesAndVerticesAndToTheBarePointsOfACloud)
   vtkNew<vtkPolyData> face;
   face->SetPoints(points);
   face->SetPolys(faces);
-  EXPECT_THAT(vtkHapticToField(image, scalarF(), { nullptr, face }).Problem, HasSubstr("no points or lines"));
+  EXPECT_THAT(vtkHapticToField(image, scalarF(), { nullptr, face }).Problem, HasSubstr("points or lines"));
 }
 
 TEST(FieldSnap, CriticalPointsAreThoseOfVtksVectorFieldTopology)
@@ -255,14 +256,14 @@ TEST(FieldOfTooLittle, IsRefusedInWords)
   ASSERT_TRUE(field.Source);
   const MadeBrick made = field.Source->brickAround({ Vec3::Zero(), 10.0, 1 });
   EXPECT_FALSE(made.brick);
-  EXPECT_THAT(made.problem, HasSubstr("its cells are too few"));
+  EXPECT_THAT(made.problem, HasSubstr("too few visible cells"));
   vtkNew<vtkImageData> row;
   row->SetDimensions(5, 1, 1);
   vtkNew<vtkDoubleArray> values;
   values->SetName("f");
   values->SetNumberOfTuples(5);
   row->GetPointData()->AddArray(values);
-  EXPECT_THAT(vtkHapticToField(row, scalarF()).Problem, HasSubstr("a row of values"));
+  EXPECT_TRUE(test::says(vtkHapticToField(row, scalarF()).Problem, { "a single point" }));
   const vtkHapticFieldResult cell = vtkHapticToField(imageWith(2, "f", height), scalarF());
   ASSERT_TRUE(cell.Source) << "one cell of eight points is a field";
   EXPECT_TRUE(cell.Source->brickAround({ Vec3::Zero(), 10.0, 1 }).brick);

@@ -151,5 +151,5 @@ TEST(FlowSource, MoreTetrahedraThanAComputerHoldsAreRefusedInWords)
   source->SetResolution(1024);
   const auto errors = palpate::testing::errorsOf(source);
   ASSERT_FALSE(errors.empty());
-  EXPECT_THAT(errors.front(), ::testing::HasSubstr("take a lower resolution"));
+  EXPECT_THAT(errors.front(), ::testing::HasSubstr("use a lower resolution"));
 }

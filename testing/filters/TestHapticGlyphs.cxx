@@ -258,7 +258,7 @@ TEST(HapticGlyphs, MoreThanCanBeFeltAreRefusedWithTheirNumber)
   const vtkHapticShape refused = vtkHapticGlyphsOf(mapper, points * each - 1);
   EXPECT_FALSE(refused.Data);
   EXPECT_THAT(refused.Problem, HasSubstr(std::to_string(points) + " glyphs have " + std::to_string(points * each)));
-  EXPECT_THAT(refused.Problem, HasSubstr("draw fewer of them"));
+  EXPECT_THAT(refused.Problem, HasSubstr("draw fewer glyphs"));
 }
 
 TEST(HapticGlyphs, AreNamedAnewOnlyOnceSomethingOfTheirShapeHasChanged)

@@ -7,6 +7,7 @@
 
 #include "VirtualSession.h"
 #include "VtkScenes.h"
+#include "testing/support/Says.h"
 #include "vtkPolyData.h"
 
 using namespace palpate::testing;
@@ -38,7 +39,7 @@ protected:
 TEST_F(HapticSessionFit, WithNothingShownItSaysWhatToDoAndThatIsGoneOnceItFits)
 {
   EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->FitWorkspace(); }), ::testing::SizeIs(1));
-  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("show a surface that can be touched"));
+  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("show a surface"));
   this->show(makePlane(large));
   this->session_->FitWorkspace();
   EXPECT_STREQ(this->session_->GetProblem(), "");
@@ -89,7 +90,7 @@ TEST_F(HapticSessionFit, AnotherDeviceThanTheOneThatRunsIsSaidUntilItRuns)
   this->startTouching();
   this->session_->SetSetting("DeviceName", "mouse");
   this->session_->Step(1);
-  EXPECT_THAT(this->session_->GetWarning(), HasSubstr("fed still leads the hand: let go and touch again to use mouse"));
+  EXPECT_TRUE(test::says(this->session_->GetWarning(), { "fed still", "to use mouse" }));
   this->session_->TouchingOff();
   this->startTouching();
   this->session_->Step(1);

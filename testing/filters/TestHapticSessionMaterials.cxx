@@ -10,6 +10,7 @@
 
 #include "VirtualSession.h"
 #include "VtkScenes.h"
+#include "testing/support/Says.h"
 #include "vtkDoubleArray.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSession.h"
@@ -60,7 +61,7 @@ TEST_F(HapticSessionMaterials, AnArrayIsFeltAndTheReportSaysHow)
   this->session_->SetSetting("StiffnessArray", "x");
   this->session_->SetSetting("StiffnessFeltRange", 100.0, 400.0);
   this->show(planeWithX());
-  EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("stiffness from 'x', -100 to 100 as 100 to 400 N/m"));
+  EXPECT_TRUE(test::says(this->session_->GetSceneReport(), { "stiffness from 'x'", "-100 to 100", "100 to 400 N/m" }));
   const double x = 40.0, slope = 300.0 / (2.0 * half); // N/m per u
   const double wall = 100.0 + slope * (x + half);
   const Vec3 expected_W = Vec3(-0.5 * depth * depth * slope, 0.0, wall * depth) / scale;
@@ -71,8 +72,8 @@ TEST_F(HapticSessionMaterials, ASurfaceWithoutTheArrayKeepsItsOwnAndTheReportSay
 {
   this->session_->SetSetting("TextureArray", "roughness");
   this->show(planeWithX());
-  EXPECT_THAT(
-    this->session_->GetSceneReport(), HasSubstr("its own texture, for it has no array 'roughness'; it has 'x'"));
+  EXPECT_TRUE(
+    test::says(this->session_->GetSceneReport(), { "its own texture", "no array 'roughness'", "it has 'x'" }));
   EXPECT_NEAR(this->pressedAt(40.0).z(), stiffness * depth / scale, 1e-12);
 }
 
@@ -84,11 +85,11 @@ TEST_F(HapticSessionMaterials, WallsAreFeltWithoutArraysAndTheReportSaysSo)
   for (int again = 0; again < 2; ++again)
   {
     this->show(line);
-    EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("walls are felt without arrays"));
+    EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("walls have no arrays"));
   }
   this->session_->SetSetting("StiffnessArray", "");
   this->show(line);
-  EXPECT_THAT(this->session_->GetSceneReport(), Not(HasSubstr("without arrays")));
+  EXPECT_THAT(this->session_->GetSceneReport(), Not(HasSubstr("no arrays")));
 }
 
 TEST_F(HapticSessionMaterials, PointsWithoutANumberAreCountedInTheReport)
@@ -97,7 +98,7 @@ TEST_F(HapticSessionMaterials, PointsWithoutANumberAreCountedInTheReport)
   plane->GetPointData()->GetArray("x")->SetComponent(2, 0, std::numeric_limits<double>::infinity());
   this->session_->SetSetting("FrictionArray", "x");
   this->show(plane);
-  EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("1 point without a number as the surface itself"));
+  EXPECT_TRUE(test::says(this->session_->GetSceneReport(), { "1 point without a number" }));
 }
 
 TEST_F(HapticSessionMaterials, RangesThatCannotBeAreRefusedAndTheOldOnesStay)
@@ -218,7 +219,7 @@ TEST_F(HapticSessionMaterials, AnArrayThatIsDeletedOrRenamedWhileItIsFeltIsWarne
   this->show(plane);
   this->session_->Step(1000);
   EXPECT_NEAR(this->session_->GetForce()[2], stiffness * depth / scale, 1e-9) << "the surface has its own again";
-  EXPECT_THAT(this->session_->GetWarning(), HasSubstr("Stiffness is to come from the array 'x', and nothing"));
+  EXPECT_TRUE(test::says(this->session_->GetWarning(), { "Stiffness", "'x'", "touchable" }));
   this->session_->SetSetting("StiffnessArray", "y");
   this->show(plane);
   this->session_->Step(1000);

@@ -142,12 +142,12 @@ TEST_F(HapticSessionRecording, WhoseSceneIsGoneSaysSoAndItsHandMovesAllTheSame)
   this->session_->SetSetting("DeviceName", "replay");
   this->startTouching();
   this->session_->Step(1);
-  EXPECT_THAT(this->session_->GetWarning(), HasSubstr("is not what this recording touched"));
+  EXPECT_THAT(this->session_->GetWarning(), HasSubstr("differs from the recorded one"));
   this->session_->ClearSurfaces();
   this->session_->CommitScene();
   EXPECT_FALSE(this->session_->FinishScene());
   this->session_->Step(1);
-  EXPECT_THAT(this->session_->GetWarning(), HasSubstr("touched is not shown"));
+  EXPECT_THAT(this->session_->GetWarning(), HasSubstr("recorded scene is not visible"));
   EXPECT_LT((Vec3(this->session_->GetHandPosition()) - way[1]).norm(), 1e-9);
   this->show(makePlane(100.0));
   this->session_->Step(1);

@@ -94,10 +94,10 @@ TEST_F(HapticSessionSelfTest, StoppedItSaysSoAndThereIsNothingToKeep)
   this->session_->Step(10);
   this->session_->GetDeviceCheck()->Stop();
   EXPECT_EQ(this->session_->GetDeviceCheck()->GetState(), vtkHapticDeviceCheck::CheckAborted);
-  EXPECT_THAT(this->session_->GetDeviceCheck()->GetResult(), HasSubstr("it was stopped"));
+  EXPECT_THAT(this->session_->GetDeviceCheck()->GetResult(), HasSubstr("was stopped"));
   EXPECT_THAT(
     errorsOf(this->session_, [this] { EXPECT_FALSE(this->session_->GetDeviceCheck()->KeepCalibration()); }), SizeIs(1));
-  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("nothing to keep"));
+  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("no result to save"));
   EXPECT_FALSE(fs::exists(this->folder_));
 }
 
@@ -106,7 +106,7 @@ TEST_F(HapticSessionSelfTest, HasTheDeviceForItself)
   this->session_->GetDeviceCheck()->Start();
   EXPECT_THAT(errorsOf(this->session_, [this] { this->session_->TouchingOn(); }), SizeIs(1));
   EXPECT_FALSE(this->session_->GetTouching());
-  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("being checked"));
+  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("device check is running"));
   this->session_->GetDeviceCheck()->Stop();
 
   this->session_->AddStrokePoint(0.0, 0.0, 0.0);
@@ -115,7 +115,7 @@ TEST_F(HapticSessionSelfTest, HasTheDeviceForItself)
   EXPECT_THAT(errorsOf(this->session_, [this] { this->session_->GetDeviceCheck()->Start(); }), SizeIs(1));
   EXPECT_EQ(
     this->session_->GetDeviceCheck()->GetState(), vtkHapticDeviceCheck::CheckAborted); // still that of the check before
-  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("let go first"));
+  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("release the touch"));
 }
 
 TEST_F(HapticSessionSelfTest, ADeviceWithoutForceIsRefused)

@@ -10,6 +10,7 @@
 #include "SoftBlockPush.h"
 #include "VirtualSession.h"
 #include "VtkScenes.h"
+#include "haptics/session/HapticSession.h"
 #include "vtkActor.h"
 #include "vtkCubeSource.h"
 #include "vtkHapticHandPace.h"
@@ -22,7 +23,6 @@
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
 #include "vtkUnstructuredGrid.h"
-#include "haptics/session/HapticSession.h"
 
 using namespace palpate;
 using namespace palpate::testing;
@@ -113,7 +113,7 @@ TEST_F(HapticSessionTool, LiesOnASurfaceAndPushesTheHandThatHoldsItsCentre)
   EXPECT_NEAR(pose[2], halfSide, 1e-4);
   EXPECT_NEAR(this->session_->GetToolHandPose()[2], halfSide - 2.0, 1e-12);
   EXPECT_GT(this->session_->GetContacts(), 0);
-  EXPECT_THAT(this->session_->GetToolText(), HasSubstr("contacts push"));
+  EXPECT_THAT(this->session_->GetToolText(), HasSubstr(" contacts"));
   EXPECT_THAT(this->session_->GetToolContacts(), HasSubstr("surface at ("));
   EXPECT_THAT(this->session_->GetToolContacts(), HasSubstr(" %"));
   ASSERT_TRUE(this->session_->InspectContact());
@@ -223,10 +223,10 @@ TEST_F(HapticSessionTool, BesideABodyThatGivesWayItIsRefusedInWhicheverOrderThey
     const std::vector<std::string> second = toolFirst ? press() : hold();
     if (!toolFirst)
     {
-      EXPECT_THAT(second, ElementsAre(HasSubstr("a tool does not feel what gives way")));
-      EXPECT_THAT(session->GetProblem(), HasSubstr("a tool does not feel what gives way"));
+      EXPECT_THAT(second, ElementsAre(HasSubstr("a tool cannot touch a soft body")));
+      EXPECT_THAT(session->GetProblem(), HasSubstr("a tool cannot touch a soft body"));
     }
-    EXPECT_THAT(session->GetToolText(), HasSubstr("a tool does not feel what gives way"));
+    EXPECT_THAT(session->GetToolText(), HasSubstr("a tool cannot touch a soft body"));
 
     session->SetSetting("Radius", ball);
     session->SetHandPosition(3.0, 1.0, ball + 5.0);
@@ -234,13 +234,13 @@ TEST_F(HapticSessionTool, BesideABodyThatGivesWayItIsRefusedInWhicheverOrderThey
     session->Step(ticksToEngage);
     session->SetHandPosition(3.0, 1.0, ball - deep);
     session->Step(ticksToRest);
-    EXPECT_THAT(session->GetToolText(), HasSubstr("a tool does not feel what gives way"));
+    EXPECT_THAT(session->GetToolText(), HasSubstr("a tool cannot touch a soft body"));
     const double push_N = pushOfSoftBlock_N(ball / scale, deep / scale, springOfTool);
     EXPECT_NEAR(session->GetForce()[2], push_N, offLayer * push_N);
 
     session->AddSoftBody(nullptr, nullptr); // taken away again
-    EXPECT_THAT(session->GetProblem(), Not(HasSubstr("gives way")));
-    EXPECT_THAT(session->GetToolText(), Not(HasSubstr("gives way")));
+    EXPECT_THAT(session->GetProblem(), Not(HasSubstr("soft body")));
+    EXPECT_THAT(session->GetToolText(), Not(HasSubstr("soft body")));
   }
 }
 

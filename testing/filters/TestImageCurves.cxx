@@ -424,7 +424,7 @@ TEST(ImageCurves, AWarningSaysThatMostOfADrawingIsInkAndWhatToSwitch)
     EXPECT_EQ(said.empty(), dark) << said;
     EXPECT_THAT(
       said, dark ? HasSubstr("")
-                 : HasSubstr("80 % of the image count as ink: if its lines are the rest, turn \"Ink is dark\" on"));
+                 : HasSubstr("80 % of the image count as strokes: if the lines are the rest, turn \"Ink is dark\" on"));
   }
 }
 
@@ -445,13 +445,13 @@ TEST(ImageCurves, ImagesWithoutCurvesAreRefusedWithTheReason)
   const std::array<int, 6> cube{ 0, 7, 0, 6, 0, 5 }, row{ 0, 7, 2, 2, 0, 0 };
   const auto slope = [](const Vec3& p_W) { return p_W.x(); };
   expectRefused(filterOf(imageOf(cube, slope)), "a volume of 8 x 7 x 6 points; cut out one slice");
-  expectRefused(filterOf(imageOf(row, slope)), "no plane");
+  expectRefused(filterOf(imageOf(row, slope)), "not flat");
   expectRefused(filterOf(squareImage(8, slope, VTK_FLOAT, 2)), "2 values per pixel");
   expectRefused(
     contourAt(squareImage(8, slope), 9.0), "the value 9 meets no curve; the image holds values from 0 to 7");
-  expectRefused(filterOf(squareImage(8, slope, VTK_UNSIGNED_CHAR, 3), vtkImageCurves::Labels), "a label map has one");
+  expectRefused(filterOf(squareImage(8, slope, VTK_UNSIGNED_CHAR, 3), vtkImageCurves::Labels), "a label map needs one");
   expectRefused(
-    filterOf(squareImage(8, [](const Vec3& p_W) { return 0.5 * p_W.x(); }), vtkImageCurves::Labels), "no label map");
+    filterOf(squareImage(8, [](const Vec3& p_W) { return 0.5 * p_W.x(); }), vtkImageCurves::Labels), "not a label map");
   expectRefused(filterOf(squareImage(8, [](const Vec3&) { return std::nan(""); })), "no value of the image is finite");
   vtkNew<vtkImageData> bare;
   bare->SetDimensions(4, 4, 1);

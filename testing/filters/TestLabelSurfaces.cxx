@@ -147,7 +147,7 @@ TEST(LabelSurfaces, AnImageThatIsNoLabelMapIsRefused)
   vtkNew<vtkImageData> none;
   none->SetDimensions(3, 3, 3);
   const auto every = image(20, [](int i, int j, int k) { return i + 20 * j + 400 * k; });
-  for (const auto& [input, says] : { std::pair<vtkImageData*, const char*>{ densities, "not whole numbers" },
+  for (const auto& [input, says] : { std::pair<vtkImageData*, const char*>{ densities, "not integers" },
          std::pair<vtkImageData*, const char*>{ none, "no active array" },
          std::pair<vtkImageData*, const char*>{ every.Get(), "more than 4096 values" } })
   {

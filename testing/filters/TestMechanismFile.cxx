@@ -117,21 +117,21 @@ TEST(MechanismFile, WhatItDoesNotMeanIsRefusedInWordsThatNameThePlace)
   const std::array<std::pair<std::string, std::string>, 18> cases = { {
     { "{", "not JSON: byte" },
     { "[]", "must be an object" },
-    { with("palpate mechanism", "a drawing"), "format: it must be \"palpate mechanism\"" },
-    { with("\"version\": 1", "\"version\": 2"), "version: this Palpate reads version 1; the file is of a later one" },
-    { with("\"version\": 1", "\"version\": 0"), "version: this Palpate reads version 1" },
+    { with("palpate mechanism", "a drawing"), "format: must be \"palpate mechanism\"" },
+    { with("\"version\": 1", "\"version\": 2"), "version: this program reads version 1; the file has a later version" },
+    { with("\"version\": 1", "\"version\": 0"), "version: this program reads version 1" },
     { with("\"unit_m\": 0.001", "\"unit_m\": 0"), "unit_m" },
-    { with("\"diameter\"", "\"diametre\""), "bodies[0].diametre: nobody knows this key" },
-    { with("\"least\": -1", "\"leest\": -1"), "laws[2].leest: nobody knows this key" },
-    { with("\"held\"", "\"hold\""), "bodies[0].kind: there is no \"hold\"; there are held" },
-    { with("\"puncture\"", "\"pierce\""), "laws[0].kind: there is no \"pierce\"" },
-    { with("\"name\": \"rest\", ", ""), "laws[1].name: it is missing" },
-    { with("\"length\": 150", "\"length\": \"150\""), "bodies[0].length: it must be a finite number" },
+    { with("\"diameter\"", "\"diametre\""), "bodies[0].diametre: unknown key" },
+    { with("\"least\": -1", "\"leest\": -1"), "laws[2].leest: unknown key" },
+    { with("\"held\"", "\"hold\""), "bodies[0].kind: unknown kind \"hold\"; valid kinds: held" },
+    { with("\"puncture\"", "\"pierce\""), "laws[0].kind: unknown kind \"pierce\"" },
+    { with("\"name\": \"rest\", ", ""), "laws[1].name: this key is missing" },
+    { with("\"length\": 150", "\"length\": \"150\""), "bodies[0].length: must be a finite number" },
     { with("\"length\": 150", "\"length\": 1e999"), "not JSON" },
-    { with("[0, 1, 0, 0]", "[0, 0, 0, 0]"), "bodies[2].turn: a turn is a quaternion" },
-    { with("[1, 2, 3]", "[1, 2]"), "bodies[2].at: it must be a list of 3 numbers" },
-    { with("\"box\": [40, 40, 10], ", ""), "bodies[1]: a soft body is read from a \"file\" or is a \"box\"" },
-    { with("\"box\": [40, 40, 10]", "\"box\": [40, 0, 10]"), "bodies[1]: wall cannot give way" },
+    { with("[0, 1, 0, 0]", "[0, 0, 0, 0]"), "bodies[2].turn: a rotation must be a quaternion" },
+    { with("[1, 2, 3]", "[1, 2]"), "bodies[2].at: must be a list of 3 numbers" },
+    { with("\"box\": [40, 40, 10], ", ""), "bodies[1]: a soft body needs either a \"file\" or a \"box\"" },
+    { with("\"box\": [40, 40, 10]", "\"box\": [40, 0, 10]"), "bodies[1]: wall cannot be a soft body" },
     { with("\"box\": [40, 40, 10], \"at\": [0, 0, -5], ", "\"file\": \"nowhere.vtu\", "), "nowhere.vtu" },
   } };
   for (const auto& [text, problem] : cases)
@@ -149,7 +149,7 @@ TEST(MechanismFile, ABodysFileIsLookedForBesideTheSceneFileAndAProblemNamesTheSc
   const vtkHapticMechanismResult read = vtkHapticReadMechanism(file);
   EXPECT_THAT(read.Problem, HasSubstr(file + ": "));
   EXPECT_THAT(read.Problem, HasSubstr(folder + "/wall.vtu"));
-  EXPECT_THAT(vtkHapticReadMechanism(folder + "/none.json").Problem, HasSubstr("none.json: it cannot be read"));
+  EXPECT_THAT(vtkHapticReadMechanism(folder + "/none.json").Problem, HasSubstr("none.json: cannot be read"));
   std::filesystem::remove_all(folder);
 }
 
@@ -221,9 +221,9 @@ TEST(MechanismFile, LawsAreAddedReplacedAndTakenAwayAndTheRestStaysAsItIs)
   EXPECT_EQ(lawsOf(again).size(), 3u) << "in the place of the one of its name";
   EXPECT_EQ(lawsOf(again).back().strength_N, 7.0);
   EXPECT_EQ(vtkHapticWithoutLaw(whole, four, "nobody", problem), "");
-  EXPECT_THAT(problem, HasSubstr("no law \"nobody\""));
+  EXPECT_THAT(problem, HasSubstr("no constraint \"nobody\""));
   EXPECT_EQ(vtkHapticWithLaw(whole, four, R"({ "kind": "break" })", problem), "");
-  EXPECT_THAT(problem, HasSubstr("law.name: it is missing"));
+  EXPECT_THAT(problem, HasSubstr("law.name: this key is missing"));
   EXPECT_EQ(vtkHapticWithLaw(whole, "7", more, problem), "");
   EXPECT_THAT(problem, HasSubstr("must be a list"));
 }

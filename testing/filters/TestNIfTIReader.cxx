@@ -351,7 +351,7 @@ TEST(NIfTIReader, WhatCannotBeReadIsRefusedWithTheFileAndTheReason)
   expectRefused(with([](NIfTIBytes& f) { f.setType(1536); }), "NIfTI type 1536");
   expectRefused(with([](NIfTIBytes& f) { f.setVoxOffset(12.0); }), "cannot begin at byte 12");
   expectRefused(with([](NIfTIBytes& f) { f.setSForm(Mat3::Zero(), Vec3::Zero()); }), "is singular");
-  expectRefused(with([](NIfTIBytes& f) { f.put(344, 'x'); }), "neither n+1 nor n+2");
+  expectRefused(with([](NIfTIBytes& f) { f.put(344, 'x'); }), "neither the mark n+1 nor n+2");
   expectRefused(with([](NIfTIBytes& f) { f.put(345, 'i'); }), "in another file");
   expectRefused(with([](NIfTIBytes& f) { f.put(0, 349); }), "not a NIfTI image");
 }

@@ -193,7 +193,7 @@ TEST(SurfaceCheck, WithoutPolygonsOrOfAPartOfTheDataItRefusesInALine)
   check->SetInputData(makeSphere(radius, 12));
   const auto ofPart = errorsOf(static_cast<vtkObject*>(check), [&] { check->UpdatePiece(1, 2, 0); });
   ASSERT_FALSE(ofPart.empty());
-  EXPECT_NE(ofPart.front().find("asked for in 2 parts"), std::string::npos) << ofPart.front();
+  EXPECT_NE(ofPart.front().find("requested in 2 pieces"), std::string::npos) << ofPart.front();
 }
 
 } // namespace palpate::testing::checked

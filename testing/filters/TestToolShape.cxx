@@ -136,7 +136,7 @@ TEST(ToolShape, ANeedleThatIsAllPointOrHasNoWidthIsRefusedInWords)
     vtkNew<vtkHapticNeedle> needle;
     needle->SetLength(length);
     needle->SetDiameter(diameter);
-    EXPECT_THAT(errorsOf(needle), Contains(HasSubstr("There is no such needle"))) << length << " " << diameter;
+    EXPECT_THAT(errorsOf(needle), Contains(HasSubstr("No needle was made"))) << length << " " << diameter;
   }
 }
 

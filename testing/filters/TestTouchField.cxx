@@ -236,7 +236,7 @@ TEST(TouchField, WhatCannotBeFeltIsSaidInOneLineAndTheOutputIsEmpty)
   touch->FieldIsosurfaceOn();
   expect("no array of it: give FieldArray");
   touch->SetFieldArray("gone");
-  expect("its array \"gone\" is not there");
+  expect("its array \"gone\" does not exist");
   touch->SetFieldArray("f");
   touch->FieldIsosurfaceOff();
   expect("in no way: give FieldIsosurface");

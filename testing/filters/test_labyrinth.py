@@ -13,6 +13,7 @@ from vtkmodules import vtkRenderingCore  # noqa: F401  wraps the actors
 
 from palpate.vtkHapticInteraction import vtkHapticSession, vtkHapticToolProps
 from palpate.vtkHapticPipeline import vtkHapticLabyrinth
+from says import unsaid
 
 MAZES = ("chartres", "corridor", "hampton-court", "spiral", "versailles")
 STRUCTURES = ("circle-set", "wedge-field")
@@ -115,8 +116,8 @@ class Labyrinths(unittest.TestCase):
             self.assertEqual(session.GetDeviceGivesForce(), forces, device)
             session.SetTouching(True)
             self.assertTrue(step_until(session, "leads"), device)
-            text = "leads" if forces else "go to the start yourself (no force)"
-            self.assertEqual(session.GetLabyrinth().GetText(), text, device)
+            text = "leads" if forces else "move to the start yourself"
+            self.assertTrue(session.GetLabyrinth().GetText().startswith(text), device)
 
     def test_trace_is_the_way_since_the_hand_was_let_go(self):
         session, _ = self.session("hampton-court", "fed")
@@ -244,7 +245,7 @@ class Labyrinths(unittest.TestCase):
         data = self.drawing('<circle id="start" cx="25" cy="25" r="5"/>')
         session = vtkHapticSession()
         self.assertFalse(session.GetLabyrinth().Play(data, "bend.svg"))
-        self.assertIn("bend.svg: it says no exit", session.GetProblem())
+        self.assertIn("bend.svg: no exit", session.GetProblem())
 
     def test_line_of_one_point_changes_nothing_and_is_named_with_that_point(self):
         data = vtkPolyData()
@@ -256,10 +257,10 @@ class Labyrinths(unittest.TestCase):
         session = vtkHapticSession()
         before = session.GetSetting("Scale"), session.GetSetting("Radius"), session.GetSetting("LinesAsWalls")
         self.assertFalse(session.GetLabyrinth().Play(data, "dot.vtp"))
-        self.assertIn("dot.vtp: its lines are all one point, (1, 2)", session.GetProblem())
+        self.assertEqual(unsaid(session.GetProblem(), "dot.vtp", "single point, (1, 2)"), [])
         self.assertEqual((session.GetSetting("Scale"), session.GetSetting("Radius"), session.GetSetting("LinesAsWalls")), before)
         self.assertFalse(session.GetLabyrinth().Play(vtkPolyData(), "none.vtp"))
-        self.assertIn("none.vtp: there is nothing to play", session.GetProblem())
+        self.assertEqual(unsaid(session.GetProblem(), "none.vtp", "no labyrinth"), [])
 
     def test_no_button_that_was_not_pressed_asks_for_a_labyrinth(self):
         session, _ = self.session("hampton-court")
@@ -271,7 +272,7 @@ class Labyrinths(unittest.TestCase):
     def test_structure_is_refused_before_the_hand_is_moved(self):
         session, played = self.session("wedge-field")
         self.assertFalse(played)
-        self.assertIn("no place to start", session.GetProblem())
+        self.assertIn("no start", session.GetProblem())
         session.SetTouching(True)
         session.Step(100)
         session.Update()

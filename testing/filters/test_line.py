@@ -47,7 +47,7 @@ class Line(unittest.TestCase):
 
     def test_bad_input_is_named(self):
         self.assertFalse(self.line.Start())
-        self.assertIn("two places", self.line.GetProblem())
+        self.assertIn("two positions", self.line.GetProblem())
         self.assertTrue(math.isnan(self.line.GetForceAt(0.0)))
         self.assertFalse(self.line.SetPath(path([(0, 0, 0), (1, 0, 0)], [0, 1]), "depth", 1000.0))
         self.assertIn("array", self.line.GetProblem())

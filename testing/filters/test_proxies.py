@@ -225,10 +225,10 @@ class Session(unittest.TestCase):
         write(self.proxy, "Touching", 1)
         session = self.proxy.GetClientSideObject()
         session.Step(1)
-        self.assertIn("no hand yet", session.GetFaultText())
+        self.assertIn("no hand position yet", session.GetFaultText())
         write(self.proxy, "HandPosition", 0.0, 0.0, 0.0)
         session.Step(1)
-        self.assertNotIn("no hand yet", session.GetFaultText())
+        self.assertNotIn("no hand position yet", session.GetFaultText())
 
     def test_steps_in_virtual_time_and_reads_out(self):
         plane = pv.Plane(Origin=[-50, -50, 0], Point1=[50, -50, 0], Point2=[-50, 50, 0])
@@ -288,10 +288,10 @@ class Session(unittest.TestCase):
 
     def test_says_how_stiff_the_chosen_device_can_be_before_it_is_touched(self):
         self.assertEqual(read(self.proxy, "LargestStiffness"), math.inf)  # "fed" pushes nobody
-        self.assertIn("no force reaches a hand", read(self.proxy, "StabilitySentence"))
+        self.assertIn("renders no force", read(self.proxy, "StabilitySentence"))
         write(self.proxy, "DeviceName", "simulated-joystick")
         self.assertEqual(read(self.proxy, "LargestStiffness"), JOYSTICK_STIFFNESS)
-        self.assertIn("the device is made for no more", read(self.proxy, "StabilitySentence"))
+        self.assertIn("the device's own limit", read(self.proxy, "StabilitySentence"))
 
     def test_a_device_is_pushed_no_stiffer_than_it_can_hold(self):
         write(self.proxy, "VirtualTime", 1)

@@ -184,7 +184,7 @@ class SoftBody(unittest.TestCase):
                 (tetrahedra(), {"fixed": ""}, "fixed"), (tetrahedra(), {"fixed": "top"}, "'top'"),
                 (tetrahedra(), {"YoungArray": "E"}, "'E'"), (nothing, {}, "has no labels"), (sheet.GetOutput(), {}, "has holes"),
                 (holed, {}, "has holes"), (sphere(), {"EdgeLength": -1.0}, "0 or above"),
-                (sphere(), {"EdgeLength": 0.01}, "give a longer edge"), (corners([*TWO[:4], (0.2, 0.2, 0.4)], ((0, 1, 2, 3), (0, 1, 2, 4))), {}, "mesh the body anew")):
+                (sphere(), {"EdgeLength": 0.01}, "use a longer edge"), (corners([*TWO[:4], (0.2, 0.2, 0.4)], ((0, 1, 2, 3), (0, 1, 2, 4))), {}, "mesh the body again")):
             grid, errors = self.make(data, **settings)
             self.assertEqual(len(errors), 1, settings)
             self.assertIn(words, errors[0])
@@ -196,7 +196,7 @@ class SoftBody(unittest.TestCase):
         grid, errors = self.make(corners([*TWO, (1, 1, 0), *far], ((0, 1, 2, 3), (3, 2, 1, 0), (2, 1, 3, 4), flat, (6, 7, 8, 9))))
         self.assertFalse(errors)
         self.assertEqual(grid.GetNumberOfCells(), 5)
-        self.assertIn("tetrahedra: 1 turned round, 1 without volume left out, 1 doubled left out, 1 that hang on nothing fixed left out",
+        self.assertIn("tetrahedra: 1 with reversed orientation, 1 without volume removed, 1 duplicated, removed, 1 without connection to a fixed vertex removed",
                       self.body.GetText())
 
     def test_its_weight_and_loads_of_points_are_borne_by_its_corners(self):
@@ -208,7 +208,7 @@ class SoftBody(unittest.TestCase):
         weight = 900 * 9.81 * SIDE**3 / 2
         for got, expected in zip(borne(grid), (0, 0, -weight)):
             self.assertAlmostEqual(got, expected, delta=1e-6 * weight)  # its points are of single precision
-        self.assertIn(f"bears {weight:.5g} N", self.body.GetText())
+        self.assertIn(f"total load {weight:.5g} N", self.body.GetText())
         block, pull = tetrahedra(), vtkDoubleArray()
         pull.SetName("pull")
         pull.SetNumberOfComponents(3)
@@ -246,7 +246,7 @@ class SoftBody(unittest.TestCase):
         touch.Update()
         force = touch.GetOutput().GetPointData().GetArray("Force")
         felt = [force.GetTuple(i) for i in range(force.GetNumberOfTuples())] if force else []
-        self.assertTrue(any("cannot be factored" in text for text in said) or
+        self.assertTrue(any("matrix is singular" in text for text in said) or
                         (felt and all(math.isfinite(n) for row in felt for n in row) and felt[-1][2] > 0), (said, felt[-1:]))
 
     def test_along_a_path_it_gives_way_as_its_packets_say(self):

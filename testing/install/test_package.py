@@ -72,7 +72,7 @@ class Package(unittest.TestCase):
         run_command(sys.executable, script, **there)
 
     def test_each_command_has_a_page_that_man_finds(self):
-        commands = re.findall(r'add_subcommand\("(\w+)"', (SOURCE / "ui/cli/palpate.cxx").read_text(encoding="utf-8"))
+        commands = re.findall(r'add_subcommand\(\s*"(\w+)"', (SOURCE / "ui/cli/palpate.cxx").read_text(encoding="utf-8"))
         self.assertIn("touch", commands)
         pages = {path.name: gzip.decompress(path.read_bytes()).decode() for path in (self.usr / "share/man/man1").iterdir()}
         self.assertEqual(set(pages), {"palpate.1.gz", *(f"palpate-{command}.1.gz" for command in commands)})

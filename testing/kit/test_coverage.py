@@ -73,7 +73,7 @@ class Nothing(Case):
     def test_a_volume_that_is_so_small_that_no_hand_feels_it_makes_no_baseline(self):
         # Strokes are 2 % of the diagonal deep: 500 N/m times 0.02 sqrt(3) 2 mm and less are fainter than 0.07 N.
         said = self.refused(volume(2))
-        for word in ("0.069 N", "from nothing", "FieldArray", "Stiffness"):
+        for word in ("0.069 N", "from zero", "FieldArray", "Stiffness"):
             self.assertIn(word, said)
 
     def test_a_field_that_acts_elsewhere_than_the_strokes_makes_no_baseline(self):
@@ -87,7 +87,7 @@ class Nothing(Case):
         for most_N in (0.0, 0.06):
             held["rows"] = [[*row[:4], 0.0, 0.0, min(row[6], most_N)] for row in held["rows"]]
             self.file.write_text(json.dumps(held), encoding="utf-8")
-            with self.assertRaisesRegex(Refused, "felt nothing .* write it anew"):
+            with self.assertRaisesRegex(Refused, "felt nothing .* write the baseline again"):
                 self.check(plate(-30.0))
 
     def test_what_a_smaller_tolerance_tells_from_nothing_is_something(self):
@@ -109,7 +109,7 @@ class Elsewhere(Case):
         self.write(both, path=WAY)
         self.check(both)
         said = self.difference(together(plate(), cube(4.0, far)))  # "largest=False": a speck less
-        self.assertIn("feels as it did on the way of the hand, but", said)
+        self.assertIn("feels the same along the path of the hand, but", said)
         self.assertIn("2 separate pieces, and had 3", said)
         self.assertIn("gone, and never touched: a piece of area 6 around (30, -30, 5)", said)
         self.assertNotIn("96", said)

@@ -59,7 +59,7 @@ class LinesInAView(ViewTest):
         self.assertIn(name + ": kept", self.session.GetSceneReport())
         self.session.SetSourceTouched(name, False)
         self.assertTrue(self.follow())
-        self.assertIn(name + ": it is switched off", self.session.GetSceneReport())
+        self.assertIn(name + ": the source is switched off", self.session.GetSceneReport())
         self.session.SetSourceTouched(name, True)
         self.assertTrue(self.follow())
         self.press(-DEPTH, 0.1, 0.0)
@@ -79,7 +79,7 @@ class LinesInAView(ViewTest):
         put(self.proxy, "DeviceName", "simulated-joystick")
         self.show(simple.Line(Point1=[0.0, -1.0, 0.0], Point2=[0.0, 1.0, 0.0]))
         self.assertTrue(self.follow())
-        self.assertIn("held by the device itself", self.session.GetPlanSentence())
+        self.assertIn("device itself holds", self.session.GetPlanSentence())
 
 
 if __name__ == "__main__":

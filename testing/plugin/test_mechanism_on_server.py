@@ -73,7 +73,7 @@ class MechanismOnAServer(unittest.TestCase):
         self.assertLess(min(force[2] for force in expected), -0.5)
         for ranks in (1, 2):
             with connected(ranks), held(SCENES / "needle.json") as there:
-                self.assertIn("2 laws", there.text())
+                self.assertIn("2 constraints", there.text())
                 found = there.forces()
                 self.assertEqual(there.session.GetServerSentence(), "", "nothing of it is fetched to be touched as a surface")
             for one, other in zip(found, expected):
@@ -86,10 +86,10 @@ class MechanismOnAServer(unittest.TestCase):
             there.source.UpdatePipeline()
             there.follow()
             there.session.Step(100)
-            self.assertIn("1 laws", there.text())
+            self.assertIn("1 constraints", there.text())
             simple.Delete(there.source)
             there.follow()
-            self.assertIn("is not there", there.text())
+            self.assertIn("does not exist", there.text())
 
     def test_a_file_of_a_body_that_is_on_the_server_alone_is_said_with_the_cure(self):
         before = os.getcwd()
@@ -109,7 +109,7 @@ class MechanismOnAServer(unittest.TestCase):
                 with connected():
                     os.chdir(before)
                     with held("scene.json") as there:
-                        self.assertRegex(there.text(), "Mechanism cannot be held: .*block.vtu.*it is of a server")
+                        self.assertRegex(there.text(), "Mechanism cannot be held: .*block.vtu.*comes from a server")
             finally:
                 os.chdir(before)
 

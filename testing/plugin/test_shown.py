@@ -10,6 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from haptic_proxies import put
 from view_fixture import DEPTH, FORCE, STIFFNESS, ViewTest
+from says import unsaid
 
 
 class Shown(ViewTest):
@@ -145,12 +146,12 @@ class Shown(ViewTest):
     def test_an_image_slice_without_lines_that_count_or_without_a_colour_says_what_to_do(self):
         display = self.slice_of_x()
         self.follow()
-        self.assertIn("give lines a radius", self.scene.GetReport())
+        self.assertIn("set Radius of lines", self.scene.GetReport())
         put(self.proxy, "LineRadius", 0.05)
         simple.ColorBy(display, None)
         simple.Render(self.view)
         self.follow()
-        self.assertIn("colour it by an array of points", self.scene.GetReport())
+        self.assertEqual(unsaid(self.scene.GetReport(), "slice", "colour", "point array"), [])
 
     def test_of_two_views_the_one_that_is_followed_is_felt_and_the_other_is_not(self):
         self.show(simple.Box())

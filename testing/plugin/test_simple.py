@@ -109,13 +109,13 @@ class Functions(unittest.TestCase):
 
     def test_refusals_are_raised_in_words_each_time(self):
         for _ in range(2):
-            with self.assertRaisesRegex(HapticRefusal, "Nothing is shown"):
+            with self.assertRaisesRegex(HapticRefusal, "No data are visible"):
                 Touch()
             with self.assertRaisesRegex(HapticRefusal, "stiffness"):
                 SetHaptics(Stiffness=-1.0)
             with self.assertRaisesRegex(HapticRefusal, "touch a surface first"):
                 Mark()
-            with self.assertRaisesRegex(HapticRefusal, "Stiffnes is no setting"):
+            with self.assertRaisesRegex(HapticRefusal, "Stiffnes is not a setting"):
                 SetHaptics(Stiffnes=1.0)
         self.assertEqual(GetHapticSession().GetSetting("Stiffness"), STIFFNESS)
 
@@ -135,11 +135,11 @@ class Functions(unittest.TestCase):
         state = HapticState()
         self.assertAlmostEqual(state["Force"][2], FORCE, delta=1e-3)
         self.assertAlmostEqual(state["ToolPose"][2], 10 - 100, delta=1e-3)  # of the origin of its data
-        self.assertIn("contacts push", state["ToolText"])
+        self.assertIn(" contacts", state["ToolText"])
         self.assertNotIn("Box", session.GetSceneReport())
         simple.Delete(box)
         HapticState()
-        self.assertIn("is not there", HapticState()["ToolText"])
+        self.assertIn("does not exist", HapticState()["ToolText"])
         with self.assertRaisesRegex(HapticRefusal, "has no source"):
             HoldTool("Drill")
         HoldTool(None)
@@ -166,7 +166,7 @@ class Functions(unittest.TestCase):
         rigid = STIFFNESS * 8 / SCALE
         self.assertGreater(state["Force"][2], 0.05 * rigid)
         self.assertLess(state["Force"][2], 0.8 * rigid)
-        for word in ("assumed", "neo-Hookean", "packets a second", "largest strain"):
+        for word in ("assumed", "neo-Hookean", "solves per second", "largest strain"):
             self.assertIn(word, state["SoftText"])
         simple.Render(self.view)
         bent = servermanager.Fetch(soft)
@@ -215,10 +215,10 @@ class Functions(unittest.TestCase):
             ("DeviceName takes a text, not 5", lambda: SetHaptics(DeviceName=5)),
             ("Passivity takes 1 or 0 .on or off., not 'off'", lambda: SetHaptics(Passivity="off")),
             ("Delay takes a whole number .0 to 16., not 1.5", lambda: SetHaptics(Delay=1.5)),
-            ("Force is no setting", lambda: SetHaptics(Force=[0, 0, 1])),
-            ("'x' is no view; give what CreateView", lambda: Touch("x")),
-            ("is no view", lambda: FitHand(box)),
-            ("5 is no file's name; give one that ends in .csv", lambda: SaveMarks(5)),
+            ("Force is not a setting", lambda: SetHaptics(Force=[0, 0, 1])),
+            ("'x' is not a view; pass the result of CreateView", lambda: Touch("x")),
+            ("is not a view", lambda: FitHand(box)),
+            ("5 is not a file name; use a name that ends in .csv", lambda: SaveMarks(5)),
         ):
             with self.assertRaisesRegex(HapticRefusal, said):
                 call()
@@ -228,7 +228,7 @@ class Functions(unittest.TestCase):
         self.assertEqual(tuple(session.GetSettingNumbers("Offset")), (0.0, 0.0, 0.0))
 
     def test_what_is_shown_is_fitted_to_before_it_is_touched_and_nothing_is_refused(self):
-        with self.assertRaisesRegex(HapticRefusal, "Nothing is shown: open a file"):
+        with self.assertRaisesRegex(HapticRefusal, "No data are visible: open a file"):
             FitHand()
         box = simple.Box(XLength=100, YLength=100, ZLength=100)
         simple.Show(box, self.view)
@@ -240,7 +240,7 @@ class Functions(unittest.TestCase):
             scales.append(GetHapticSession().GetSetting("Scale"))
         self.assertAlmostEqual(scales[1], 2.0 * scales[0], delta=1e-9 * scales[1])
         simple.Hide(box, self.view)
-        with self.assertRaisesRegex(HapticRefusal, "Nothing is shown"):
+        with self.assertRaisesRegex(HapticRefusal, "No data are visible"):
             FitHand()
         self.assertEqual(GetHapticSession().GetSetting("Scale"), scales[1])
 

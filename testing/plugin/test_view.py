@@ -8,6 +8,7 @@ from paraview import simple
 
 from haptic_proxies import put
 from view_fixture import DEPTH, FORCE, ViewTest
+from says import unsaid
 
 DEFAULT_SCALE = 1000.0  # u/m
 
@@ -116,15 +117,15 @@ class TouchInAView(ViewTest):
     def test_a_volume_is_refused_with_what_to_do(self):
         said = self.refusal("Volume")
         self.assertIn("a volume has no surface; choose its values in the panel (Advanced, Field)", said)
-        self.assertIn("or apply the Contour filter", said)
+        self.assertIn("or apply the filter Contour", said)
 
     def test_an_outline_is_refused_with_what_to_do(self):
-        self.assertIn("only its outline or edges are drawn; choose the representation Surface", self.refusal("Outline"))
+        self.assertEqual(unsaid(self.refusal("Outline"), "outline", "edges", "representation Surface"), [])
 
     def test_what_is_drawn_as_lines_is_refused_with_what_helps(self):
         self.show(simple.Line())
         self.follow()
-        self.assertIn("it is drawn as lines; give lines a radius", self.scene.GetReport())
+        self.assertEqual(unsaid(self.scene.GetReport(), "drawn as lines", "Radius of lines"), [])
         self.assertEqual(self.scene.GetRefusal(), self.scene.GetReport().strip().removeprefix("Not touched: "))
         put(self.proxy, "LineRadius", 0.1)  # what it says helps
         self.assertTrue(self.follow())
@@ -134,7 +135,7 @@ class TouchInAView(ViewTest):
         points = simple.PointSource(NumberOfPoints=5, Radius=1.0)
         self.show(points)
         self.follow()
-        self.assertIn("it is drawn as points; apply the filter Glyph with the type Sphere", self.scene.GetReport())
+        self.assertEqual(unsaid(self.scene.GetReport(), "drawn as points", "Radius of points", "Glyph", "Sphere"), [])
         simple.Hide(points, self.view)
         self.show(simple.Glyph(Input=points, GlyphType="Sphere", GlyphMode="All Points"))  # what it says helps
         self.follow()
@@ -148,7 +149,7 @@ class TouchInAView(ViewTest):
         simple.Render(self.view)
         self.assertTrue(self.follow())
         self.assertEqual(self.scene.GetNumberOfSurfaces(), 0)
-        self.assertIn("it is fully transparent; raise its opacity to feel it", self.scene.GetReport())
+        self.assertEqual(unsaid(self.scene.GetReport(), "transparent", "opacity"), [])
         display.Opacity = 0.01
         simple.Render(self.view)
         self.follow()

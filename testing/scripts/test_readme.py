@@ -55,7 +55,7 @@ class Bar(unittest.TestCase):
     def rows(self):
         """(number or None, text, its names in backquotes) of each row of both tables."""
         for line in self.text.splitlines():
-            if line.startswith("| ") and not re.match(r"\| (row|what is checked) ", line):
+            if line.startswith("| ") and not re.match(r"\| (row|property) ", line):
                 number = re.match(r"\| (\d+) \|", line)
                 yield number and int(number[1]), line, re.findall(r"`([^`]+)`", line.split("|")[-2])
 

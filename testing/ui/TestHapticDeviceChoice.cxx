@@ -119,7 +119,7 @@ TEST_F(HapticDeviceChoice, AChosenDeviceStaysChosenWhenItIsUnpluggedAndNobodyHea
     port.present = present;
     this->open();
     EXPECT_EQ(this->choice_->currentText(), pluggedName);
-    EXPECT_EQ(this->tip(pluggedName), present ? "" : "it is not plugged in");
+    EXPECT_EQ(this->tip(pluggedName), present ? "" : "the device is not attached");
   }
   EXPECT_EQ(heard, 0);
 }

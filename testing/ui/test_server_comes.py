@@ -31,7 +31,7 @@ def pressing():
 
 def connected(port):
     return (python(f"trial.connect({port})", 1500) + python("trial.check_free()")
-            + event("hapticHas", "Nothing is shown", STATUS))
+            + event("hapticHas", "No data are visible", STATUS))
 
 
 def left():

@@ -176,7 +176,7 @@ TEST(Uhid, ADeviceThatDoesNotAnswerIsSaidAfterTheKernelsPatience)
   Servo servo(device.serial());
   device.stalls = true;
   const std::string problem = servo.device.open();
-  EXPECT_NE(problem.find("\"plain\": it does not say what effects it can hold"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("\"plain\": the device does not report its effect types"), std::string::npos) << problem;
 }
 
 TEST(Uhid, UnpluggedItIsAFaultAndPluggedInAgainElsewhereItHasNoForceUntilItIsAskedForAnew)

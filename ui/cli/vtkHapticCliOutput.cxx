@@ -21,13 +21,13 @@ void CheckTarget(const fs::path& target, const std::string& name, const std::vec
   std::error_code ignored;
   if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored))
   {
-    throw vtkHapticCliProblem(name + ": it is not a file that can be replaced; choose another name");
+    throw vtkHapticCliProblem(name + ": not a regular file; choose another name for the output");
   }
   for (const std::string& input : inputs)
   {
     if (fs::equivalent(target, input, ignored))
     {
-      throw vtkHapticCliProblem(name + ": it is also an input; choose another name for the output");
+      throw vtkHapticCliProblem(name + ": this file is also an input; choose another name for the output");
     }
   }
 }
@@ -39,7 +39,7 @@ std::string MakeTemporary(const fs::path& target, const std::string& name)
   const int descriptor = mkstemp(pattern.data());
   if (descriptor < 0)
   {
-    throw vtkHapticCliProblem(name + ": it cannot be written: " + std::strerror(errno));
+    throw vtkHapticCliProblem(name + ": cannot be written: " + std::strerror(errno));
   }
   close(descriptor);
   const mode_t mask = umask(0);
@@ -105,13 +105,13 @@ void vtkHapticCliOutput::Commit()
   this->Stream.close();
   if (this->Stream.fail())
   {
-    throw vtkHapticCliProblem(this->File + ": it cannot be written to its end; is the disk full?");
+    throw vtkHapticCliProblem(this->File + ": cannot be written completely; is the disk full?");
   }
   std::error_code error;
   fs::rename(this->Temporary, this->File, error);
   if (error)
   {
-    throw vtkHapticCliProblem(this->File + ": it cannot be replaced: " + error.message());
+    throw vtkHapticCliProblem(this->File + ": cannot be replaced: " + error.message());
   }
   this->Temporary.clear();
 }

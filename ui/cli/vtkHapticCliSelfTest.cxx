@@ -48,8 +48,7 @@ std::string FolderToKeepIn()
   const std::string folder = palpate::userCalibrationFolder(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME"));
   if (folder.empty())
   {
-    throw vtkHapticCliProblem("--keep: there is no folder to keep anything in: neither XDG_CONFIG_HOME nor HOME is the "
-                              "whole path of one");
+    throw vtkHapticCliProblem("--keep: no folder for the result: neither XDG_CONFIG_HOME nor HOME is an absolute path");
   }
   return folder;
 }
@@ -77,7 +76,7 @@ void Keep(const palpate::Calibration& calibration, const std::string& folder)
   std::cout << "kept in " << palpate::calibrationFile(folder, calibration.device, calibration.serial) << '\n';
   if (calibration.serial.empty() && calibration.held == palpate::HeldProof::Felt)
   {
-    std::cout << "not kept: what was felt of its walls, for no serial number says that it is this device\n";
+    std::cout << "not kept: the measured walls, because the device has no serial number to identify it\n";
   }
 }
 } // namespace

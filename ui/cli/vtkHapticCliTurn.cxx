@@ -30,7 +30,7 @@ palpate::LineWorld ReadWorld(const vtkHapticCliTurnOptions& options)
   std::string text(static_cast<std::size_t>(mostRead), '\0');
   if (!file || !file.read(text.data(), mostRead).eof())
   {
-    throw vtkHapticCliProblem(options.File + (file ? ": it is longer than 64 MB" : ": cannot be read"));
+    throw vtkHapticCliProblem(options.File + (file ? ": longer than 64 MB" : ": cannot be read"));
   }
   text.resize(static_cast<std::size_t>(file.gcount()));
   palpate::ParsedLine parsed = palpate::parseLine(text);
@@ -72,11 +72,11 @@ std::unique_ptr<palpate::HapticDevice> MakeDevice(
 /// Nobody is pushed before they ask for it.
 void AwaitPerson()
 {
-  std::cout << "Hold it, and press Enter: the force comes within a second; Ctrl-C ends it." << std::endl;
+  std::cout << "Hold the device and press Enter: the force starts within 1 s; Ctrl-C ends the force." << std::endl;
   std::string line;
   if (!std::getline(std::cin, line))
   {
-    throw vtkHapticCliProblem("nobody pressed Enter, so there is no force");
+    throw vtkHapticCliProblem("Enter was not pressed, so there is no force");
   }
 }
 

@@ -49,18 +49,19 @@ void pqHapticMainGroup::addDevice(QFormLayout* form)
 void pqHapticMainGroup::addButtons(QFormLayout* form)
 {
   this->Touch =
-    pqHapticButton(this, "touch", pqHapticTitle("Touching"), tr("Touch every surface shown in the active view"));
+    pqHapticButton(this, "touch", pqHapticTitle("Touching"), tr("Touch every visible surface of the active view"));
   this->Touch->setCheckable(true);
-  this->Release = pqHapticButton(this, "release", tr("&Let Go"), tr("Force to zero within 50 ms, and stop touching"));
+  this->Release =
+    pqHapticButton(this, "release", tr("&Let Go"), tr("Reduce the force to zero within 50 ms and stop touching"));
   this->Fit = pqHapticButton(
-    this, "fit", tr("&Fit"), tr("Scale and place such that the device's workspace holds everything that is shown"));
+    this, "fit", tr("&Fit"), tr("Set scale and offset so that the device's workspace contains all visible data"));
   auto* buttons = new QHBoxLayout;
   for (QPushButton* button : { this->Touch, this->Release, this->Fit })
   {
     buttons->addWidget(button, 1);
   }
   form->addRow(buttons);
-  this->Status = pqHapticLabel(this, "status", tr("How it is, why, and what to do"));
+  this->Status = pqHapticLabel(this, "status", tr("State of the touch, its reason, and the next step"));
   QFont bold = this->Status->font();
   bold.setBold(true);
   this->Status->setFont(bold);
@@ -70,7 +71,7 @@ void pqHapticMainGroup::addButtons(QFormLayout* form)
   this->Server = pqHapticLabel(this, "server", pqHapticReadoutTip("ServerSentence"));
   form->addRow(this->Server);
   this->MouseHelp =
-    pqHapticLabel(this, "mouseHelp", tr("What mouse and keyboard do in the view while they lead the hand"));
+    pqHapticLabel(this, "mouseHelp", tr("Functions of mouse and keyboard in the view while they move the hand"));
   form->addRow(this->MouseHelp);
   auto* controller = pqHapticController::instance();
   this->connect(this->Release, &QPushButton::clicked, controller, &pqHapticController::release);
@@ -84,7 +85,7 @@ void pqHapticMainGroup::addStrips(QFormLayout* form)
   this->Lateness = new pqHapticStrip(this, "latenessStrip", tr("Lateness"), "ms", 1.0);
   this->Energy = new pqHapticStrip(this, "energyStrip", tr("Excess energy"), "mJ", 1.0);
   this->Force->setToolTip(pqHapticReadoutTip("ForceMagnitude"));
-  this->Depth->setToolTip(tr("How deep the hand is behind the proxy, as a way of the hand"));
+  this->Depth->setToolTip(tr("Distance from the hand to the proxy, as displacement of the device"));
   this->Lateness->setToolTip(pqHapticReadoutTip("LatenessP99"));
   this->Energy->setToolTip(pqHapticReadoutTip("ExcessEnergy"));
   for (pqHapticStrip* strip : { this->Force, this->Depth, this->Lateness, this->Energy })
@@ -132,7 +133,7 @@ QString pqHapticMainGroup::serverOf(vtkHapticSession* session) const
 {
   const QString sentence = session ? QString::fromStdString(session->GetServerSentence()) : QString();
   return sentence.isEmpty() ? sentence
-                            : tr("Of the server: %1; %2 s old, %3 ticks beyond")
+                            : tr("Remote surfaces: %1; age %2 s, %3 ticks outside")
                                 .arg(sentence)
                                 .arg(session->GetServerAge(), 0, 'f', 1)
                                 .arg(session->GetServerTicksBeyond());

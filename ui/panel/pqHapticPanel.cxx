@@ -137,7 +137,8 @@ void pqHapticPanel::Internals::addStability(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "stabilityGroup", tr("Stability"));
   this->addSettings(form, "stability");
-  this->addReadout(form, "stability", {}, &pqHapticReadout::Stability, tr("How stiff this device can be, and why"));
+  this->addReadout(
+    form, "stability", {}, &pqHapticReadout::Stability, tr("Largest stable stiffness of this device, and the reason"));
 }
 
 void pqHapticPanel::Internals::addState(QVBoxLayout* column)
@@ -145,22 +146,25 @@ void pqHapticPanel::Internals::addState(QVBoxLayout* column)
   using Now = pqHapticReadout;
   QFormLayout* form = Group(column, "stateGroup", tr("State"));
   this->addReadout(form, "state", tr("State"), &Now::State,
-    tr("safe: no force. armed: waits for a free start. engaged: force flows. fault: no force"));
-  this->Reason = pqHapticLabel(form->parentWidget(), "reason", tr("Why there is no force, and what to do"));
+    tr("safe: no force. armed: waits until the hand is free of contact. engaged: force flows. fault: no force"));
+  this->Reason = pqHapticLabel(form->parentWidget(), "reason", tr("Reason why there is no force, and the remedy"));
   form->addRow(this->Reason);
-  this->addReadout(form, "force", tr("Force"), &Now::Force, tr("Force on the hand now, and the largest so far [N]"));
   this->addReadout(
-    form, "used", tr("Stiffness"), &Now::Stiffness, tr("Stiffness of the spring now, after every limit [N/m]"));
+    form, "force", tr("Force"), &Now::Force, tr("Current force on the hand, and the largest so far [N]"));
+  this->addReadout(
+    form, "used", tr("Stiffness"), &Now::Stiffness, tr("Current stiffness of the spring, after all limits [N/m]"));
   this->addReadout(form, "energy", tr("Energy"), &Now::Energy,
-    tr("Work of the force on the hand [mJ], negative: taken from it; what the contact gave more than its spring "
-       "holds, now and at most [mJ]"));
+    tr("Work done on the hand [mJ], negative if the hand did work; excess of the returned energy over the energy "
+       "stored in "
+       "the spring, now and at most [mJ]"));
+  this->addReadout(form, "stabiliser", tr("Stabiliser"), &Now::Stabiliser,
+    tr("Part of the force that the passivity controller adds [N]"));
+  this->addReadout(form, "friction", tr("Friction"), &Now::Friction,
+    tr("State of friction: sticks or slips; none without contact or friction"));
   this->addReadout(
-    form, "stabiliser", tr("Stabiliser"), &Now::Stabiliser, tr("Part of the force that passivity control added [N]"));
-  this->addReadout(
-    form, "friction", tr("Friction"), &Now::Friction, tr("sticks or slips; none without contact or friction"));
-  this->addReadout(form, "contact", tr("Contact"), &Now::Contact, tr("Time in contact [s] and planes touched now"));
+    form, "contact", tr("Contact"), &Now::Contact, tr("Time in contact [s], and number of contact planes"));
   this->addReadout(form, "motionLag", tr("Motion lag"), &Now::MotionLag,
-    tr("How late moving surfaces are felt [ms]; 0 when all are where they were shown last"));
+    tr("Delay of moving surfaces [ms]; 0 when all surfaces are at rest"));
 }
 
 void pqHapticPanel::Internals::addServo(QVBoxLayout* column)
@@ -169,25 +173,26 @@ void pqHapticPanel::Internals::addServo(QVBoxLayout* column)
   QFormLayout* form = Group(column, "servoGroup", tr("Servo"));
   this->addReadout(form, "rate", tr("Rate"), &Now::Rate, tr("Ticks per second [Hz]"));
   this->addReadout(
-    form, "lateness", tr("Late p50/p99"), &Now::Lateness, tr("How late ticks start: median and 99th percentile [us]"));
+    form, "lateness", tr("Late p50/p99"), &Now::Lateness, tr("Lateness of ticks: median and 99th percentile [us]"));
   this->addReadout(form, "cost", tr("Cost p50/p99/p99.9"), &Now::Cost,
-    tr("How long a tick takes: median, and what one in 100 and one in 1000 take at least [us]"));
+    tr("Duration of a tick: median, 99th and 99.9th percentile [us]"));
   this->addReadout(form, "ticks", tr("Ticks"), &Now::Ticks,
-    tr("Ticks computed and periods missed; missed periods are never caught up"));
-  this->addReadout(form, "scheduling", {}, &Now::Scheduling, tr("What the operating system granted the servo thread"));
+    tr("Computed ticks and missed periods; missed periods are never caught up"));
+  this->addReadout(
+    form, "scheduling", {}, &Now::Scheduling, tr("Scheduling granted to the servo thread by the operating system"));
 }
 
 void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "sceneGroup", tr("Scene"));
   this->addSettings(form, "scene");
-  this->addReadout(form, "plan", {}, &pqHapticReadout::Plan, tr("What is felt of the scene, by what, and why"));
+  this->addReadout(form, "plan", {}, &pqHapticReadout::Plan, tr("Rendering plan of the scene, and its reasons"));
   this->Scene = new QPlainTextEdit(form->parentWidget());
   this->Scene->setObjectName("scene");
   this->Scene->setReadOnly(true);
   this->Scene->setTabChangesFocus(true);
   this->Scene->setMinimumHeight(110);
-  this->Scene->setToolTip(tr("What is touched, what was repaired, what is refused and why, what was planned"));
+  this->Scene->setToolTip(tr("Touchable surfaces, repairs, refusals with their reasons, and the plan"));
   form->addRow(this->Scene);
   this->Fields.push_back(this->Scene);
 }
@@ -205,8 +210,7 @@ void pqHapticPanel::Internals::setTabOrder()
 /// Folded at first, and not looked up until it is seen.
 void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
 {
-  this->AtContact =
-    new pqHapticFold(column, "inspection", tr("Contact"), tr("What is at the contact, and marks that are set there"));
+  this->AtContact = new pqHapticFold(column, "inspection", tr("Contact"), tr("Data at the contact, and marks"));
   this->Place = new pqHapticContactGroup;
   this->Marks = new pqHapticMarksGroup;
   this->AtContact->rows()->addWidget(this->Place);
@@ -290,8 +294,8 @@ void pqHapticPanel::build()
   column->addWidget(this->Widgets->Main);
   this->Widgets->addContact(column);
   // What is set once, or never.
-  this->Widgets->Advanced = new pqHapticFold(
-    column, "advanced", tr("Ad&vanced"), tr("Everything else that can be set, and all that is measured"));
+  this->Widgets->Advanced =
+    new pqHapticFold(column, "advanced", tr("Ad&vanced"), tr("All other settings and measurements"));
   this->Widgets->fillRest(this->Widgets->Advanced->rows());
   this->connect(this->Widgets->Advanced, &QToolButton::toggled, this, &pqHapticPanel::refresh);
   column->addStretch(1);

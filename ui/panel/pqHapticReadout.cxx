@@ -57,7 +57,7 @@ pqHapticReadout pqHapticReadout::of(vtkHapticSession& session)
   now.Force =
     QString("%1, peak %2").arg(Quantity(session.GetForceMagnitude(), 2, "N"), Quantity(session.GetPeakForce(), 2, "N"));
   now.Stiffness = StiffnessOf(session);
-  now.Energy = QString("%1 given, %2 in excess, at most %3")
+  now.Energy = QString("%1 delivered, %2 in excess, at most %3")
                  .arg(Millijoules(session.GetDeliveredEnergy()), Millijoules(session.GetExcessEnergy()),
                    Millijoules(session.GetPeakExcessEnergy()));
   now.Stabiliser = Quantity(session.GetStabiliserForce(), 2, "N");
@@ -72,7 +72,7 @@ pqHapticReadout pqHapticReadout::of(vtkHapticSession& session)
                .arg(session.GetCostP99(), 0, 'f', 1)
                .arg(session.GetCostP999(), 0, 'f', 1);
   now.Ticks = QString("%1, missed %2").arg(session.GetTicks()).arg(session.GetMissed());
-  now.Stability = QString("This device can hold %1.").arg(QString::fromUtf8(session.GetStabilitySentence()));
+  now.Stability = QString("This device can render %1 stably.").arg(QString::fromUtf8(session.GetStabilitySentence()));
   now.Scheduling = QString::fromUtf8(session.GetSchedulingReport());
   now.Plan = QString::fromUtf8(session.GetPlanSentence());
   now.Scene = QString::fromUtf8(session.GetSceneReport());

@@ -2,7 +2,7 @@
 """Runs inside ParaView: shows a skull, lets a simulated hand stroke it, and reports on the first minute of contact.
 
 Environment: PALPATE_RUN_SURFACE (.vtp), PALPATE_RUN_OUT (folder), PALPATE_RUN_SECONDS (of contact), and
-PALPATE_RUN_FRAMEBUFFER (folder of an Xvfb screen; set: take a picture half way and let go at the end).
+PALPATE_RUN_FRAMEBUFFER (folder of an Xvfb screen; set: take a picture halfway and let go at the end).
 """
 
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the run leaves behind: summary.json for programs, summary.txt for people. Units are in every name."""
+"""Results of a run: summary.json for programs, summary.txt for people. Names contain the units."""
 
 import json
 import math

@@ -22,8 +22,8 @@
 #include "pqUndoStack.h"
 #include "vtkCommand.h"
 #include "vtkHapticDeviceCheck.h"
-#include "vtkHapticMessageCapture.h"
 #include "vtkHapticKnownDevices.h"
+#include "vtkHapticMessageCapture.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticSight.h"
 #include "vtkSMPropertyHelper.h"
@@ -126,13 +126,13 @@ void pqHapticController::makeActions()
   this->TouchAction->setObjectName("hapticTouchAction");
   this->TouchAction->setCheckable(true);
   this->TouchAction->setEnabled(false);
-  this->TouchAction->setToolTip(tr("Touch every surface shown in the active view"));
+  this->TouchAction->setToolTip(tr("Touch every visible surface of the active view"));
   this->connect(this->TouchAction, &QAction::toggled, this, &pqHapticController::setTouching);
 
   this->ReleaseAction = new QAction(QIcon(":/palpate/icons/release.svg"), tr("&Let Go"), this);
   this->ReleaseAction->setObjectName("hapticReleaseAction");
   this->ReleaseAction->setEnabled(false);
-  this->ReleaseAction->setToolTip(tr("Force to zero within 50 ms, and stop touching"));
+  this->ReleaseAction->setToolTip(tr("Reduce the force to zero within 50 ms and stop touching"));
   this->connect(this->ReleaseAction, &QAction::triggered, this, &pqHapticController::release);
 
   this->MarkAction = new QAction(tr("&Mark"), this);
@@ -144,7 +144,7 @@ void pqHapticController::makeActions()
   this->DrawAction = new QAction(QIcon(":/palpate/icons/draw.svg"), tr("&Draw"), this);
   this->DrawAction->setObjectName("hapticDrawAction");
   this->DrawAction->setCheckable(true);
-  this->DrawAction->setToolTip(tr("Draw lines in the view with the left mouse button, and feel them while they grow"));
+  this->DrawAction->setToolTip(tr("Draw lines in the view with the left mouse button, and touch them while drawing"));
   this->connect(this->DrawAction, &QAction::toggled, this->Pencil, &pqHapticPencil::setActive);
 }
 
@@ -171,9 +171,9 @@ QString pqHapticController::refusal() const
     return this->Follower->refusal();
   }
   return server && server->isRemote()
-           ? tr("The server has not the plugin Palpate: start it with the plugin's folder in PV_PLUGIN_PATH, then "
-                "File > Connect again.")
-           : tr("There is no server: File > Connect to the built-in one.");
+           ? tr("The server has not loaded the Palpate plugin. Start pvserver with PV_PLUGIN_PATH set to the plugin's "
+                "folder, then choose File > Connect again.")
+           : tr("There is no server connection. Choose File > Connect and the built-in server.");
 }
 
 void pqHapticController::setTouching(bool on)

@@ -88,8 +88,8 @@ void pqHapticMouse::showStatus()
   {
     const vtkHapticSession* session = this->Mouse->GetSession();
     const QString how = session->GetPlaneWorld()
-                          ? tr("the hand is under the pointer, in the plane; keys: see the panel.")
-                          : tr("Shift + left button presses, wheel: deeper; keys: see the panel.");
+                          ? tr("The hand follows the pointer in the plane; keys: see the panel.")
+                          : tr("Shift + left button presses, the wheel presses deeper; keys: see the panel.");
     text = tr("%1 N: %2").arg(session->GetForceMagnitude(), 0, 'f', 2).arg(how);
   }
   if (text != this->Status)
@@ -108,19 +108,18 @@ QString pqHapticMouse::help() const
   }
   if (session->GetPlaneWorld())
   {
-    return tr(
-      "Move the pointer over the view: the hand is under it, in the plane of the lines, and walls hold it back. "
-      "Arrow keys move it too, Ctrl+Shift+P makes it slower, Ctrl+Shift+C holds it. All else moves the camera as "
-      "ever.");
+    return tr("Move the pointer over the view: the hand follows the pointer in the plane of the lines, and walls stop "
+              "the hand. Arrow keys also move the hand, Ctrl+Shift+P reduces its motion, Ctrl+Shift+C keeps it in "
+              "place. All other input moves the camera.");
   }
   QString text =
-    tr("Move the pointer over the view. Shift + left button presses, wheel: deeper. Keys: arrows move, Page "
-       "Down presses and goes deeper, Page Up less deep, Home lifts; held, Ctrl+Shift+P makes the hand slower and "
-       "Ctrl+Shift+C keeps it where it is. All else moves the camera as ever.");
+    tr("Move the pointer over the view. Shift + left button presses, the wheel presses deeper. Keys: arrows move, Page "
+       "Down presses deeper, Page Up less deep, Home lifts. While pressed, Ctrl+Shift+P reduces the hand's motion and "
+       "Ctrl+Shift+C keeps the hand in place. All other input moves the camera.");
   const double used = this->Mouse->GetUsedDepth();
   if (used < sameDepth * session->GetSetting("PressDepth") * session->GetSetting("Scale"))
   {
-    text += tr(" Presses %1 u only, a twentieth of the scene: Fit to feel more.").arg(used, 0, 'g', 3);
+    text += tr(" Presses only %1 u, 1/20 of the scene: choose Fit for a larger depth.").arg(used, 0, 'g', 3);
   }
   return text;
 }

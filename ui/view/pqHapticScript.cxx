@@ -87,7 +87,7 @@ def _palpate_extend_states():
                 continue
             if value.GetNumberOfElements() and not value.IsValueDefault():
                 changed.append('    haptics.SetPropertyWithName(%r, %r)' % (name, plain(session.GetPropertyValue(name))))
-        return ['', '# what is touched, by what, and what it feels like',
+        return ['', '# touched sources and tool, and what it feels like',
                 'haptics = servermanager.ProxyManager().GetProxy(%r, %r)' % ('haptics', 'HapticSession'),
                 'if haptics:', *changed] if changed else []
 
@@ -150,6 +150,6 @@ void pqHapticScript::trace(vtkObject*, unsigned long, void* property)
     const QString line =
       QString("servermanager.ProxyManager().GetProxy('haptics', 'HapticSession').SetPropertyWithName('%1', %2)")
         .arg(name, value);
-    SM_SCOPED_TRACE(TraceText).arg(line.toUtf8().constData()).arg("comment", "what is touched, by what");
+    SM_SCOPED_TRACE(TraceText).arg(line.toUtf8().constData()).arg("comment", "touched sources and tool");
   }
 }

@@ -33,15 +33,15 @@ std::string PidEngine::refusal(const ReportDescriptor& descriptor)
   const auto feature = [&](HidUsage usage) { return descriptor.report(HidReportKind::Feature, usage) != nullptr; };
   if (!output(pid::setEffect) || !output(pid::effectOperation))
   {
-    return "it gives no force: it is not of the USB PID class";
+    return "no force: the device is not of the USB PID class";
   }
   if (!feature(pid::createEffect) || !feature(pid::blockLoad))
   {
-    return "its effects live in a driver-managed pool, whose memory the host would have to hand out: not supported";
+    return "not supported: the device keeps its effects in a driver-managed pool, with memory managed by the host";
   }
   if (!findControl(*descriptor.report(HidReportKind::Output, pid::setEffect), pid::duration))
   {
-    return "its effects have no duration: none would end by itself when a program dies";
+    return "not supported: the effects of the device have no duration, so that forces would not end with the program";
   }
   return pidKind(descriptor).problem;
 }
@@ -61,7 +61,7 @@ std::string PidEngine::open()
   this->connection_.wait(afterReset_ms);
   if (!reset || !this->control(pid::stopAll) || !this->control(pid::enableActuators) || !this->setGain(1.0))
   {
-    return "it does not take commands: " + this->connection_.error();
+    return "the device rejects commands: " + this->connection_.error();
   }
   this->blocks_.clear();
   return {};
@@ -77,11 +77,11 @@ std::string PidEngine::askForPool()
   }
   if (const std::string problem = this->getFeature(*pool, bytes); !problem.empty())
   {
-    return "it does not say what effects it can hold: " + problem;
+    return "the device does not report its effect types: " + problem;
   }
   return pid::get(*pool, bytes, pid::deviceManaged, 1) != 0
            ? ""
-           : "its effects live in a driver-managed pool, whose memory the host would have to hand out: not supported";
+           : "not supported: the device keeps its effects in a driver-managed pool, with memory managed by the host";
 }
 
 void PidEngine::close() noexcept
@@ -133,12 +133,12 @@ std::string PidEngine::request(HidUsage type)
   const HidReport* report = this->descriptor_.report(HidReportKind::Feature, pid::createEffect);
   if (report == nullptr || !this->supports(type))
   {
-    return "it does not know this kind of effect";
+    return "the device does not support this type of effect";
   }
   std::vector<std::uint8_t> bytes(report->bytes());
   bytes[0] = report->id;
   static_cast<void>(pid::select(*report, bytes, type));
-  return this->connection_.setFeature(bytes) ? "" : "it does not take a new effect: " + this->connection_.error();
+  return this->connection_.setFeature(bytes) ? "" : "the device rejects a new effect: " + this->connection_.error();
 }
 
 PidEngine::Created PidEngine::awaitBlock()
@@ -149,15 +149,16 @@ PidEngine::Created PidEngine::awaitBlock()
   {
     if (const std::string problem = this->getFeature(*report, bytes); !problem.empty())
     {
-      return { 0, "it does not say where a new effect is: " + problem };
+      return { 0, "the device does not report the index of a new effect: " + problem };
     }
     if (pid::says(*report, bytes, pid::full))
     {
-      return { 0, "its memory for effects is full: close other programs that use it, or plug it in again" };
+      return { 0,
+        "the effect memory of the device is full: close other programs that use the device, or plug it in again" };
     }
     if (pid::says(*report, bytes, pid::loadError))
     {
-      return { 0, "it refuses the effect" };
+      return { 0, "the device rejects the effect" };
     }
     const auto block = static_cast<int>(pid::get(*report, bytes, pid::blockIndex, 0));
     if (pid::says(*report, bytes, pid::loaded) && block > 0)
@@ -166,7 +167,7 @@ PidEngine::Created PidEngine::awaitBlock()
     }
     this->connection_.wait(1);
   }
-  return { 0, "it never says whether it made the effect" };
+  return { 0, "the device does not confirm the effect" };
 }
 
 std::vector<std::uint8_t> PidEngine::lastLoad() noexcept

@@ -78,15 +78,15 @@ PidKind pidKind(const ReportDescriptor& descriptor)
   kind.damper = kind.pushedAxes > 0 && creates(descriptor, pid::damper) && conditions.saturation;
   if (kind.sensedAxes == 0)
   {
-    kind.problem = "it has no axis that tells where the hand is";
+    kind.problem = "the device has no axis that reports the position of the hand";
   }
   else if (force && !along.x && along.y)
   {
-    kind.problem = "it pushes along y only: not supported";
+    kind.problem = "not supported: the device renders force along y only";
   }
   else if (kind.pushedAxes == 0 && !kind.shaking)
   {
-    kind.problem = "it has neither a constant force nor a vibration";
+    kind.problem = "the device has neither a constant force nor vibration";
   }
   else if (kind.pushedAxes == 1)
   {

@@ -94,7 +94,7 @@ std::string PidOutput::begin()
   {
     takes = takes && this->engine_.setConstantForce(this->forces_[axis].block, 0.0);
   }
-  return takes ? "" : "it does not take a force: " + this->engine_.error();
+  return takes ? "" : "the device rejects a force: " + this->engine_.error();
 }
 
 std::string PidOutput::makeForces()
@@ -124,7 +124,7 @@ std::string PidOutput::make(Effect& effect, HidUsage type, double comesFrom_deg)
     return made.problem;
   }
   effect = { { type, this->options_.duration_ms, 1.0, comesFrom_deg }, made.block };
-  return this->engine_.setEffect(made.block, effect.settings) ? "" : "it does not take the settings of an effect";
+  return this->engine_.setEffect(made.block, effect.settings) ? "" : "the device rejects the settings of an effect";
 }
 
 void PidOutput::makeConditions()

@@ -35,7 +35,7 @@ std::string PidShake::begin(HidUsage type)
   }
   if (!this->engine_.setEffect(made.block, this->settings()))
   {
-    return "it does not take the settings of an effect";
+    return "the device rejects the settings of an effect";
   }
   this->block_ = made.block;
   return {};

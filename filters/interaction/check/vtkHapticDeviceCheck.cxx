@@ -53,7 +53,7 @@ void vtkHapticDeviceCheck::Start()
   auto& impl = this->Behind();
   if (this->Session->GetTouching())
   {
-    this->Behind().Refuse("a device is checked only while it is not touching; let go first");
+    this->Behind().Refuse("the device is in use; release the touch before a check");
     return;
   }
   impl.Check.Run.stop();
@@ -166,7 +166,7 @@ bool vtkHapticDeviceCheck::KeepCalibration()
   const std::optional<palpate::Calibration> found =
     palpate::calibrationFrom(impl.Check.Run.plan(), impl.Check.Run.state(), impl.Check.Run.device(), palpate::today());
   const auto isTwin = [&](const palpate::KnownDevice& known) { return known.hasTwin && known.name == found->device; };
-  const std::string problem = !found ? "there is nothing to keep: no check of a device has passed"
+  const std::string problem = !found ? "there is no result to save: no device check has passed"
                               : impl.Check.Twin || std::any_of(impl.Known.begin(), impl.Known.end(), isTwin)
                                 ? palpate::twinNote
                                 : palpate::saveCalibration(impl.CalibrationFolder, *found);

@@ -28,7 +28,7 @@ void vtkHapticSession::Internals::LearnChosen()
   }
   else
   {
-    this->Chosen.problem = "it is not plugged in";
+    this->Chosen.problem = "the device is not attached";
   }
 }
 

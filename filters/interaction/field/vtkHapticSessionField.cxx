@@ -15,8 +15,8 @@ bool vtkHapticSession::AddField(const char* name, vtkDataObject* data)
   Internals& impl = *this->Impl;
   const bool felt = impl.FieldData || impl.FeltField.hasSource();
   const bool gone = !data && impl.FieldArrays.Any();
-  const std::string lost = impl.FieldName + ": it is not shown any more, or an array that was felt of it as a field is "
-                                            "gone; choose another one";
+  const std::string lost =
+    impl.FieldName + ": the source is no longer visible, or its field array is missing; choose another one";
   const std::string said = !gone ? "" : felt ? lost : impl.FieldGone;
   const bool added = impl.FeelField(data && name ? name : "",
     data && impl.FieldArrays.Any()

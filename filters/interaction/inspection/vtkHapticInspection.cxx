@@ -18,7 +18,7 @@ int vtkHapticInspection::GetMarkState(int mark) const
 
 bool vtkHapticInspection::WriteMarks(const char* file)
 {
-  const std::string problem = file ? this->Behind().Contact.Marks.Write(file) : "a file is needed to write marks into";
+  const std::string problem = file ? this->Behind().Contact.Marks.Write(file) : "marks need a file name";
   this->Behind().Refuse(problem);
   this->Behind().Follow("marks' file", problem);
   return problem.empty();

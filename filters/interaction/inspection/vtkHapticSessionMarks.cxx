@@ -34,7 +34,7 @@ void vtkHapticSession::Internals::JudgeMarks()
     if (this->Contact.MarkStates.back() == vtkHapticInspection::MarkStale)
     {
       this->Contact.MarksNote += "mark " + std::to_string(this->Contact.MarkStates.size()) +
-                                 " is stale: " + mark.Source + " has changed or moved since; mark there anew\n";
+                                 " is stale: " + mark.Source + " has changed or moved since; set the mark again\n";
     }
   }
 }
@@ -51,7 +51,7 @@ bool vtkHapticSession::AddMark()
 {
   if (!this->InspectContact())
   {
-    this->Impl->Refuse("a mark is set at a contact, and nothing is touched; touch a surface first");
+    this->Impl->Refuse("a mark needs a contact; touch a surface first");
     this->Impl->ProblemOf = "mark";
     return false;
   }

@@ -33,7 +33,7 @@ bool vtkHapticLabyrinthGame::Play(vtkDataObject* maze, const char* name)
 {
   const std::string label = name ? name : "labyrinth";
   vtkHapticLabyrinthResult read;
-  read.Problem = label + ": there is nothing to play; if it comes from a source that failed, that one says why";
+  read.Problem = label + ": no labyrinth in these data; see the message of the source if it failed";
   if (maze && maze->GetNumberOfElements(vtkDataObject::CELL) > 0)
   {
     read = vtkHapticToLabyrinth(maze, label);
@@ -109,7 +109,7 @@ double vtkHapticLabyrinthGame::GetTime() const
 const char* vtkHapticLabyrinthGame::GetText() const
 {
   const bool alone = this->Behind().State.game == palpate::GamePhase::Leads && !this->Session->GetDeviceGivesForce();
-  return alone ? "go to the start yourself (no force)" : this->GetPhase();
+  return alone ? "move to the start yourself (the device renders no force)" : this->GetPhase();
 }
 
 double vtkHapticLabyrinthGame::GetFeelableWidth() const

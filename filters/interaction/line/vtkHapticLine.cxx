@@ -89,7 +89,7 @@ bool vtkHapticLine::SetPath(vtkPolyData* path, const char* array, double scale)
   vtkDataArray* values = path && array ? path->GetPointData()->GetArray(array) : nullptr;
   if (!values || !path->GetLines() || path->GetNumberOfLines() < 1 || !(scale > 0.0))
   {
-    return this->Refuse("a path needs a line, an array of its points by that name, and a scale above zero");
+    return this->Refuse("a path needs a line, a point array of that name, and a scale above 0");
   }
   vtkNew<vtkIdList> points;
   path->GetLines()->GetCellAtId(0, points);

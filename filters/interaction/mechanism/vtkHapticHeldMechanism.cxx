@@ -143,15 +143,14 @@ std::string vtkHapticHeldMechanism::Take(const std::string& name, vtkDataObject*
   auto* const shapes = vtkDataSet::SafeDownCast(data);
   this->Bounds = shapes ? vtkBoundingBox(shapes->GetBounds()) : vtkBoundingBox();
   this->OfServer = data && vtkHapticIsOfServer(*data);
-  this->Problem = data && this->File.empty() ? name + " is no mechanism: choose the output of Haptic Mechanism"
+  this->Problem = data && this->File.empty() ? name + " is not a mechanism: choose the output of Haptic Mechanism"
                   : !reason.empty()          ? name + " cannot be held: " + reason
                                              : "";
   if (data && !this->File.empty() && !vtkHapticIsWhereMade(*data))
   {
     this->File.clear(); // it would be felt where its scene file has it
-    this->Problem = name +
-                    " cannot be held: it is not where its scene file has it; hold the Haptic Mechanism that made "
-                    "it, and move its bodies in that file";
+    this->Problem = name + " cannot be held: it was moved away from the position of its scene file; hold the Haptic "
+                           "Mechanism itself, and move bodies in that file";
   }
   return this->TakeAgain();
 }
@@ -173,7 +172,8 @@ std::string vtkHapticHeldMechanism::TakeAgain()
   this->Problem = read.Inputs ? "" : this->Name + " cannot be held: " + read.Problem;
   if (!read.Inputs && this->OfServer)
   {
-    this->Problem += "; it is of a server: files of its bodies are read here, put them into the same folder here";
+    this->Problem += "; the mechanism comes from a server, but the files of its bodies are read on the client: copy "
+                     "them to the same folder on the client";
   }
   return this->Problem;
 }
@@ -210,13 +210,13 @@ std::string vtkHapticHeldMechanism::Refusal(const std::string& laws, const palpa
 
 std::string vtkHapticHeldMechanism::With(const std::string& law, std::string& problem) const
 {
-  problem = "hold a mechanism first: there is none to add a law to";
+  problem = "no mechanism is held: hold a mechanism before adding a constraint";
   return this->File.empty() ? "" : vtkHapticWithLaw(this->File, this->Laws, law, problem);
 }
 
 std::string vtkHapticHeldMechanism::Without(const std::string& name, std::string& problem) const
 {
-  problem = "hold a mechanism first: there is none to take a law from";
+  problem = "no mechanism is held: hold a mechanism before removing a constraint";
   return this->File.empty() ? "" : vtkHapticWithoutLaw(this->File, this->Laws, name, problem);
 }
 
@@ -255,8 +255,8 @@ void vtkHapticHeldMechanism::Follow(palpate::HapticSession& core, const palpate:
   this->Text = this->Source.empty() ? "" : this->Sentence(status, core.running());
   if (this->Inputs && this->DrawnElsewhere)
   {
-    this->Text += "; it is felt where its scene file has it, not where it is drawn: set its display back, and move its "
-                  "bodies in that file";
+    this->Text += "; its touched position is that of the scene file, not of the display: reset the display transform, "
+                  "and move bodies in that file";
   }
 }
 
@@ -273,22 +273,21 @@ std::string vtkHapticHeldMechanism::Sentence(const palpate::MechanismStatus& sta
   }
   if (!this->Inputs)
   {
-    return this->Source +
-           " is not there, or has read no mechanism: mend that, choose another source as the mechanism, or none";
+    return this->Source + " does not exist, or has read no mechanism: repair or replace the source, or choose none";
   }
   if (!status.problem.empty())
   {
-    return this->Name + " cannot be felt: " + status.problem;
+    return this->Name + " cannot be touched: " + status.problem;
   }
-  const std::string laws = this->Name + ": " + std::to_string(this->Inputs->mechanism.laws.size()) + " laws";
+  const std::string laws = this->Name + ": " + std::to_string(this->Inputs->mechanism.laws.size()) + " constraints";
   if (!runs)
   {
     return laws;
   }
   if (!this->Felt)
   {
-    return laws + (this->Seen.Held ? " are being computed, those before are felt until then"
-                                   : " are being computed, and nothing is felt until then");
+    return laws + (this->Seen.Held ? " are being computed; the previous ones apply until then"
+                                   : " are being computed; there is no force until then");
   }
   std::string text = this->Name;
   for (const std::string& line : vtkHapticMechanismText(*this->Inputs, status.check))
@@ -299,7 +298,7 @@ std::string vtkHapticHeldMechanism::Sentence(const palpate::MechanismStatus& sta
   {
     text += "; now " + palpate::overlapText(pair);
   }
-  return text + (this->Now.capped ? "; its laws were not met within a tick's work" : "");
+  return text + (this->Now.capped ? "; the constraints were not satisfied within the work of a tick" : "");
 }
 
 bool vtkHapticHeldMechanism::Move(vtkPolyData& shapes) const

@@ -52,10 +52,9 @@ bool vtkHapticTouchedMechanism::BreakLaw(const char* name)
 {
   const int law = this->Behind().Mechanism.IndexOf(name ? name : "");
   const bool felt = this->Behind().Mechanism.IsFelt(); // else the servo may number other laws
-  this->Behind().Refuse(law < 0 ? std::string("there is no law \"") + (name ? name : "") + "\" to be broken"
-                        : felt
-                          ? ""
-                          : "these laws are not felt now: break one of them while the mechanism is touched with them");
+  this->Behind().Refuse(law < 0 ? std::string("there is no constraint \"") + (name ? name : "") + "\" to be broken"
+                        : felt  ? ""
+                               : "these constraints are not active: break a constraint while the mechanism is touched");
   if (law >= 0 && felt)
   {
     this->Behind().Core.breakLaw(static_cast<std::uint32_t>(law));

@@ -43,7 +43,7 @@ std::string CopyTo(const std::string& from, const std::string& to)
   }
   std::error_code ignored;
   fs::remove(part, ignored);
-  return failed ? to + " could not be written (" + failed.message() + "): the recording still is " + from : "";
+  return failed ? to + " could not be written (" + failed.message() + "): the recording is still at " + from : "";
 }
 } // namespace
 
@@ -86,9 +86,10 @@ void vtkHapticSession::SaveRecording(const char* file)
   {
     return;
   }
-  const std::string problem = impl.Settings.isOn("Recording") ? "it is still recorded: stop recording, then save it"
-                              : impl.Recorded.File.empty()    ? "there is nothing to save: record first"
-                                                              : CopyTo(impl.Recorded.File, name);
+  const std::string problem = impl.Settings.isOn("Recording")
+                                ? "the recording is still running: stop recording, then save"
+                              : impl.Recorded.File.empty() ? "there is no recording to save: record first"
+                                                           : CopyTo(impl.Recorded.File, name);
   this->Impl->Refuse(problem);
   impl.Follow("SaveRecording", problem);
   if (problem.empty())

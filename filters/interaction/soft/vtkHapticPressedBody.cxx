@@ -25,7 +25,7 @@ std::string vtkHapticPressedBody::Take(const std::string& name, vtkDataObject* d
   const vtkHapticSoftBodyResult read = data ? vtkHapticToSoftBody(data) : vtkHapticSoftBodyResult();
   this->Input = read.Input;
   this->Material = read.Input ? vtkHapticSoftBodyText(*read.Input) : "";
-  this->Problem = data && !read.Input ? name + " cannot give way: " + read.Problem : "";
+  this->Problem = data && !read.Input ? name + " cannot be a soft body: " + read.Problem : "";
   this->Shown = nullptr;
   return this->Problem;
 }
@@ -65,23 +65,23 @@ std::string vtkHapticPressedBody::Sentence(const palpate::HapticState& state) co
   }
   if (!this->Input)
   {
-    return this->Source + " is not there: choose another source as the soft body, or none";
+    return this->Source + " does not exist: choose another source as the soft body, or none";
   }
   const std::string text = this->Name + ": " + this->Material;
   if (!this->Status.problem.empty())
   {
-    return text + ". It does not give way: " + this->Status.problem;
+    return text + ". The body is rigid: " + this->Status.problem;
   }
   if (!this->Status.shape)
   {
-    return text + (this->Status.building ? "; is being computed, and rigid until then" : "");
+    return text + (this->Status.building ? "; is being computed; rigid until then" : "");
   }
-  return text + "; " + Rounded(this->PacketsPerSecond, 3) + " packets a second, " +
-         (state.soft.felt ? palpate::quantity(1e3 * state.soft.age_s, "ms") + " old" : "not taken yet") +
+  return text + "; " + Rounded(this->PacketsPerSecond, 3) + " solves per second, " +
+         (state.soft.felt ? palpate::quantity(1e3 * state.soft.age_s, "ms") + " old" : "not used yet") +
          ", largest strain " + vtkHapticStrainText(*this->Status.shape) +
          (state.soft.pressed && this->Status.shape->struck
-             ? "; struck faster than a body of " + palpate::quantity(this->Input->density_kg_per_m3, "kg/m3") +
-                 " follows: its inertia is left out"
+             ? "; hit faster than a body of " + palpate::quantity(this->Input->density_kg_per_m3, "kg/m3") +
+                 " could respond; inertia is not modelled"
              : "") +
          (state.soft.pressed && this->Status.shape->throughItself_u > 0.0
              ? std::string("; ") + palpate::throughItselfText

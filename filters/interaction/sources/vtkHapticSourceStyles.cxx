@@ -30,7 +30,7 @@ vtkHapticSourceStyle StyleOf(const std::vector<std::string>& row)
   const double touched = vtkHapticTextRows::Number(row[1]);
   if (touched != 0.0 && touched != 1.0)
   {
-    throw std::runtime_error("Touched is 0 or 1, not '" + row[1] + "'");
+    throw std::runtime_error("Touched must be 0 or 1, not '" + row[1] + "'");
   }
   vtkHapticSourceStyle style;
   style.Touched = touched != 0.0;

@@ -166,5 +166,5 @@ std::string vtkHapticSceneSurfaces::AddWalls(const std::string& name, vtkDataObj
 
 void vtkHapticSceneSurfaces::NoteWithoutArrays(Kept& walls) const
 {
-  walls.Surface.materialNote = this->Materials.Empty() ? "" : "its own, for walls are felt without arrays";
+  walls.Surface.materialNote = this->Materials.Empty() ? "" : "its own, because walls have no arrays";
 }

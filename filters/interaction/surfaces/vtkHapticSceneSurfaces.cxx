@@ -78,7 +78,7 @@ std::string vtkHapticSceneSurfaces::Add(const std::string& name, vtkDataObject* 
   if (!style.Touched)
   {
     this->Editing = true;
-    this->Refusals += "not touched: " + name + ": it is switched off\n";
+    this->Refusals += "not touched: " + name + ": the source is switched off\n";
     return {};
   }
   const std::size_t before = this->Adding.size();
@@ -242,7 +242,7 @@ std::string vtkHapticSceneSurfaces::Place(const std::string& name, vtkMatrix4x4*
   const auto named = [&](const Kept& kept) { return kept.Name == name; };
   if (std::none_of(this->Adding.begin(), this->Adding.end(), named))
   {
-    return name + ": there is no surface of that name to move; add it first";
+    return name + ": no surface of that name exists; add the surface first";
   }
   if (const std::string problem = vtkHapticCheckPlacement(matrix); !problem.empty())
   {
@@ -333,8 +333,8 @@ std::string vtkHapticSceneSurfaces::MissingArrays() const
   {
     if (!array.empty() && !this->Committed.empty() && there.count(array) == 0)
     {
-      missing += std::string(what) + " is to come from the array '" + array +
-                 "', and nothing that is touched has it: choose another one (Advanced, Material from data)\n";
+      missing += std::string(what) + " is set from the array '" + array +
+                 "', but no touchable source has this array: choose another one (Advanced, Material from data)\n";
     }
   }
   return missing;

@@ -110,7 +110,7 @@ std::string vtkHapticHeldTool::Sentence(palpate::HapticSession& core, const palp
   }
   if (!this->Choice_.tool)
   {
-    return this->Source + " is not there: choose another source as the tool, or none";
+    return this->Source + " does not exist: choose another source as the tool, or none";
   }
   const std::string refusal = core.toolRefusal();
   if (!refusal.empty())
@@ -127,19 +127,19 @@ std::string vtkHapticHeldTool::Sentence(palpate::HapticSession& core, const palp
   }
   if (!state.tool.placed)
   {
-    return text + ", waits: it meets the scene where the hand is; move the hand to where it is free";
+    return text + ", waits: the tool overlaps the scene at the hand; move the hand to a free position";
   }
   if (const std::string noWayOut = core.toolNoWayOut(); !noWayOut.empty())
   {
-    return text + ", " + noWayOut + ", laid down and taken again there";
+    return text + ", " + noWayOut + ", then hold the tool again";
   }
   const double lever_u = state.tool.lever_m * core.parameters().map.scale_u_per_m;
   text += ", lever " + palpate::quantity(lever_u, "u") + ", " + std::to_string(state.contacts) +
-          (state.contacts == 1 ? " contact pushes" : " contacts push");
+          (state.contacts == 1 ? " contact" : " contacts");
   text += core.parameters().contact.friction.kinetic > palpate::largestToolFriction
-            ? ", rubs by 1, the most a tool may, and not by the kinetic friction that is set"
+            ? "; tool friction is limited to 1; the kinetic friction set for the session is higher"
             : "";
   return state.clamped && state.contacts > 0
-           ? text + "; the hand is outside what fits, further than the force may say: lead it back to the tool"
+           ? text + "; the hand is further from the tool than the largest force allows: move the hand back to the tool"
            : text;
 }

@@ -53,9 +53,9 @@ void vtkHapticSession::SetHandTurn(double w, double x, double y, double z)
   const double length = turn.norm();
   const bool usable = length > 0.0 && turn.coeffs().allFinite();
   const std::string problem =
-    usable ? "" : "the turn of the hand must be a quaternion (w, x, y, z) that is not of length 0";
+    usable ? "" : "the rotation of the hand must be a quaternion (w, x, y, z) of length above 0";
   this->Impl->Refuse(problem);
-  this->Impl->Follow("hand's turn", problem);
+  this->Impl->Follow("hand's rotation", problem);
   this->Impl->HandTurn_W = usable ? turn.normalized() : this->Impl->HandTurn_W;
   this->Impl->Feed();
 }

@@ -40,7 +40,7 @@ std::string CheckCellArray(vtkCellArray* cells, vtkIdType points)
   }
   if (!cells->IsValid())
   {
-    return "its list of cells contradicts itself";
+    return "its list of cells is inconsistent";
   }
   const auto [least, most] =
     cells->IsStorage64Bit() ? EndsOf(cells->GetConnectivityArray64()) : EndsOf(cells->GetConnectivityArray32());
@@ -80,7 +80,7 @@ std::string CheckTypes(vtkUnstructuredGrid* grid)
   const vtkIdType cells = grid->GetCells() ? grid->GetCells()->GetNumberOfCells() : 0;
   if ((types ? types->GetNumberOfTuples() : 0) != cells)
   {
-    return "it has not one type for each of its cells";
+    return "the number of cell types differs from the number of cells";
   }
   LeastPoints least;
   for (vtkIdType cell = 0; cell < cells; ++cell)

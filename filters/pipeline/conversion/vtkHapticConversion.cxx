@@ -125,7 +125,7 @@ std::string AppendPoints(vtkPolyData* surface, const Placement& placement, palpa
   const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
   if (base + count > std::numeric_limits<std::uint32_t>::max())
   {
-    return "it has more than 4294967295 points; touch a part of it";
+    return "more than 4294967295 points; touch a part of the data";
   }
   mesh.vertices_W.reserve(base + count);
   for (std::size_t i = 0; i < count; ++i)

@@ -201,7 +201,7 @@ void Describe(const Use& use, const vtkHapticTransfer& transfer, const std::arra
        << transfer.FeltRange[0] << " to " << transfer.FeltRange[1] << use.Unit;
   if (unusable > 0)
   {
-    text << ", " << Count(unusable, "point") << " without a number as the surface itself";
+    text << ", " << Count(unusable, "point") << " without a number keep the values of the surface";
   }
   note += (note.empty() ? "" : "; ") + text.str();
 }
@@ -224,7 +224,7 @@ Values FieldOf(const std::vector<vtkSmartPointer<vtkPolyData>>& parts, const vtk
   }
   if (!problem.empty())
   {
-    result.Note += (result.Note.empty() ? "" : "; ") + std::string("its own ") + use.What + ", for " + problem;
+    result.Note += (result.Note.empty() ? "" : "; ") + std::string("its own ") + use.What + ", because " + problem;
     result.Problem = result.Problem.empty() ? problem : result.Problem;
     return {};
   }
@@ -247,7 +247,7 @@ std::string CheckTransfer(const vtkHapticTransfer& transfer, const std::string& 
   if (!finite(transfer.FeltRange) || low < least || high > most)
   {
     std::ostringstream text;
-    text << "the range of the felt " << what << " must be two finite numbers";
+    text << "the target range of the " << what << " must be two finite numbers";
     least == -most ? text << ""
     : most > 1e99  ? text << " from " << least << " on"
                    : text << " from " << least << " to " << most;

@@ -84,7 +84,7 @@ vtkHapticConversionResult vtkHapticToBalls(vtkDataObject* data, vtkMatrix4x4* ma
   }
   if (vtkHapticCountPoints(data) > std::numeric_limits<std::uint32_t>::max() / 2)
   {
-    result.Problem = "it has more than 2147483647 points; touch a part of it";
+    result.Problem = "more than 2147483647 points; touch a part of the data";
     return result;
   }
   palpate::TriangleMesh mesh;
@@ -104,8 +104,7 @@ vtkHapticConversionResult vtkHapticToBalls(vtkDataObject* data, vtkMatrix4x4* ma
         }
       }
     });
-  result.Problem =
-    result.Problem.empty() && mesh.triangles.empty() ? "it has no points that are shown" : result.Problem;
+  result.Problem = result.Problem.empty() && mesh.triangles.empty() ? "it has no visible points" : result.Problem;
   if (result.Problem.empty())
   {
     result.Mesh = std::make_shared<const palpate::TriangleMesh>(std::move(mesh));

@@ -39,7 +39,7 @@ std::string vtkHapticCheckPlacement(vtkMatrix4x4* matrix)
     return "its transform is a perspective; only shift, rotation, scale, shear and mirror can be touched";
   }
   return IsSingular(vtkHapticPlacementOf(matrix).linear())
-           ? "its transform is singular: it leaves the surface no size in some direction; give it a scale other than 0"
+           ? "its transform is singular: the surface has no size in some direction; use a scale other than 0"
            : "";
 }
 

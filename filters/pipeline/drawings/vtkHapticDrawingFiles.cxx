@@ -101,7 +101,7 @@ Picture ReadPicture(const std::string& path)
   }
   if (PNG_IMAGE_FAILED(image))
   {
-    throw std::runtime_error(std::string("it is not a PNG picture, broken or cut short (") + image.message + ")");
+    throw std::runtime_error(std::string("not a PNG picture, damaged or cut short (") + image.message + ")");
   }
   return picture;
 }

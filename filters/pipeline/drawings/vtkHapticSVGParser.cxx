@@ -139,7 +139,7 @@ Point CenterOf(const std::vector<Line>& lines)
   }
   if (box.isEmpty())
   {
-    throw std::runtime_error("it has no size, so its centre is nowhere");
+    throw std::runtime_error("an element without size has no centre");
   }
   return box.center();
 }
@@ -167,11 +167,11 @@ public:
     vtkHapticDrawing& drawing = this->Drawing;
     if (drawing.Problem.empty() && !this->HasRoot)
     {
-      drawing.Problem = "it is not an SVG drawing: its first element is not svg";
+      drawing.Problem = "not an SVG drawing: the first element is not svg";
     }
     if (drawing.Problem.empty() && drawing.Lines.empty())
     {
-      drawing.Problem = "it holds no lines that could be touched";
+      drawing.Problem = "the drawing has no lines to touch";
     }
     if (!drawing.Problem.empty())
     {
@@ -226,7 +226,7 @@ protected:
   {
     if (this->Drawing.Problem.empty())
     {
-      this->Drawing.Problem = "it is no XML, broken or cut short" + (this->Last.empty() ? "" : " behind " + this->Last);
+      this->Drawing.Problem = "not XML, damaged or cut short" + (this->Last.empty() ? "" : " behind " + this->Last);
     }
   }
 

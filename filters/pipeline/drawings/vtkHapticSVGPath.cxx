@@ -156,7 +156,7 @@ private:
     const char kind = static_cast<char>(relative ? command - 'a' + 'A' : command);
     if (kind != 'M' && !this->Started)
     {
-      throw this->In.Expected("the command M first; what was found ends");
+      throw this->In.Expected("the command M first, found a text that ends");
     }
     this->Smooth = kind == 'C' || kind == 'S' ? this->LastKind == 'C' || this->LastKind == 'S'
                                               : this->LastKind == 'Q' || this->LastKind == 'T';
@@ -189,7 +189,7 @@ private:
         this->Arc(relative);
         break;
       default:
-        throw this->In.Expected("one of the commands M L H V C S Q T A Z; what was found ends");
+        throw this->In.Expected("one of the path commands M L H V C S Q T A Z, found a text that ends");
     }
     this->LastKind = kind;
   }
@@ -319,7 +319,7 @@ Eigen::Affine2d TransformOf(std::string_view name, const std::vector<double>& v,
   }
   else
   {
-    throw in.Expected("matrix, translate, scale, rotate, skewX or skewY with its numbers; what was found ends");
+    throw in.Expected("matrix, translate, scale, rotate, skewX or skewY with numbers, found a text that ends");
   }
   return map;
 }

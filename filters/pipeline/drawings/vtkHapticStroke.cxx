@@ -175,7 +175,7 @@ int vtkHapticStroke::RequestData(vtkInformation*, vtkInformationVector** input, 
   const vtkHapticHeights stroked = vtkHapticMiddle(run, this->Reach);
   if (stroked.Height.size() < 2)
   {
-    vtkErrorMacro("The plane of the stroke cuts no part of the surface that is longer than a step of "
+    vtkErrorMacro("The plane of the stroke cuts no part of the surface longer than a step of "
                   << this->Step << " u; move the plane or choose another step");
     return 0;
   }

@@ -54,7 +54,7 @@ std::string RefuseArray(const std::vector<vtkDataSet*>& parts, const std::string
   {
     const bool isText =
       std::any_of(parts.begin(), parts.end(), [&](vtkDataSet* part) { return HasAbstractArray(part, name); });
-    return "its array \"" + name + (isText ? "\" is not one of numbers" : "\" is not there; choose another one");
+    return "its array \"" + name + (isText ? "\" is not numeric" : "\" does not exist; choose another one");
   }
   const int has = FindArray(*with, name)->GetNumberOfComponents();
   return components == 3 && has != 3 && !IsTensor(has)
@@ -67,7 +67,7 @@ std::string RefuseArrays(const std::vector<vtkDataSet*>& parts, const vtkHapticF
 {
   if (!arrays.Any())
   {
-    return "no array of it is chosen; choose one to feel";
+    return "no array is chosen; choose one for the field";
   }
   for (const auto& [name, components] : { std::pair(arrays.Scalar, 1), std::pair(arrays.Vector, 3),
          std::pair(arrays.Resistance, 1), std::pair(arrays.Beside ? std::string() : arrays.Other, 1) })
@@ -121,10 +121,10 @@ std::string RefuseValues(
   const double largest = std::max(std::abs(low), std::abs(high));
   if (largest > std::numeric_limits<float>::max())
   {
-    return array + " has values beyond single precision; scale them, by Calculator";
+    return array + " has values beyond single precision; scale them with the filter Calculator";
   }
   const bool alone = arrays.Vector.empty() && arrays.Resistance.empty() && arrays.Other.empty() && !arrays.Beside;
-  return alone && low == high ? array + " has the same value everywhere: there is nothing to feel" : "";
+  return alone && low == high ? array + " has the same value everywhere: a field needs different values" : "";
 }
 
 /// Values that are far from 0 beside what they differ by are kept less their middle: of what is left single precision
@@ -183,8 +183,8 @@ vtkHapticFieldResult Convert(
   {
     const int* const size = image->GetDimensions();
     const bool plane = std::count(size, size + 3, 1) == 1;
-    return { nullptr, plane ? "it is flat, and a field fills space: feel its curves by Image Curves"
-                            : "it is a row of values or a single one, and a field fills space" };
+    return { nullptr, plane ? "the data are flat, but a field needs a volume: extract curves with Image Curves"
+                            : "the data are a line or a single point, but a field needs a volume" };
   }
   if (image)
   {
@@ -232,7 +232,7 @@ bool Compare(vtkDataObject& with, const vtkHapticFieldArrays& arrays, vtkHapticF
   other.Component = arrays.Component;
   other.Smoothing = arrays.Smoothing;
   vtkHapticFieldResult beside = ToField(&with, other);
-  result.Problem = beside.Source ? "" : "what it is compared with: " + beside.Problem;
+  result.Problem = beside.Source ? "" : "compared data: " + beside.Problem;
   result.Source = beside.Source ? palpate::comparedWith(std::move(result.Source), std::move(beside.Source)) : nullptr;
   return result.Source != nullptr;
 }

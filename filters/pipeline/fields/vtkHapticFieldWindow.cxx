@@ -258,7 +258,7 @@ palpate::MadeBrick vtkHapticBrickAround(const BrickGrid& lattice, const vtkHapti
   const double room_u = RoomIn(*window, lattice, centre_W);
   if (std::isinf(room_u) && !HasCell(*brick, parts.front().Role))
   {
-    return { nullptr, centre_W, room_u, "none of its places has values all around: its cells are too few, or hidden" };
+    return { nullptr, centre_W, room_u, "no sample has values on all sides: the data have too few visible cells" };
   }
   return { std::move(brick), centre_W, room_u, "", smoothness };
 }

@@ -118,13 +118,13 @@ std::string vtkHapticOwnCells::Add(vtkDataSet* part, const vtkHapticFieldPart& s
 {
   if (vtkUniformGrid::SafeDownCast(part))
   {
-    return "grids of several levels lie one over the other";
+    return "grids of several levels overlap";
   }
   const std::size_t first = this->Values.size();
   if (this->Cells.size() + static_cast<std::size_t>(part->GetNumberOfCells()) > mostCells ||
       first + static_cast<std::size_t>(part->GetNumberOfPoints()) >= FieldCells::none)
   {
-    return "there are more than 4 million of them; cut out what is to be felt, by Clip or Threshold";
+    return "there are more than 4 million cells; extract a part with Clip or Threshold";
   }
   const vtkSmartPointer<vtkDataSet> with = AtPoints(part, scalar.Name);
   vtkDataArray* const array = with->GetPointData()->GetArray(scalar.Name.c_str());
@@ -163,7 +163,7 @@ std::string vtkHapticOwnCells::Add(vtkDataSet* part, const vtkHapticFieldPart& s
     }
     else if (!hidden && FillsSpace(type))
     {
-      return "some are polyhedra or quadratic; Tetrahedralize makes cells of them that can be walked through";
+      return "some cells are polyhedra or quadratic; apply the filter Tetrahedralize";
     }
   }
   this->FirstPoint.push_back(static_cast<std::uint32_t>(first));

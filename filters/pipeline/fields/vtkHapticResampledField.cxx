@@ -239,17 +239,18 @@ vtkHapticFieldResult vtkHapticResampled(
   const bool cloud = extent.Solid == 0 && extent.Flat == 0;
   if (extent.Solid == 0 && !cloud)
   {
-    return { nullptr, "it is made of faces or lines, and a field fills space: choose the volume that it was cut from" };
+    return { nullptr,
+      "the data consist of faces or lines, but a field needs a volume: choose the volume they were cut from" };
   }
   if (cloud && !vtkDataSet::SafeDownCast(data))
   {
-    return { nullptr, "its points are in several blocks: apply Merge Blocks first" };
+    return { nullptr, "the points are in several blocks: apply Merge Blocks first" };
   }
   std::array<double, 3> lengths{};
   extent.Bounds.GetLengths(lengths.data());
   if (!(lengths[0] > 0.0 && lengths[1] > 0.0 && lengths[2] > 0.0))
   {
-    return { nullptr, "it is flat, and a field fills space" };
+    return { nullptr, "the data are flat, but a field needs a volume" };
   }
   const vtkSmartPointer<vtkDataObject> kept = vtkHapticSharedCopy(data);
   ForgetDuplicates(kept);

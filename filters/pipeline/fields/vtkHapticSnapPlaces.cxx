@@ -81,7 +81,7 @@ vtkHapticSnapPlacesResult vtkHapticToSnapPlaces(vtkDataObject* data)
   KeepFinite(result.Places);
   if (result.Places.points_W.empty() && result.Places.lines_W.empty())
   {
-    result.Problem = "what the hand is to snap to has no points or lines of its own: faces and cells are none";
+    result.Problem = "the target of the snap has only faces or cells: choose data with points or lines";
   }
   return result;
 }

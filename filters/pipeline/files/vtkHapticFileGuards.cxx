@@ -118,16 +118,16 @@ std::string vtkHapticFileGuards::CheckFile(const std::string& path)
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
   {
-    return error && error != std::errc::no_such_file_or_directory ? "it cannot be reached: " + error.message()
+    return error && error != std::errc::no_such_file_or_directory ? "cannot be accessed: " + error.message()
                                                                   : "there is no such file";
   }
   if (!std::filesystem::is_regular_file(status))
   {
-    return "it is not a file";
+    return "not a regular file";
   }
   if (!std::ifstream(path, std::ios::binary))
   {
-    return std::string("it cannot be opened: ") + std::strerror(errno);
+    return std::string("cannot be opened: ") + std::strerror(errno);
   }
   return FileSize(path) == 0.0 ? "the file is empty" : "";
 }
@@ -173,10 +173,10 @@ std::string vtkHapticFileGuards::CheckSTL(const std::string& path)
   }
   if (size < headerBytes)
   {
-    return "it is neither a text that starts with solid nor long enough for a binary STL";
+    return "neither a text that starts with solid nor long enough for a binary STL";
   }
   return "its header promises " + std::to_string(static_cast<std::uint32_t>(promised)) +
-         " triangles, but it has room for " +
+         " triangles, but its size allows " +
          std::to_string(static_cast<std::uint64_t>((size - headerBytes) / triangleBytes));
 }
 

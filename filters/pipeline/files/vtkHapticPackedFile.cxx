@@ -17,7 +17,7 @@ vtkHapticPackedFile::vtkHapticPackedFile(const std::string& path)
 {
   if (!this->File->Handle)
   {
-    throw std::runtime_error("it cannot be opened");
+    throw std::runtime_error("cannot be opened");
   }
 }
 

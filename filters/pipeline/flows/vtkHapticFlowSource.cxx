@@ -200,7 +200,7 @@ int vtkHapticFlowSource::RequestData(vtkInformation*, vtkInformationVector**, vt
   const double voxels = static_cast<double>(whole[1]) * whole[3] * whole[5];
   if (voxels > mostVoxels)
   {
-    vtkErrorMacro("There is no flow: " << 6.0 * voxels << " tetrahedra are too many; take a lower resolution.");
+    vtkErrorMacro("There is no flow: " << 6.0 * voxels << " tetrahedra are too many; use a lower resolution.");
     return 0;
   }
   vtkNew<vtkImageData> image;

@@ -96,8 +96,8 @@ void CheckLabels(const vtkHapticImagePlane& plane)
       labels.insert(label);
       if (label != std::floor(label) || labels.size() > MostLabels)
       {
-        throw std::runtime_error("this is no label map: it has values that are not whole, or more than " +
-                                 std::to_string(MostLabels) + " of them; take its contour instead");
+        throw std::runtime_error("not a label map: the image has values that are not integers, or more than " +
+                                 std::to_string(MostLabels) + " labels; use the kind Contour instead");
       }
     }
   }
@@ -153,8 +153,8 @@ vtkHapticImageLines::Drawn vtkHapticImageLines::Drawing(
   drawn.Lines = palpate::linesOf(thinned);
   if (gap > 0.0 && going)
   {
-    palpate::mendGaps(
-      drawn.Lines, drawing, { plane.GetSpacing(0), plane.GetSpacing(1) }, gap, palpate::partOf(watched, ThinnedShare, 1.0));
+    palpate::mendGaps(drawn.Lines, drawing, { plane.GetSpacing(0), plane.GetSpacing(1) }, gap,
+      palpate::partOf(watched, ThinnedShare, 1.0));
   }
   return drawn;
 }

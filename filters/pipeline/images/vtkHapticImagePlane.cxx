@@ -34,7 +34,7 @@ void FlatAxes(vtkImageData* image, int axes[2])
   }
   if (found < 2)
   {
-    throw std::runtime_error("the image is no plane: it has fewer than two rows or columns");
+    throw std::runtime_error("the image is not flat: it has fewer than two rows or columns");
   }
 }
 
@@ -52,7 +52,7 @@ void CheckValues(vtkImageData* image, vtkDataArray* values, bool coloursCount)
   {
     std::ostringstream message;
     message << "the image has " << components << " values per pixel; "
-            << (coloursCount ? "curves need one, or three or four that are colours" : "a label map has one");
+            << (coloursCount ? "curves need one, or three or four that are colours" : "a label map needs one");
     throw std::runtime_error(message.str());
   }
 }

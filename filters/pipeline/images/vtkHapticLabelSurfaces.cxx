@@ -91,12 +91,12 @@ std::map<double, Extent> ExtentsOf(vtkImageData* image, vtkDataArray* labels, do
       }
       if (value != std::floor(value))
       {
-        throw std::runtime_error("its values are not whole numbers; a label map has one for each part");
+        throw std::runtime_error("the values are not integers; a label map has one integer per part");
       }
       extents.try_emplace(value, Extent{ voxel, voxel }).first->second.Include(voxel);
       if (extents.size() > most)
       {
-        throw std::runtime_error("it has more than " + std::to_string(most) + " values; it is no label map");
+        throw std::runtime_error("it has more than " + std::to_string(most) + " values; not a label map");
       }
     });
   return extents;
@@ -168,7 +168,7 @@ vtkDataArray* LabelsOf(vtkImageData* image)
   vtkDataArray* const labels = image->GetPointData()->GetScalars();
   if (!labels || labels->GetNumberOfComponents() != 1)
   {
-    throw std::runtime_error("it has no active array of one number a voxel");
+    throw std::runtime_error("the image has no active array with one value per voxel");
   }
   return labels;
 }

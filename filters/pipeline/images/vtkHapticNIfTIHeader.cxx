@@ -98,24 +98,24 @@ const Layout& LayoutOf(std::string_view bytes, bool& bigEndian)
       }
     }
   }
-  throw std::runtime_error("it is not a NIfTI image: it begins with no header of 348 or 540 bytes");
+  throw std::runtime_error("not a NIfTI image: no 348- or 540-byte header found");
 }
 
 void CheckMagic(std::string_view bytes, const Layout& layout)
 {
   if (bytes.size() < layout.Size)
   {
-    throw std::runtime_error("its header is cut short: it has " + std::to_string(bytes.size()) + " of " +
+    throw std::runtime_error("the header is cut short: it has " + std::to_string(bytes.size()) + " of " +
                              std::to_string(layout.Size) + " bytes");
   }
   const std::string_view magic = bytes.substr(layout.Magic, layout.Single.size());
   if (magic == layout.Pair)
   {
-    throw std::runtime_error("its values are in another file (.img); save both as one .nii");
+    throw std::runtime_error("the values are in another file (.img); save both as one .nii");
   }
   if (magic != layout.Single)
   {
-    throw std::runtime_error("its header says neither n+1 nor n+2 where a NIfTI image does; save it as NIfTI");
+    throw std::runtime_error("the header has neither the mark n+1 nor n+2 of a NIfTI image; save the image as NIfTI");
   }
 }
 
@@ -146,7 +146,7 @@ void ReadSize(const Fields& fields, const Layout& layout, vtkHapticNIfTIHeader& 
   header.Vectors = count(5, "values per voxel");
   if (count(6, "values in dimension 6") > 1 || count(7, "values in dimension 7") > 1)
   {
-    throw std::runtime_error("it has more than five dimensions; save a part of it that has fewer");
+    throw std::runtime_error("more than five dimensions; save a part with fewer");
   }
 }
 
@@ -156,8 +156,8 @@ vtkHapticNIfTIType TypeOf(std::int64_t code)
     std::find_if(KnownTypes.begin(), KnownTypes.end(), [code](const vtkHapticNIfTIType& t) { return t.Code == code; });
   if (found == KnownTypes.end())
   {
-    throw std::runtime_error("its voxels are of NIfTI type " + std::to_string(code) +
-                             ", which is not read; save it with numbers of at most 64 bits");
+    throw std::runtime_error("the voxels are of NIfTI type " + std::to_string(code) +
+                             ", which is not supported; save the image with numbers of at most 64 bits");
   }
   return *found;
 }
@@ -175,7 +175,7 @@ void ReadValues(const Fields& fields, const Layout& layout, vtkHapticNIfTIHeader
   constexpr double largest = 1e15; // every whole number up to here is a double
   if (!(offset >= static_cast<double>(layout.Size) && offset <= largest))
   {
-    throw std::runtime_error("its values cannot begin at byte " + std::to_string(offset) + ", inside its header");
+    throw std::runtime_error("the values cannot begin at byte " + std::to_string(offset) + ", inside its header");
   }
   header.DataOffset = static_cast<std::uint64_t>(offset);
   const double slope = fields.Real(layout.Slope, layout.RealBytes);
@@ -262,7 +262,7 @@ void CheckPlace(const Eigen::Affine3d& map)
   const palpate::Mat3 directions = map.linear() * lengths.cwiseInverse().asDiagonal();
   if (!map.matrix().allFinite() || !directions.allFinite() || !(std::abs(directions.determinant()) > flat))
   {
-    throw std::runtime_error("its header puts all voxels into one plane or nowhere: its sform or qform is singular");
+    throw std::runtime_error("the sform or qform of the header is singular: all voxels would lie in one plane");
   }
 }
 } // namespace

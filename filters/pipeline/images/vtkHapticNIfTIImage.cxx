@@ -59,7 +59,7 @@ ArrayPointer ReadStored(
   if (read < bytes)
   {
     throw std::runtime_error(
-      "it is cut short: " + std::to_string(read) + " of " + std::to_string(bytes) + " bytes of the image are there");
+      "it is cut short: " + std::to_string(read) + " of " + std::to_string(bytes) + " bytes of the image are present");
   }
   if (header.BigEndian)
   {

@@ -35,7 +35,7 @@ std::string ProblemOf(const char* file, Read read)
   }
   catch (const std::bad_alloc&)
   {
-    return std::string(file) + ": there is not enough memory to read it";
+    return std::string(file) + ": not enough memory to read the file";
   }
   catch (const std::exception& error)
   {

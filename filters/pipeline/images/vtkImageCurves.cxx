@@ -268,7 +268,7 @@ int vtkImageCurves::RequestData(vtkInformation*, vtkInformationVector** input, v
   if (this->InkShare > MostInk)
   {
     vtkWarningMacro(<< std::lround(100.0 * this->InkShare)
-                    << " % of the image count as ink: if its lines are the rest, turn \"Ink is dark\" "
+                    << " % of the image count as strokes: if the lines are the rest, turn \"Ink is dark\" "
                     << (this->InkIsDark ? "off" : "on"));
   }
   return 1;

@@ -29,7 +29,7 @@ std::vector<std::string> ReadHeader(vtkHapticTextRows& rows)
   const std::vector<std::string> first = { SourceColumn, "X", "Y", "Z" };
   if (names.size() < first.size() || !std::equal(first.begin(), first.end(), names.begin()))
   {
-    throw std::runtime_error("its columns do not begin with Source, X, Y and Z");
+    throw std::runtime_error("the first columns must be Source, X, Y and Z");
   }
   return names;
 }
@@ -56,7 +56,7 @@ std::string WritePoints(const vtkHapticMarkRecords& marks, const std::string& pa
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(path.c_str());
   writer->SetInputData(points);
-  return writer->Write() == 1 ? "" : "it could not be written; is the disk full or the folder not yours?";
+  return writer->Write() == 1 ? "" : "could not be written; is the disk full or the folder read-only?";
 }
 
 std::string WriteText(const vtkHapticMarkRecords& marks, const std::string& path)
@@ -64,7 +64,7 @@ std::string WriteText(const vtkHapticMarkRecords& marks, const std::string& path
   std::ofstream file(path, std::ios::binary);
   file << marks.ToText();
   file.close();
-  return file ? "" : "it could not be written; is the disk full or the folder not yours?";
+  return file ? "" : "could not be written; is the disk full or the folder read-only?";
 }
 } // namespace
 
@@ -189,8 +189,8 @@ std::string vtkHapticMarkRecords::Write(const std::string& path) const
   const bool points = path.ends_with(".vtp");
   if (this->Records.empty() || (!points && !path.ends_with(".csv")))
   {
-    return path + (this->Records.empty() ? ": there are no marks to write; set one first"
-                                         : ": marks are written as csv or vtp; give the file one of these suffixes");
+    return path + (this->Records.empty() ? ": there are no marks to write; set a mark first"
+                                         : ": marks are written as csv or vtp; use one of these suffixes");
   }
   const std::string whole = path + ".part";
   std::string problem = points ? WritePoints(*this, whole) : WriteText(*this, whole);
@@ -198,7 +198,7 @@ std::string vtkHapticMarkRecords::Write(const std::string& path) const
   {
     std::error_code error;
     std::filesystem::rename(whole, path, error);
-    problem = error ? "it could not be written: " + error.message() : "";
+    problem = error ? "could not be written: " + error.message() : "";
   }
   if (!problem.empty())
   {

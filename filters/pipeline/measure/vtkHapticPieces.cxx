@@ -12,6 +12,6 @@ std::string vtkHapticRefusePieces(vtkInformationVector* output)
   const auto pieces = vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES();
   const int count = info->Has(pieces) ? info->Get(pieces) : 1;
   return count <= vtkHapticRanks() ? ""
-                                   : "they are asked for in " + std::to_string(count) +
-                                       " parts, and a part cannot be measured; ask for them in one";
+                                   : "the data are requested in " + std::to_string(count) +
+                                       " pieces, but measuring needs one piece; use one rank";
 }

@@ -144,14 +144,14 @@ int vtkHapticSurfacePath::RequestData(vtkInformation*, vtkInformationVector** in
   const std::optional<std::vector<Vec3>> marks = MarksOf(marked);
   if (!marks || marks->size() < 2)
   {
-    vtkErrorMacro("A way needs at least two marks: points, or a table with the columns X, Y and Z");
+    vtkErrorMacro("A path needs at least two marks: points, or a table with the columns X, Y and Z");
     return 0;
   }
   std::string problem;
   const auto surface = vtkHapticMeasuredSurface(whole, problem);
   if (!surface)
   {
-    vtkErrorMacro("There is no way over the surface: " << problem);
+    vtkErrorMacro("There is no path on the surface: " << problem);
     return 0;
   }
   Ways ways;
@@ -163,7 +163,7 @@ int vtkHapticSurfacePath::RequestData(vtkInformation*, vtkInformationVector** in
     const palpate::SurfacePath path = palpate::shortestPath(*surface, (*marks)[i], (*marks)[next]);
     if (!path.problem.empty())
     {
-      vtkWarningMacro("No way from mark " << i << " to mark " << next << ": " << path.problem);
+      vtkWarningMacro("No path from mark " << i << " to mark " << next << ": " << path.problem);
       continue;
     }
     ways.Add(path);

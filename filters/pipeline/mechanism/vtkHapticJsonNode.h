@@ -27,7 +27,7 @@ public:
   {
     if (!json.is_object())
     {
-      this->Fail("", "it must be an object, { ... }");
+      this->Fail("", "must be an object, { ... }");
     }
   }
 
@@ -58,7 +58,7 @@ public:
         {
           all += (all.empty() ? "" : ", ") + std::string(name);
         }
-        this->Fail(key, "nobody knows this key; there are " + all);
+        this->Fail(key, "unknown key; valid keys: " + all);
       }
     }
   }
@@ -70,13 +70,13 @@ public:
     return this->Has(key) ? this->ToNumber(key, this->Value[key]) : usual;
   }
 
-  /// A number from 0 on, 0 where it is missing.
+  /// A number from 0 on, 0 where this key is missing.
   [[nodiscard]] double Size(const char* key) const
   {
     const double size = this->Number(key, 0.0);
     if (size < 0.0)
     {
-      this->Fail(key, "it must not be below 0");
+      this->Fail(key, "must not be below 0");
     }
     return size;
   }
@@ -89,7 +89,7 @@ public:
     }
     if (!this->Value[key].is_string())
     {
-      this->Fail(key, "it must be a text in quotes");
+      this->Fail(key, "must be a text in quotes");
     }
     return this->Value[key].get<std::string>();
   }
@@ -99,7 +99,7 @@ public:
     const std::string text = this->Text(key, "");
     if (text.empty())
     {
-      this->Fail(key, "it is missing");
+      this->Fail(key, "this key is missing");
     }
     return text;
   }
@@ -110,7 +110,7 @@ public:
     const std::string name = this->Needed("name");
     if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == ',' || c == '"'; }))
     {
-      this->Fail("name", "a name has no comma, no quote and is one line");
+      this->Fail("name", "a name must not contain commas, quotes or line breaks");
     }
     return name;
   }
@@ -135,7 +135,7 @@ public:
     const palpate::Quat q(n[0], n[1], n[2], n[3]);
     if (!(std::abs(q.norm() - 1.0) < 1e-6))
     {
-      this->Fail(key, "a turn is a quaternion [w, x, y, z] of length 1");
+      this->Fail(key, "a rotation must be a quaternion [w, x, y, z] of length 1");
     }
     return q.normalized();
   }
@@ -145,7 +145,7 @@ public:
   {
     if (!this->Has(key) || !this->Value[key].is_array())
     {
-      this->Fail(key, "it must be a list, [ ... ]");
+      this->Fail(key, "must be a list, [ ... ]");
     }
     std::vector<vtkHapticJsonNode> nodes;
     for (const nlohmann::json& value : this->Value[key])
@@ -160,7 +160,7 @@ private:
   {
     if (!value.is_number() || !std::isfinite(value.get<double>()))
     {
-      this->Fail(key, "it must be a finite number");
+      this->Fail(key, "must be a finite number");
     }
     return value.get<double>();
   }
@@ -170,7 +170,7 @@ private:
     const nlohmann::json& list = this->Value[key];
     if (!list.is_array() || list.size() != count)
     {
-      this->Fail(key, "it must be a list of " + std::to_string(count) + " numbers");
+      this->Fail(key, "must be a list of " + std::to_string(count) + " numbers");
     }
     std::vector<double> numbers;
     std::transform(list.begin(), list.end(), std::back_inserter(numbers),

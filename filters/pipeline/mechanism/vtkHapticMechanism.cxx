@@ -76,7 +76,7 @@ int vtkHapticMechanism::RequestData(vtkInformation*, vtkInformationVector**, vtk
     this->AtFirst = this->Make();
     if (!this->Problem.empty())
     {
-      vtkErrorMacro("There is no such mechanism: " << this->Problem);
+      vtkErrorMacro("The mechanism cannot be read: " << this->Problem);
     }
   }
   vtkPolyData* const shown = this->Moved ? this->Moved : this->AtFirst;

@@ -27,7 +27,7 @@ vtkSmartPointer<vtkUnstructuredGrid> BoxOf(const vtkHapticSoftDescription& descr
   const palpate::Vec3 cells = (size / edge).array().round().max(1.0);
   if (!(cells.prod() <= MostCells))
   {
-    problem = "a box has at most 200000 cells: take a longer edge";
+    problem = "a box has at most 200000 cells: use a longer edge";
     return nullptr;
   }
   vtkNew<vtkImageData> image;

@@ -221,8 +221,9 @@ std::vector<std::string> vtkHapticMechanismText(
   const palpate::MechanismInputs& inputs, const palpate::MechanismCheck& check)
 {
   std::ostringstream numbers;
-  numbers << inputs.mechanism.bodies.size() << " bodies, " << inputs.mechanism.laws.size() << " laws: " << check.rows
-          << " rows of rank " << check.rank << ", " << check.freeTurns << " free turns, condition " << check.condition;
+  numbers << inputs.mechanism.bodies.size() << " bodies, " << inputs.mechanism.laws.size() << " constraints: " << check.rows
+          << " rows of rank " << check.rank << ", " << check.freeTurns << " free rotations, condition "
+          << check.condition;
   std::vector<std::string> lines{ numbers.str() };
   lines.insert(lines.end(), check.remarks.begin(), check.remarks.end());
   return lines;

@@ -36,7 +36,7 @@ Kind KindOf(const Node& node, std::initializer_list<Kind> kinds)
     }
     all += (all.empty() ? "" : ", ") + std::string(palpate::nameOf(kind));
   }
-  node.Fail("kind", "there is no \"" + name + "\"; there are " + all);
+  node.Fail("kind", "unknown kind \"" + name + "\"; valid kinds: " + all);
 }
 
 vtkHapticSoftDescription SoftOf(const Node& node, double unit_m)
@@ -54,11 +54,11 @@ vtkHapticSoftDescription SoftOf(const Node& node, double unit_m)
   const std::string model = node.Text("model", "linear");
   if (!vtkHapticModelOf(model, soft.Material.Model))
   {
-    node.Fail("model", "there is no \"" + model + "\"; there are linear, corotational, neohookean");
+    node.Fail("model", "unknown model \"" + model + "\"; valid models: linear, corotational, neohookean");
   }
   if (soft.File.empty() == !node.Has("box"))
   {
-    node.Fail("", "a soft body is read from a \"file\" or is a \"box\", one of both");
+    node.Fail("", "a soft body needs either a \"file\" or a \"box\"");
   }
   return soft;
 }
@@ -108,7 +108,8 @@ palpate::MechanismLaw LawOf(const Node& node, double unit_m)
     node, { Contact, Attachment, Hinge, Slider, Break, Friction, DryFriction, Spring, Limit, Puncture, Insertion });
   if ((law.kind == Break || law.kind == Puncture) && !node.Has("strength_N"))
   {
-    node.Fail("strength_N", "it is missing: say at which force it gives way");
+    node.Fail("strength_N",
+      "this key is missing: set the force [N] at which the constraint breaks or the surface is punctured");
   }
   law.a = node.Needed("a");
   law.b = node.Needed("b");
@@ -132,13 +133,13 @@ void CheckHead(const Node& root)
   root.Knows({ "format", "version", "unit_m", "bodies", "laws" });
   if (root.Needed("format") != Format)
   {
-    root.Fail("format", std::string("it must be \"") + Format + "\"");
+    root.Fail("format", std::string("must be \"") + Format + "\"");
   }
   const double version = root.Number("version", 0.0);
   if (version != Version)
   {
-    root.Fail("version", "this Palpate reads version " + std::to_string(Version) +
-                           (version > Version ? "; the file is of a later one: update Palpate" : ""));
+    root.Fail("version", "this program reads version " + std::to_string(Version) +
+                           (version > Version ? "; the file has a later version: update Palpate" : ""));
   }
 }
 
@@ -165,7 +166,7 @@ vtkHapticMechanismResult Build(
   inputs->unit_m = root.Number("unit_m", 1.0);
   if (!(inputs->unit_m >= 1e-12 && inputs->unit_m <= 1e6))
   {
-    root.Fail("unit_m", "it must be a number of metres from 1e-12 to 1e6");
+    root.Fail("unit_m", "must be a number of metres from 1e-12 to 1e6");
   }
   for (const Node& node : root.List("bodies"))
   {
@@ -178,7 +179,7 @@ vtkHapticMechanismResult Build(
     vtkHapticDescribedSoft made = vtkHapticMakeSoft(SoftOf(node, inputs->unit_m), folder);
     if (!made.Input)
     {
-      node.Fail("", body.name + " cannot give way: " + made.Problem);
+      node.Fail("", body.name + " cannot be a soft body: " + made.Problem);
     }
     const double tip_u = node.Has("tip_diameter") ? 0.5 * node.Size("tip_diameter") : NoTipGiven;
     inputs->soft.push_back({ body.name, made.Input, tip_u });
@@ -204,11 +205,11 @@ std::string ProblemOf(const Read& read)
   }
   catch (const Json::parse_error& error)
   {
-    return "it is not JSON: byte " + std::to_string(error.byte) + " is not what belongs there";
+    return "not JSON: byte " + std::to_string(error.byte) + " is unexpected";
   }
   catch (const Json::exception&)
   {
-    return "it is not JSON that can be read: a number in it is too large";
+    return "the JSON text has a number that is too large";
   }
   catch (const vtkHapticJsonProblem& problem)
   {
@@ -223,7 +224,7 @@ Json LawsOf(const std::string& text, const std::string& laws)
   const Json list = laws.empty() ? (file.is_object() ? file.value("laws", Json::array()) : Json()) : Json::parse(laws);
   if (!list.is_array())
   {
-    throw vtkHapticJsonProblem("laws: it must be a list, [ ... ]");
+    throw vtkHapticJsonProblem("laws: must be a list, [ ... ]");
   }
   return list;
 }
@@ -280,7 +281,7 @@ std::string vtkHapticWithoutLaw(
       const Json list = LawsOf(text, laws), others = Without(list, name);
       if (others.size() == list.size())
       {
-        throw vtkHapticJsonProblem("there is no law \"" + name + "\"");
+        throw vtkHapticJsonProblem("there is no constraint \"" + name + "\"");
       }
       without = others.dump();
     });
@@ -294,7 +295,7 @@ vtkHapticMechanismResult vtkHapticReadMechanism(const std::string& file)
   std::ifstream stream(file, std::ios::binary);
   if (error || !stream || bytes > MostBytes)
   {
-    return { nullptr, {}, "", file + (error || !stream ? ": it cannot be read" : ": a scene file has at most 1 MiB") };
+    return { nullptr, {}, "", file + (error || !stream ? ": cannot be read" : ": a scene file has at most 1 MiB") };
   }
   const std::string text{ std::istreambuf_iterator<char>(stream), {} };
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();

@@ -31,12 +31,12 @@ void TakeKeyword(std::string_view& line)
   }
   if (std::find(known.begin(), known.end(), word) == known.end())
   {
-    throw std::runtime_error("it starts with " + Quoted(word) + ", not with the keyword OFF");
+    throw std::runtime_error("the file starts with " + Quoted(word) + ", not with the keyword OFF");
   }
   line = rest;
   if (TakeWord(rest) == "BINARY")
   {
-    throw std::runtime_error("it is a binary OFF file; save it as text");
+    throw std::runtime_error("a binary OFF file; save the mesh as text");
   }
 }
 
@@ -50,7 +50,7 @@ Counts ReadCounts(LineReader& lines, std::size_t size)
   TakeKeyword(line);
   if (IsBlank(line) && !lines.Next(line))
   {
-    throw std::runtime_error("it ends before the numbers of points and faces");
+    throw std::runtime_error("the file ends before the numbers of points and faces");
   }
   Counts counts;
   counts.Points = TakeNumber<std::int64_t>(line, "the header");

@@ -134,7 +134,7 @@ Header ParseHeader(LineReader& lines)
   std::string_view line;
   if (!lines.NextRaw(line) || TakeWord(line) != "ply")
   {
-    throw std::runtime_error("it does not start with the word ply");
+    throw std::runtime_error("the file does not start with the word ply");
   }
   while (lines.NextRaw(line))
   {

@@ -63,11 +63,11 @@ std::optional<vtkHapticPartInfo> vtkHapticPartOf(vtkDataObject* data)
 std::string vtkHapticOtherVersion(const std::string& version)
 {
   const std::string load =
-    "load the plugin Palpate " + std::string(PALPATE_VERSION) + " there too (its folder in PV_PLUGIN_PATH)";
+    "load the plugin Palpate " + std::string(PALPATE_VERSION) + " on the server too (set PV_PLUGIN_PATH to its folder)";
   if (version == PALPATE_VERSION)
   {
     return "";
   }
-  return version.empty() ? "the server does not answer: it is gone, or " + load
+  return version.empty() ? "the server does not answer: the connection is lost, or " + load
                          : "the server has the plugin Palpate " + version + ", and here is another: " + load;
 }

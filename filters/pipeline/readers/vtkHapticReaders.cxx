@@ -56,8 +56,8 @@ void ThrowIfBroken(const vtkHapticMessageCapture& messages)
   if (!messages.FirstError().empty())
   {
     const bool array = messages.FirstError().find("data array") != std::string::npos;
-    throw std::runtime_error("it is broken or cut short (" + messages.FirstError() +
-                             (array ? "; VTK reads no array as text that ends with nan" : "") + ")");
+    throw std::runtime_error("the file is damaged or cut short (" + messages.FirstError() +
+                             (array ? "; VTK cannot read a text array that ends with nan" : "") + ")");
   }
 }
 
@@ -97,15 +97,15 @@ void CheckIsoFits(bool image, std::optional<double> iso)
 {
   if (image && !iso)
   {
-    throw std::runtime_error("it is an image; give the value of the surface to touch with --iso");
+    throw std::runtime_error("an image needs an isovalue; set the value of the surface with --iso");
   }
   if (!image && iso)
   {
-    throw std::runtime_error("it is a mesh and has no iso value; leave out --iso");
+    throw std::runtime_error("a mesh has no isovalue; omit --iso");
   }
   if (iso && !std::isfinite(*iso))
   {
-    throw std::runtime_error("the iso value is not a finite number");
+    throw std::runtime_error("the isovalue is not a finite number");
   }
 }
 
@@ -161,10 +161,10 @@ void CheckHasTriangles(vtkPolyData* surface, vtkIdType pointsOfFile)
   }
   if (pointsOfFile == 0)
   {
-    throw std::runtime_error("it holds no points and no triangles");
+    throw std::runtime_error("the file has no points and no triangles");
   }
   throw std::runtime_error(
-    "it holds " + std::to_string(pointsOfFile) + " points but no triangles; only surfaces can be touched");
+    "the file has " + std::to_string(pointsOfFile) + " points but no triangles; only surfaces can be touched");
 }
 
 /// One of VTK's own formats.
@@ -238,9 +238,9 @@ void CheckExtension(const std::string& extension)
   if (!ParserFor(extension) && extension != "vtp" && extension != "vtu" && extension != "stl" &&
       !IsDrawing(extension) && !IsImage(extension))
   {
-    throw std::runtime_error(
-      (extension.empty() ? std::string("it has no extension") : "the extension '" + extension + "' is not known") +
-      "; known are " + KnownExtensions);
+    throw std::runtime_error((extension.empty() ? std::string("the file name has no extension")
+                                                : "the extension '" + extension + "' is unknown") +
+                             "; valid extensions: " + KnownExtensions);
   }
 }
 
@@ -279,7 +279,8 @@ SurfacePointer ReadChecked(const std::string& path, std::optional<double> iso, s
 vtkSmartPointer<vtkDataObject> ReadNIfTI(const std::string& path, std::string& note)
 {
   const vtkHapticNIfTIHeader header = vtkHapticNIfTIImage::ReadHeader(path);
-  note = header.TimeSteps > 1 ? "it holds " + std::to_string(header.TimeSteps) + " images; the first is touched" : note;
+  note =
+    header.TimeSteps > 1 ? "the file has " + std::to_string(header.TimeSteps) + " images; the first is touched" : note;
   return vtkHapticNIfTIImage::Read(path, header, 0).Get();
 }
 
@@ -318,7 +319,7 @@ void AddBlocks(
     }
     if (!IsPiece(ExtensionOf(file)))
     {
-      note = std::string(file) + " fills no space and is left out";
+      note = std::string(file) + " has no volume and is ignored";
       continue;
     }
     try
@@ -339,13 +340,13 @@ vtkSmartPointer<vtkDataObject> ReadBlocks(const std::string& path, std::string& 
     { return vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(path.c_str())); });
   if (!root)
   {
-    throw std::runtime_error("it is no XML; write it again as a vtm");
+    throw std::runtime_error("not XML; write the data again as vtm");
   }
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   AddBlocks(*root, std::filesystem::path(path).parent_path(), *blocks, note);
   if (blocks->GetNumberOfBlocks() == 0)
   {
-    throw std::runtime_error("it names no file that fills space; known are vti, vtr, vts and vtu");
+    throw std::runtime_error("none of its files has a volume; valid types: vti, vtr, vts and vtu");
   }
   return blocks;
 }
@@ -366,7 +367,7 @@ Result Guarded(const std::string& path, const Function& read)
   }
   catch (const std::bad_alloc&)
   {
-    result.Problem = path + ": there is not enough memory to read it";
+    result.Problem = path + ": not enough memory to read the file";
   }
   catch (const std::exception& error)
   {

@@ -181,7 +181,7 @@ std::string vtkHapticRecordingReader::Read()
   this->Points = palpate::trajectoryOf(std::get<palpate::Recording>(read));
   this->ReadFile = this->FileName;
   this->ReadTime = changed;
-  return this->Points.empty() ? std::string(this->FileName) + ": no hand is in it; record while touching" : "";
+  return this->Points.empty() ? std::string(this->FileName) + ": the recording has no hand; record while touching" : "";
 }
 
 int vtkHapticRecordingReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* output)

@@ -34,13 +34,14 @@ int vtkHapticNeedle::RequestData(vtkInformation*, vtkInformationVector**, vtkInf
   const double point = PointLength * this->Diameter;
   if (!(this->Diameter > 0.0 && std::isfinite(this->Length) && this->Length > point))
   {
-    vtkErrorMacro("There is no such needle: the diameter must be above 0, and the length a finite number above "
-                  << PointLength << " diameters, which its point takes.");
+    vtkErrorMacro("No needle was made: the diameter must be above 0, and the length a finite number above "
+                  << PointLength << " diameters, the length of its tip.");
     return 0;
   }
   const double radius = 0.5 * this->Diameter;
-  const auto round = [](double width, double height)
-  { return vtkHapticRing{ height, [width](double) { return width; } }; };
+  const auto round = [](double width, double height) {
+    return vtkHapticRing{ height, [width](double) { return width; } };
+  };
   vtkHapticTurnSolid({ round(Blunt * radius, -this->Length), round(radius, point - this->Length), round(radius, 0.0) },
     this->Resolution, false, vtkPolyData::GetData(output));
   return 1;

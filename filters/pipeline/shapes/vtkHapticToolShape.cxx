@@ -130,11 +130,11 @@ std::string Refuse(const Sizes& s, int shape, int around)
   }
   if (shape == vtkHapticToolShape::Burr && !(s.Length > 2.0 * s.Radius))
   {
-    return "a burr must be longer than its ball: take a length of more than twice the radius";
+    return "a burr must be longer than its ball: use a length of more than twice the radius";
   }
   const bool threaded = shape == vtkHapticToolShape::Screw || shape == vtkHapticToolShape::Nut;
   return threaded && s.Length / s.Pitch * around * around > mostCorners
-           ? "the thread has too many turns: take a larger pitch, a smaller length or a lower resolution"
+           ? "the thread has too many turns: use a larger pitch, a smaller length or a lower resolution"
            : "";
 }
 } // namespace
@@ -162,7 +162,7 @@ int vtkHapticToolShape::RequestData(vtkInformation*, vtkInformationVector**, vtk
   const int around = 8 * this->Resolution; // corners of four flats are among them, and those of six nearly
   if (const std::string problem = Refuse(sizes, this->Shape, around); !problem.empty())
   {
-    vtkErrorMacro("There is no such shape: " << problem << ".");
+    vtkErrorMacro("No shape was made: " << problem << ".");
     return 0;
   }
   const auto rings = this->Shape == Peg     ? PegRings(sizes)

@@ -173,7 +173,7 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkHapticTetrahedra(vtkDataObject* data, st
   auto* const set = vtkDataSet::SafeDownCast(data);
   if (!set)
   {
-    problem = "it is no single data set: choose one block of it";
+    problem = "the data have several blocks: choose one block";
     return nullptr;
   }
   auto body = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -188,8 +188,7 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkHapticTetrahedra(vtkDataObject* data, st
   cut->TetrahedraOnlyOn();
   cut->Update();
   body->ShallowCopy(cut->GetOutput());
-  problem =
-    AllTetra(*body) ? "" : "it has no cells that fill space: give tetrahedra, a closed surface or a label image";
+  problem = AllTetra(*body) ? "" : "the data have no volume cells: use tetrahedra, a closed surface or a label image";
   return problem.empty() ? body : nullptr;
 }
 
@@ -209,9 +208,9 @@ bool vtkHapticFixBody(vtkUnstructuredGrid& body, const std::string& fixed, doubl
   }
   if (!given)
   {
-    problem =
-      "what is fixed: '" + fixed +
-      "' is neither a point array with one number each nor sides of its box (xmin, xmax, ymin, ymax, zmin, zmax)";
+    problem = "fixed vertices: '" + fixed +
+              "' is neither a point array with one component nor sides of the bounding box (xmin, xmax, ymin, ymax, "
+              "zmin, zmax)";
     return false;
   }
   for (vtkIdType i = 0; i < body.GetNumberOfPoints(); ++i)
@@ -228,7 +227,7 @@ bool vtkHapticDescribeBody(
   vtkDataArray* const given = youngArray.empty() ? nullptr : body.GetCellData()->GetArray(youngArray.c_str());
   if (!youngArray.empty() && (!given || given->GetNumberOfComponents() != 1))
   {
-    problem = "the modulus: '" + youngArray + "' is no cell array with one number each";
+    problem = "modulus: '" + youngArray + "' is not a cell array with one component";
     return false;
   }
   for (vtkIdType cell = 0; cell < body.GetNumberOfCells(); ++cell)
@@ -257,7 +256,7 @@ vtkHapticSoftBodyResult vtkHapticToSoftBody(vtkDataObject* data)
   vtkDataArray* const young = body ? body->GetCellData()->GetArray(YoungName) : nullptr;
   if (!material || !IsDescription(*material) || !young || !AllTetra(*body))
   {
-    return { nullptr, "it is no soft body: apply the filter Soft Body to it" };
+    return { nullptr, "not a soft body: apply the filter Soft Body first" };
   }
   auto input = std::make_shared<palpate::SoftBodyInput>();
   input->mesh = MeshOf(*body);
@@ -277,7 +276,7 @@ vtkHapticSoftBodyResult vtkHapticToSoftBody(vtkDataObject* data)
     material->GetNumberOfComponents() > 3 ? material->GetComponent(0, 3) : vtkHapticSoftMaterial::UsualDensity;
   if (!(input->density_kg_per_m3 > 0.0 && std::isfinite(input->density_kg_per_m3)))
   {
-    return { nullptr, "its density must be a finite number of kilograms a cubic metre above 0" };
+    return { nullptr, "the density must be a finite number above 0 [kg/m3]" };
   }
   vtkDataArray* const load = body->GetPointData()->GetArray(vtkHapticLoadName);
   for (vtkIdType i = 0; load && load->GetNumberOfComponents() == 3 && i < body->GetNumberOfPoints(); ++i)
@@ -359,9 +358,9 @@ std::string vtkHapticSoftBodyText(const palpate::SoftBodyInput& input)
   if (!input.load_N.empty())
   {
     const palpate::Vec3 sum = std::accumulate(input.load_N.begin(), input.load_N.end(), palpate::Vec3(0, 0, 0));
-    text += ", bears " + palpate::quantity(sum.norm(), "N");
+    text += ", total load " + palpate::quantity(sum.norm(), "N");
   }
-  text += ", a unit is " + palpate::quantity(input.unit_m, "m") + Assumed(input.unit_m, 1.0) + ", " +
+  text += ", one unit is " + palpate::quantity(input.unit_m, "m") + Assumed(input.unit_m, 1.0) + ", " +
           std::to_string(input.mesh.tetras.size()) + " tetrahedra";
   const std::string thin = palpate::thinPlacesOf(input.mesh).sentence();
   return text + (thin.empty() ? "" : "; " + thin);
@@ -378,8 +377,8 @@ std::string vtkHapticStrainText(const palpate::BodyShape& shape)
     text.precision(4);
     text << " at (" << at.x() << ", " << at.y() << ", " << at.z() << ")";
   }
-  text << (shape.mostGradient > vtkHapticStrain::Large   ? ": qualitative from here on"
-           : shape.mostGradient > vtkHapticStrain::Small ? ": a linear law is off by some 10 %"
+  text << (shape.mostGradient > vtkHapticStrain::Large   ? ": results are only qualitative"
+           : shape.mostGradient > vtkHapticStrain::Small ? ": a linear model errs by about 10 %"
                                                          : "");
   return text.str();
 }

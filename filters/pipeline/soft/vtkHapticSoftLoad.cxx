@@ -36,8 +36,8 @@ bool vtkHapticLoadBody(
   const bool weighs = gravity.allFinite() && read.Input && read.Input->density_kg_per_m3 > 0.0 &&
                       std::isfinite(read.Input->density_kg_per_m3);
   problem = !read.Input ? read.Problem
-            : !isLoad   ? "the load: '" + loadArray + "' is no point array with three numbers each [N]"
-            : !weighs   ? "gravity must be finite numbers [m/s2], and the density one above 0 [kg/m3]"
+            : !isLoad   ? "load: '" + loadArray + "' is not a point array with three components [N]"
+            : !weighs   ? "gravity must be finite [m/s2], and the density above 0 [kg/m3]"
                         : "";
   if (!problem.empty() || (!given && gravity.isZero(0.0)))
   {

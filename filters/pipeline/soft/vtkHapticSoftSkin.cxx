@@ -98,13 +98,13 @@ std::string ErrorText(vtkPolyData& surface, const palpate::TetraMesh& mesh, cons
   if (const double volume_u3 = VolumeIn(surface); volume_u3 > 0.0)
   {
     const double share = VolumeOf(mesh) / volume_u3 - 1.0;
-    text += "; they fill " +
+    text += "; the volume of the tetrahedra is " +
             (std::abs(share) < ClosedWithin
-                ? "as much as"
-                : palpate::quantity(std::abs(100.0 * share), "%") + (share < 0.0 ? " less than" : " more than")) +
-            " the surface holds";
+                ? "equal to"
+                : palpate::quantity(std::abs(100.0 * share), "%") + (share < 0.0 ? " below" : " above")) +
+            " that of the surface";
   }
-  return text + "; what is finer than they are bends with them";
+  return text + "; details finer than the tetrahedra deform with them";
 }
 } // namespace
 
@@ -156,7 +156,7 @@ bool vtkHapticSoftSkin::Ride(vtkPolyData& surface, vtkUnstructuredGrid& body, st
   if (!moved || moved->GetNumberOfComponents() != 3)
   {
     this->Kept.reset();
-    problem = "the body: it has no array Displacement, which the filter Soft Body gives it";
+    problem = "the body has no array Displacement: apply the filter Soft Body first";
     return false;
   }
   if (this->Kept && young && this->Kept->IsOf(surface, *young))
@@ -205,7 +205,7 @@ int vtkHapticSoftSkin::RequestData(vtkInformation*, vtkInformationVector** input
   if (first && !this->Ride(*surface, *body, problem))
   {
     this->Text.clear();
-    vtkErrorMacro("Nothing rides on the body: " << problem);
+    vtkErrorMacro("The surface cannot follow the body: " << problem);
   }
   const bool rides = vtkHapticHoldsOnAllRanks(problem.empty());
   if (!rides || !first)

@@ -80,8 +80,8 @@ vtkHapticTetraFillResult vtkHapticFillSurface(
   const palpate::TetraMeshResult made = palpate::meshInside(palpate::SurfaceTree(std::move(clean.mesh)), sizes, goes);
   vtkHapticTetraFillResult result = ResultOf(made, sizes);
   result.Note = std::isfinite(made.bound_u)
-                  ? "the tetrahedra's border is within " + palpate::quantity(made.bound_u, "u") + " of the surface"
-                  : "the tetrahedra's border could not be proven to be near the surface: look at it";
+                  ? "the border of the tetrahedra is within " + palpate::quantity(made.bound_u, "u") + " of the surface"
+                  : "the border of the tetrahedra could not be proven to be near the surface: inspect the result";
   return result;
 }
 
@@ -89,7 +89,7 @@ vtkHapticTetraFillResult vtkHapticFillLabels(vtkImageData& image, palpate::Tetra
 {
   if (!image.GetDirectionMatrix()->IsIdentity())
   {
-    return { nullptr, "the label image is turned: resample it along the axes first", "", 0.0 };
+    return { nullptr, "the label image is rotated: resample the image along the axes first", "", 0.0 };
   }
   palpate::LabelImage labels;
   image.GetDimensions(labels.counts.data());

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Touching from Python as paraview.simple does the rest, in ParaView's shell and in pvpython alike.
+"""Touch data from Python, in the style of paraview.simple, in ParaView's shell and in pvpython.
 
     from paraview.simple import *
     from palpate.simple import *
@@ -10,8 +10,8 @@
     print(HapticState()["StateText"])
     LetGo()
 
-In ParaView these are the panel's session and the active view; in pvpython a session is made and registered with the
-first call, and HapticUpdate() follows the view. What is refused is raised as HapticRefusal, in the words of the panel.
+In ParaView the functions use the panel's session and the active view. In pvpython the first call creates and registers
+a session, and HapticUpdate() follows the view. A refusal is raised as HapticRefusal, with the message of the panel.
 """
 
 import json
@@ -30,7 +30,7 @@ __all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "TakeColo
 
 
 class HapticRefusal(RuntimeError):
-    """What was refused, why, and what to do."""
+    """A refused request: the message names the request, the reason and the remedy."""
 
 
 _scenes = {}  # of sessions that no panel looks after, by global id
@@ -46,7 +46,7 @@ def _proxy():
     if present:
         return present
     if not manager.GetProxyDefinitionManager().HasDefinition("haptics", "HapticSession"):
-        raise HapticRefusal("The server has not the plugin Palpate: start it with the plugin's folder in PV_PLUGIN_PATH, then connect again."
+        raise HapticRefusal("The server has not loaded the Palpate plugin. Start pvserver with PV_PLUGIN_PATH set to the plugin's folder, then connect again."
                             if servermanager.ActiveConnection.IsRemote() else
                             "Palpate is not loaded: call LoadPlugin('.../Palpate.so') first.")
     made = manager.NewProxy("haptics", "HapticSession")
@@ -57,7 +57,7 @@ def _proxy():
 
 
 class _Refusals:
-    """Raises what the session refuses within, instead of printing it."""
+    """Raises a refusal of the session as an exception, in place of a printed error."""
 
     def __enter__(self):
         self.session = GetHapticSession()
@@ -84,13 +84,13 @@ def _value(name):
 
 
 def _described(name):
-    """What the table of settings says of one; None of what is none."""
+    """The row of a setting in the table of settings; None for an unknown name."""
     settings = json.loads(GetHapticSession().GetDescribed())["settings"]
     return next((setting for setting in settings if setting["name"] == name), None)
 
 
 def _taken(setting):
-    """Such values as a setting takes, in words."""
+    """The allowed values of a setting, as text."""
     count = max(len(setting["defaults"]), 1)
     number = "a number" if count == 1 else f"{count} numbers"
     kinds = {"text": "a text", "flag": "1 or 0", "count": "a whole number", "choice": "a whole number", "points": "numbers, three a point"}
@@ -103,7 +103,7 @@ def _is_number(value):
 
 
 def _source_name(source):
-    """In the pipeline browser, of a proxy or a name."""
+    """The name in the pipeline browser of a proxy or a name."""
     if isinstance(source, str):
         name = source if _manager().GetProxy("sources", source) else None
     else:
@@ -116,9 +116,9 @@ def _source_name(source):
 
 
 def _touchable_view(view):
-    """That view, or the active one. Refused is a view in which nothing can be touched."""
+    """The given view, or the active one. A view without touchable data is refused."""
     if not hasattr(view, "MakeRenderWindowInteractor") and view is not None:
-        raise HapticRefusal(f"{view!r} is no view; give what CreateView or GetActiveView returns, or nothing for the active one.")
+        raise HapticRefusal(f"{view!r} is not a view; pass the result of CreateView or GetActiveView, or None for the active view.")
     view = view or simple.GetActiveView()
     looked_at = vtkHapticViewScene()
     looked_at.SetSession(_proxy().GetClientSideObject())  # which says whether numbers in space are felt
@@ -131,7 +131,7 @@ def _touchable_view(view):
 
 
 def _follow(view):
-    """Has the session feel what the view shows; the panel does that by itself, for the active view."""
+    """Sets the scene of the session to the data of the view. The panel does this itself, for the active view."""
     if getattr(paraview, "palpate_panel", False):
         simple.SetActiveView(view)
         return
@@ -144,7 +144,7 @@ def _follow(view):
 
 
 def GetHapticSession():
-    """The session's object, with all that a proxy does not offer: Step(n), SetHandPosition(x, y, z) ..."""
+    """Returns the session object, with functions that its proxy lacks: Step(n), SetHandPosition(x, y, z) ..."""
     return _proxy().GetClientSideObject()
 
 
@@ -153,7 +153,7 @@ def SetHaptics(**settings):
     for name, value in settings.items():
         setting = _described(name)
         if not setting:
-            raise HapticRefusal(f"{name} is no setting of the session; plugin/README.md lists them.")
+            raise HapticRefusal(f"{name} is not a setting of the session; plugin/README.md lists the settings.")
         before = _value(name)
         try:
             with _Refusals():
@@ -167,7 +167,7 @@ def SetHaptics(**settings):
 
 
 def Touch(view=None):
-    """Touches what a view shows, the active one if none is named. Returns once the scene is built, and a field's brick."""
+    """Touches the visible data of a view (default: the active view). Returns when scene and field are ready."""
     view = _touchable_view(view)
     with _Refusals() as session:
         _follow(view)
@@ -179,19 +179,19 @@ def Touch(view=None):
 
 
 def TakeColorRange(view=None):
-    """What low and high feel like is what a view's colour maps show low and high: data ranges of the arrays of stiffness,
-    friction and texture, isovalue (half as opaque as any) and levels of the field's. A line for each that was set."""
+    """Takes data ranges from the colour maps of a view: ranges of stiffness, friction and texture, isovalue (at half of
+    the largest opacity) and detent levels of the field. Returns one line per range that was set."""
     view = view or simple.GetActiveView()
     looked_at = vtkHapticViewScene()
     looked_at.SetView(view.SMProxy if view else None)
     said = looked_at.TakeColorRange(_proxy())
     if not said:
-        raise HapticRefusal("Nothing that is felt is coloured by; colour by an array that is felt.")
+        raise HapticRefusal("No touchable source is coloured by its array; colour a source by the array that is felt.")
     return said
 
 
 def LetGo():
-    """Force to zero within 50 ms, and no touching any more. What was held or bent is shown as it is at rest."""
+    """Reduces the force to zero within 50 ms and stops touching. Tools and soft bodies are drawn at rest again."""
     scene = _scenes.get(_proxy().GetGlobalIDAsString())
     _put("Touching", 0)
     if scene:
@@ -199,8 +199,8 @@ def LetGo():
 
 
 def FitHand(view=None):
-    """Scale and place such that the device's workspace holds everything that a view shows, the active one if none is
-    named, touched already or not."""
+    """Sets scale and offset so that the device's workspace contains all visible data of a view (default: the active
+    view), before or during a touch."""
     view = _touchable_view(view)
     with _Refusals() as session:
         _follow(view)
@@ -209,7 +209,7 @@ def FitHand(view=None):
 
 
 def HapticUpdate():
-    """Takes the session's latest state and, where no panel does it, what the view shows now."""
+    """Updates the state of the session and, without a panel, the scene from the view."""
     scene = _scenes.get(_proxy().GetGlobalIDAsString())
     if scene:
         scene.Update()
@@ -217,7 +217,7 @@ def HapticUpdate():
 
 
 def HapticState():
-    """All that the session says of itself now, by name: force, contact, state in words ..."""
+    """Returns all read-outs of the session by name: force, contact, state as text ..."""
     HapticUpdate()
     session = GetHapticSession()
     readouts = json.loads(session.GetDescribed())["readouts"]
@@ -225,7 +225,7 @@ def HapticState():
 
 
 def Mark():
-    """Sets a mark at the contact. Returns it as GetMarks() does."""
+    """Sets a mark at the contact and returns the mark, in the format of GetMarks()."""
     with _Refusals():
         HapticUpdate()
         _proxy().InvokeCommand("AddMark")
@@ -233,7 +233,7 @@ def Mark():
 
 
 def GetMarks():
-    """The marks in their order, each a dictionary: Source, X, Y, Z and all that was found there."""
+    """Returns the marks in order, each a dictionary: Source, X, Y, Z and the data at the contact."""
     table = vtkTable()
     GetHapticSession().GetInspection().GetMarksTable(table)
     return _rows(table)
@@ -252,14 +252,14 @@ def ClearMarks():
 def SaveMarks(file):
     """Writes the marks as csv or vtp, by the suffix."""
     if not isinstance(file, (str, os.PathLike)):
-        raise HapticRefusal(f"{file!r} is no file's name; give one that ends in .csv or .vtp.")
+        raise HapticRefusal(f"{file!r} is not a file name; use a name that ends in .csv or .vtp.")
     with _Refusals() as session:
         session.GetInspection().WriteMarks(os.fspath(file))
 
 
 def SetSource(source, touched=None, stiffness=None, friction=None):
-    """Touches one source in a way of its own: a proxy, or its name in the pipeline browser. `stiffness` [N/m] as felt,
-    `friction` at rest and sliding. What is not named stays as it is."""
+    """Sets overrides of one source (a proxy, or its name in the pipeline browser): `touched`, `stiffness` [N/m], and
+    `friction` as a pair of static and kinetic coefficients. Omitted arguments keep their values."""
     name = _source_name(source)
     if touched not in (None, True, False):
         raise HapticRefusal(f"{name}: touched is True or False, not {touched!r}.")
@@ -277,8 +277,8 @@ def SetSource(source, touched=None, stiffness=None, friction=None):
 
 
 def HoldTool(source=None, view=None):
-    """Holds the surface of a source in place of the ball: a proxy, or its name in the pipeline browser; None: the ball.
-    The source is hidden, for the tool is drawn where it is."""
+    """Holds the surface of a source (a proxy, or its name in the pipeline browser) as tool; None: the proxy sphere.
+    The source is hidden, because the tool is drawn at its pose."""
     name = None if source is None else _source_name(source)
     with _Refusals():
         _put("ToolSource", name or "")
@@ -288,8 +288,8 @@ def HoldTool(source=None, view=None):
 
 
 def PressBody(source=None, rate=None):
-    """Has the output of Soft Body give way: a proxy, or its name in the pipeline browser; None: nothing does. It bends in
-    the view, with its arrays Displacement, Strain and Stress. rate: how often it is computed [Hz]."""
+    """Makes an output of Soft Body (a proxy, or its name in the pipeline browser) deform under the hand; None: no soft
+    body. The view shows the deformation, with the arrays Displacement, Strain and Stress. rate: solver rate [Hz]."""
     name = None if source is None else _source_name(source)
     with _Refusals():
         if rate is not None:
@@ -299,17 +299,16 @@ def PressBody(source=None, rate=None):
 
 
 def SoftText(source):
-    """What Soft Body or Soft Skin says of what it has made: material and what is assumed of it, what coarse tetrahedra leave
-    out. A proxy of theirs."""
+    """Returns the report of a Soft Body or Soft Skin proxy: material, assumed values, error of coarse tetrahedra."""
     source.UpdatePipeline()
     source.SMProxy.UpdatePropertyInformation()
     return source.GetPropertyValue("Text")
 
 
 def HoldMechanism(source=None, turning=None, laws=None):
-    """Holds a body of the output of Haptic Mechanism: a proxy, or its name in the pipeline browser; None: none. turning:
-    how stiffly the hand turns it [N m/rad], 0: it turns freely. laws: a list of laws in place of those of its scene
-    file, each a dictionary as in that; []: the file's."""
+    """Holds a body of an output of Haptic Mechanism (a proxy, or its name in the pipeline browser); None: no mechanism.
+    turning: rotational stiffness between hand and body [N m/rad], 0: free rotation. laws: list of constraints that
+    replaces the key `laws` of the scene file, each a dictionary; []: the constraints of the file."""
     name = None if source is None else _source_name(source)
     with _Refusals() as session:
         if turning is not None:
@@ -326,14 +325,15 @@ def HoldMechanism(source=None, turning=None, laws=None):
 
 
 def _follow_if_none():
-    """What is held before the first touch is read then, so that what is wrong with it is raised there."""
+    """Reads a held mechanism before the first touch, so that its faults are raised by the call that holds it."""
     scene, view = _scenes.get(_proxy().GetGlobalIDAsString()), simple.GetActiveView()
     if (not scene or not scene.GetView()) and hasattr(view, "MakeRenderWindowInteractor"):
         _follow(view)
 
 
 def Laws():
-    """The laws of the mechanism in their order, each a dictionary: Law, Kind, A, B, Numbers, Phase, Force [N], Inside [u]."""
+    """Returns the constraints of the mechanism in order, each a dictionary with the keys `Law` (name), Kind, A, B, Numbers,
+    Phase, Force [N], Inside [u]."""
     table = vtkTable()
     GetHapticSession().GetMechanism().GetTable(table)
     return _rows(table)
@@ -346,20 +346,20 @@ def _put_laws(laws):
 
 
 def AddLaw(**law):
-    """Another law of the mechanism, with the keys of a scene file; in the place of the one of its name, if there is
-    one. MechanismLaws has it."""
+    """Adds a constraint to the mechanism, with the keys of a scene file. A constraint of the same name is replaced. The
+    setting MechanismLaws stores the result."""
     with _Refusals() as session:
         _put_laws(session.GetMechanism().GetLawsWith(json.dumps(law)))
 
 
 def RemoveLaw(name):
-    """One law less. MechanismLaws has what is left."""
+    """Removes a constraint from the mechanism. The setting MechanismLaws stores the result."""
     with _Refusals() as session:
         _put_laws(session.GetMechanism().GetLawsWithout(name))
 
 
 def BreakLaw(name):
-    """From the next tick on that law holds no more, until the mechanism is held or touched anew, or
-    has other laws."""
+    """Breaks a constraint from the next tick on, until the mechanism is held or touched anew, or gets other
+    constraints."""
     with _Refusals() as session:
         session.GetMechanism().BreakLaw(name)

@@ -20,7 +20,7 @@
 namespace
 {
 constexpr const char* NoAnswer =
-  "the server did not say what is felt of it: load the plugin Palpate of this version there too";
+  "the server did not send the field: load the plugin Palpate of this version on the server too";
 
 /// A brick filter on the server.
 class Server

@@ -330,7 +330,7 @@ std::string Refusal(vtkGlyph3DMapper& mapper, const Glyphs& glyphs, std::int64_t
 {
   if (glyphs.empty())
   {
-    return "it has no glyph to draw; choose a Glyph Type";
+    return "no glyph is chosen; choose a Glyph Type";
   }
   std::string problem;
   std::int64_t count = 0, polygons = 0;
@@ -349,7 +349,7 @@ std::string Refusal(vtkGlyph3DMapper& mapper, const Glyphs& glyphs, std::int64_t
   if (problem.empty() && polygons > mostPolygons)
   {
     problem = std::to_string(count) + " glyphs have " + std::to_string(polygons) + " polygons, and at most " +
-              std::to_string(mostPolygons) + " are felt; draw fewer of them, or choose a simpler Glyph Type";
+              std::to_string(mostPolygons) + " can be touched; draw fewer glyphs, or choose a simpler Glyph Type";
   }
   return problem;
 }

@@ -56,7 +56,7 @@ vtkHapticShape vtkHapticSliceOf(vtkPVImageSliceMapper* mapper)
   const char* const array = ColouredBy(*mapper);
   if (!array || !image->GetPointData()->GetArray(array))
   {
-    result.Problem = "a slice is felt by the contour of the array that colours it; colour it by an array of points";
+    result.Problem = "a slice is touched by the contour of its colour array; colour the slice by a point array";
     return result;
   }
   vtkNew<vtkImageCurves> curves;

@@ -72,8 +72,8 @@ void vtkHapticSoftSource::KeepAtRest(vtkHapticSession* session, vtkHapticViewSca
   }
   if (found->Matrix && !found->Matrix->IsIdentity())
   {
-    scan.Refusals.push_back(name + ": it gives way where its numbers are, not where it is drawn; set its display back, "
-                                   "or apply the filter Transform before Soft Body.");
+    scan.Refusals.push_back(name + ": the soft body is touched at the position of its data, not of its display; reset "
+                                   "the display transform, or apply the filter Transform before Soft Body.");
   }
   if (!this->AtRest || this->AtRest->Name != name || this->AtRestOf != this->Body)
   {

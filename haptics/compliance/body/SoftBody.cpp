@@ -274,7 +274,7 @@ Eigen::VectorXd SoftBody::linearAnswer(const Eigen::VectorXd& load_N) const
 namespace
 {
 
-constexpr const char* stopped = "the body is not wanted any more";
+constexpr const char* stopped = "the computation was cancelled";
 
 /// Brings a body to its rest under what it bears; a sentence where it cannot.
 std::string bearLoads(
@@ -287,7 +287,7 @@ std::string bearLoads(
   }
   if (!always_N.allFinite())
   {
-    return "a load on the body is no finite number of newtons";
+    return "a load on the body is not a finite number of newtons";
   }
   spreadTractions(body.points(), checked.mesh, always_N);
   if (always_N.isZero(0.0) || body.bear(always_N, stop))
@@ -296,17 +296,17 @@ std::string bearLoads(
   }
   return stop.stop_requested()
            ? stopped
-           : "the body does not come to rest under its loads: give smaller ones, or a stiffer material";
+           : "the body has no equilibrium under its loads: reduce the loads, or use a stiffer material";
 }
 
 std::string refuseCounts(const SoftBodyInput& input)
 {
   const std::size_t vertices = input.mesh.vertices_W.size(), moduli = input.young_Pa.size();
-  return input.fixed.size() != vertices ? "what is fixed has another number of vertices than the body"
+  return input.fixed.size() != vertices ? "the list of fixed vertices differs in length from the vertices of the body"
          : !input.load_N.empty() && input.load_N.size() != vertices
-           ? "what is loaded has another number of vertices than the body"
+           ? "the list of loads differs in length from the vertices of the body"
          : moduli != 1 && moduli != input.mesh.tetras.size()
-           ? "the moduli are neither one for all nor one a tetrahedron"
+           ? "the number of Young's moduli is neither 1 nor the number of tetrahedra"
            : "";
 }
 
@@ -334,7 +334,7 @@ SoftBodyResult makeSoftBody(const SoftBodyInput& input, const std::stop_token& s
   const std::vector<bool>& fixed = result.checked.fixed;
   if (result.refusal.empty() && std::all_of(fixed.begin(), fixed.end(), [](bool held) { return held; }))
   {
-    result.refusal = "all of the body is fixed: nothing gives way";
+    result.refusal = "all vertices of the body are fixed: leave some vertices free";
   }
   if (!result.refusal.empty())
   {
@@ -361,9 +361,8 @@ SoftBodyResult makeSoftBody(const SoftBodyInput& input, const std::stop_token& s
   }
   if (!body->refactor())
   {
-    result.refusal =
-      "the body's stiffness cannot be factored: parts of it hang together by a corner or an edge only, or "
-      "its moduli differ too much";
+    result.refusal = "The stiffness matrix is singular: parts of the mesh are connected only by a vertex or an edge, "
+                     "or the moduli differ too much";
     return result;
   }
   result.refusal = bearLoads(input, result.checked, *body, stop);

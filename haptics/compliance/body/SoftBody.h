@@ -18,7 +18,7 @@ enum class Factoring : std::uint8_t
   WhenOld, ///< once the last factor takes more than eight iterations to solve by
 };
 
-/// What a soft body is made of.
+/// The input of a soft body.
 struct SoftBodyInput
 {
   TetraMesh mesh;
@@ -37,7 +37,7 @@ struct SoftBodyInput
 struct SoftBodyState
 {
   double residual_N = 0.0;   ///< largest force on a free node that is not balanced
-  double energy_Nu = 0.0;    ///< elastic and of what it bears always; 0 at rest, where it bears nothing
+  double energy_Nu = 0.0;    ///< elastic energy, and energy of the permanent loads; 0 at rest without loads
   double mostGradient = 0.0; ///< largest |F - 1|: up to .1 small strain holds within 1 %, from .5 on it is qualitative
 };
 
@@ -49,9 +49,9 @@ public:
   SoftBody(StrainPoints points, ElasticModel model, const std::vector<bool>& fixed);
 
   [[nodiscard]] const StrainPoints& points() const { return this->points_; }
-  /// Three numbers a node [u]; 0 at what is fixed.
+  /// Three numbers per node [u]; 0 at fixed nodes.
   [[nodiscard]] const Eigen::VectorXd& displacement() const { return this->displacement_; }
-  /// That under what it bears always, alone.
+  /// The displacement under the permanent loads alone.
   [[nodiscard]] const Eigen::VectorXd& atRest() const { return this->atRest_; }
   [[nodiscard]] std::size_t factorBytes() const { return this->factor_.bytes(); }
 
@@ -62,8 +62,8 @@ public:
   /// Steps by an old factor are solved to a thousandth; compliance() and linearAnswer() are then of that factor. No
   /// other step begins once a stop is asked for.
   [[nodiscard]] bool settle(const Eigen::VectorXd& load_N, int steps, const std::stop_token& stop = {});
-  /// Brings it to its rest under what it bears from now on beside every other load, three numbers a node [N]. False if
-  /// it does not come to rest there, or a stop was asked for.
+  /// Finds the equilibrium under new permanent loads, in addition to all other loads, three numbers per node [N]. False
+  /// if it does not come to rest there, or a stop was asked for.
   [[nodiscard]] bool bear(const Eigen::VectorXd& always_N, const std::stop_token& stop = {});
   /// Forces that the body's strain puts on its nodes, three numbers a node [N].
   [[nodiscard]] Eigen::VectorXd innerForces() const { return this->forcesAt(this->displacement_); }
@@ -86,7 +86,7 @@ public:
   [[nodiscard]] Eigen::VectorXd linearAnswer(const Eigen::VectorXd& load_N) const;
 
 private:
-  /// What the strain at a point, deformed by `f`, puts on its nodes [N].
+  /// Nodal forces of the strain at a point with deformation gradient `f` [N].
   void addForces(const StrainPoint& p, const Mat3& f, Eigen::VectorXd& ofNodes) const;
   [[nodiscard]] Eigen::VectorXd forcesAt(const Eigen::VectorXd& displacement) const;
   [[nodiscard]] double energyAt(const Eigen::VectorXd& displacement) const;
@@ -107,7 +107,7 @@ private:
   Factoring factoring_;
   std::size_t factorings_ = 0;
   Eigen::VectorXd displacement_;
-  Eigen::VectorXd always_N_;     ///< what it bears
+  Eigen::VectorXd always_N_;     ///< permanent loads
   Eigen::VectorXd atRest_;       ///< displacement under that alone
   double energyAtRest_Nu_ = 0.0; ///< under that alone
 };
@@ -121,7 +121,7 @@ struct SoftBodyResult
 };
 
 /// Checks all of the input, factors once, and brings the body to its rest under its loads, which may take 50 factors
-/// more. Refuses in words what cannot be a body. Once a stop is asked for it ends after the factor that is under way,
+/// more. Refuses an invalid body with a message. Once a stop is asked for it ends after the factor that is under way,
 /// refused.
 [[nodiscard]] SoftBodyResult makeSoftBody(const SoftBodyInput& input, const std::stop_token& stop = {});
 

@@ -118,19 +118,19 @@ std::string refuseSizes(const Filled& filled, const TetraSizes& sizes)
 {
   if (!(sizes.edge_u > 0.0) || !(sizes.distance_u > 0.0))
   {
-    return "tetrahedra need a length of edge and a distance above 0";
+    return "edge length and distance of the tetrahedra must be above 0";
   }
   // Doubles cannot halve a way across the border often enough for less.
   if (const double least_u = 1e-7 * (filled.high_W - filled.low_W).norm(); sizes.distance_u < least_u)
   {
     std::ostringstream words;
-    words << "a distance of " << sizes.distance_u << " is too short: give one of at least " << least_u;
+    words << "a distance of " << sizes.distance_u << " is too short: use at least " << least_u;
     return words.str();
   }
   if (const double expected = tetrasExpected(filled, sizes); expected > static_cast<double>(sizes.most))
   {
     return "about " + std::to_string(static_cast<std::size_t>(expected)) + " tetrahedra would be made, more than the " +
-           std::to_string(sizes.most) + " allowed: give a longer edge";
+           std::to_string(sizes.most) + " allowed: use a longer edge";
   }
   return {};
 }
@@ -168,11 +168,11 @@ TetraMeshResult fill(const Filled& filled, const TetraSizes& sizes, const Goes& 
   catch (const TooMany&)
   {
     result.refusal = "far more than the " + std::to_string(sizes.most) +
-                     " tetrahedra allowed come up near the border: give a longer distance";
+                     " tetrahedra allowed arise near the surface: use a larger distance";
   }
   catch (const std::exception& e) // CGAL's own, and memory
   {
-    result.refusal = std::string("CGAL could not mesh it: ") + e.what();
+    result.refusal = std::string("CGAL could not mesh the body: ") + e.what();
   }
   if (!result.refusal.empty())
   {
@@ -181,7 +181,7 @@ TetraMeshResult fill(const Filled& filled, const TetraSizes& sizes, const Goes& 
   }
   if (result.mesh.tetras.empty())
   {
-    result.refusal = "no tetrahedra came out: give a shorter edge";
+    result.refusal = "the mesher made no tetrahedra: use a shorter edge";
   }
   return result;
 }
@@ -237,7 +237,7 @@ TetraMeshResult meshInside(const SurfaceTree& closed, const TetraSizes& sizes, c
 {
   if (!isClosed(closed))
   {
-    return { {}, {}, 0.0, "the surface has holes: close it, or give tetrahedra" };
+    return { {}, {}, 0.0, "the surface has holes: close the surface, or use tetrahedra" };
   }
   const SurfaceData& data = closed.data();
   const Vec3 size_u = data.high_W - data.low_W;
@@ -256,12 +256,12 @@ TetraMeshResult meshLabels(const LabelImage& image, const TetraSizes& sizes, con
   const std::size_t boxes = static_cast<std::size_t>(image.counts[0]) * image.counts[1] * image.counts[2];
   if (boxes == 0 || image.labels.size() != boxes || !(image.step_u.minCoeff() > 0.0))
   {
-    return { {}, {}, 0.0, "the label image has no boxes, or not a number for each" };
+    return { {}, {}, 0.0, "the label image has no voxels, or not one value per voxel" };
   }
   const auto labelled = boxes - static_cast<std::size_t>(std::count(image.labels.begin(), image.labels.end(), 0u));
   if (labelled == 0)
   {
-    return { {}, {}, 0.0, "the label image has no labels: all of its numbers are 0" };
+    return { {}, {}, 0.0, "the label image has no labels: all values are 0" };
   }
   Filled filled;
   filled.labelAt = [&image](const Vec3& p_W) { return static_cast<int>(labelOf(image, p_W)); };

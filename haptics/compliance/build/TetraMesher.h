@@ -17,7 +17,7 @@ namespace palpate
 struct TetraSizes
 {
   double edge_u = 0.0;       ///< about their longest edges inside
-  double distance_u = 0.0;   ///< of the border from what is meshed, as CGAL keeps it; not below 1e-7 of the size
+  double distance_u = 0.0;   ///< of the border from the input, as CGAL keeps it; not below 1e-7 of the size
   std::size_t most = 500000; ///< tetrahedra that are expected, from volume and edge: more are refused before
 };
 
@@ -25,7 +25,7 @@ struct TetraSizes
 struct TetraMeshResult
 {
   TetraMesh mesh;
-  std::vector<std::uint32_t> labels; ///< of each tetrahedron: what it is in
+  std::vector<std::uint32_t> labels; ///< of each tetrahedron: its label
   double bound_u = 0.0; ///< proven: no point of border or closed surface is further from the other [u]; or infinity
   std::string refusal;  ///< "cancelled" where `goes` said no
 };

@@ -16,7 +16,7 @@ enum class ElementKind : std::uint8_t
 {
   Linear,       ///< one point a tetrahedron; far too stiff where it bends
   EdgeSmoothed, ///< one point an edge and material around it: no new nodes, true to 2 % with four across a bar
-  Quadratic,    ///< ten nodes and four points a tetrahedron: also for what nearly keeps its volume
+  Quadratic,    ///< ten nodes and four points a tetrahedron: also for nearly incompressible materials
 };
 
 /// A place where strain is: F = sum over its nodes of x_a g_a^T, and it stands for a volume.
@@ -55,7 +55,7 @@ struct StrainPoints
   /// `displacement`: three numbers a node [u].
   [[nodiscard]] Mat3 deformationAt(const StrainPoint& p, std::span<const double> displacement) const;
   /// F of each tetrahedron: the mean of its points, `ofPoints` in their order. Of quadratic tetrahedra that is their
-  /// own mean, of edge-smoothed ones the mean of what is smoothed around their edges, which converges where the
+  /// own mean, of edge-smoothed ones the mean of the smoothed strains around their edges, which converges where the
   /// gradient of their corners alone is off by as much as it is large.
   [[nodiscard]] std::vector<Mat3> deformationOfTetras(const std::vector<Mat3>& ofPoints) const;
 };

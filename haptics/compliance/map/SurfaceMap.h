@@ -28,9 +28,9 @@ public:
   [[nodiscard]] std::size_t size() const { return this->start_.size() - 1; }
   /// `ofNodes`: three numbers a node [u].
   [[nodiscard]] Vec3 displacementOf(std::size_t point, const Eigen::VectorXd& ofNodes) const;
-  /// Adds what a force on a point is on the nodes [N].
+  /// Adds the nodal forces of a force on a point [N].
   void addForce(std::size_t point, const Vec3& force_N, Eigen::VectorXd& ofNodes) const;
-  /// Three columns a point, on the numbers 3 node + axis: what SoftBody::compliance takes.
+  /// Three columns a point, on the numbers 3 node + axis: the input of SoftBody::compliance.
   [[nodiscard]] SparseColumns columnsOf(std::span<const std::uint32_t> points) const;
 
 private:

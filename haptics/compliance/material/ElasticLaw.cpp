@@ -184,16 +184,17 @@ ModuliResult moduliOf(double young_Pa, double poisson, double unit_m)
 {
   if (!(young_Pa > 0.0) || !(young_Pa < 1e12))
   {
-    return { {}, saying("Young's modulus is ", young_Pa, " Pa: give one above 0 and below 1e12 Pa") };
+    return { {}, saying("Young's modulus is ", young_Pa, " Pa: use a value above 0 and below 1e12 Pa") };
   }
   if (!(poisson >= 0.0) || !(poisson < 0.5))
   {
-    return { {},
-      saying("Poisson's ratio is ", poisson, ": give one from 0 to below 0.5, 0.49 for what keeps its volume") };
+    return { {}, saying("Poisson's ratio is ", poisson,
+                   ": use a value from 0 to below 0.5 (0.49 for a nearly incompressible material)") };
   }
   if (!(unit_m > 0.0) || !std::isfinite(unit_m * unit_m * 1e12) || !(unit_m * unit_m > 0.0))
   {
-    return { {}, saying("A unit of the scene is ", unit_m, " m: give one above 0, 0.001 for a scene in millimetres") };
+    return { {},
+      saying("A unit of the scene is ", unit_m, " m: use a value above 0 (0.001 for a scene in millimetres)") };
   }
   const double young = young_Pa * unit_m * unit_m;
   return { { young / (2.0 * (1.0 + poisson)), young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson)) }, {} };
@@ -206,7 +207,7 @@ std::string refuseModulus(double young_Pa)
   return young_Pa >= least_Pa && young_Pa < most_Pa
            ? ""
            : saying("Young's modulus is ", young_Pa,
-               " Pa: give one in pascals, from 10 Pa to below 1e12 Pa; soft tissue has 1e3 to 1e6");
+               " Pa: use a value from 10 Pa to below 1e12 Pa; soft tissue has 1e3 to 1e6 Pa");
 }
 
 double energyDensity(ElasticModel model, const ElasticModuli& moduli, const Mat3& f)

@@ -33,7 +33,7 @@ struct ModuliResult
   std::string refusal;
 };
 
-/// Of Young's modulus [Pa] and Poisson's ratio, `unit_m` metres a unit of the scene. Refuses what is no solid: a
+/// Of Young's modulus [Pa] and Poisson's ratio, `unit_m` metres a unit of the scene. Refuses values of no solid: a
 /// modulus that is not above 0 or from 1e12 Pa on (diamond), a ratio below 0 or from .5 on; and a unit that is no
 /// length.
 [[nodiscard]] ModuliResult moduliOf(double young_Pa, double poisson, double unit_m);

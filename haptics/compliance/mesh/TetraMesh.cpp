@@ -78,7 +78,7 @@ std::string refuseCorners(const TetraMesh& mesh)
     {
       if (v >= mesh.vertices_W.size() || !mesh.vertices_W[v].allFinite())
       {
-        return "tetrahedron " + std::to_string(i) + " has a corner that is no finite point: repair the mesh";
+        return "tetrahedron " + std::to_string(i) + " has a vertex that is not finite: repair the mesh";
       }
     }
   }
@@ -127,7 +127,7 @@ std::string refuseFolds(const TetraMesh& mesh)
     if (third || evenOrder(faces[i].outward, faces[i - 1].outward))
     {
       return "tetrahedra " + std::to_string(faces[i - 1].tetra) + " and " + std::to_string(faces[i].tetra) +
-             " fill the same space at the face they share (inverted): mesh the body anew";
+             " overlap at their shared face (inverted): mesh the body again";
     }
   }
   return {};
@@ -214,7 +214,7 @@ std::string keepHeld(CheckedTetras& out, const std::vector<bool>& fixed)
     holds[name] = holdOf(out.mesh, vertices);
     if (holds[name] == Hold::Turns)
     {
-      return "what is fixed lets a part turn: fix at least three vertices of it that are not in line";
+      return "a part of the body can still rotate: fix at least three of its vertices that are not collinear";
     }
   }
   std::size_t kept = 0;
@@ -229,7 +229,7 @@ std::string keepHeld(CheckedTetras& out, const std::vector<bool>& fixed)
   out.report.loose = part.size() - kept;
   out.mesh.tetras.resize(kept);
   out.sourceTetra.resize(kept);
-  return kept > 0 ? "" : "nothing of the body is fixed: say which part of it does not move";
+  return kept > 0 ? "" : "the body has no fixed vertices: choose the part of the body that does not move";
 }
 
 void dropUnusedVertices(CheckedTetras& out, const TetraMesh& raw, const std::vector<bool>& fixed)
@@ -281,10 +281,10 @@ std::string TetraReport::summary() const
       words << (words.tellp() > 0 ? ", " : "") << count << what;
     }
   };
-  say(this->turned, " turned round");
-  say(this->flat, " without volume left out");
-  say(this->doubled, " doubled left out");
-  say(this->loose, " that hang on nothing fixed left out");
+  say(this->turned, " with reversed orientation");
+  say(this->flat, " without volume removed");
+  say(this->doubled, " duplicated, removed");
+  say(this->loose, " without connection to a fixed vertex removed");
   return words.tellp() > 0 ? "tetrahedra: " + words.str() : "";
 }
 

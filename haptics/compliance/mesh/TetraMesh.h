@@ -23,7 +23,7 @@ struct TetraMesh
 /// Above 0 with its corners in the usual order [u^3].
 [[nodiscard]] double volumeOf(const TetraMesh& mesh, const Tetra& t);
 
-/// What checking found: counts of tetrahedra.
+/// The result of a check: counts of tetrahedra.
 struct TetraReport
 {
   std::size_t turned = 0;  ///< had their corners in the other order: all four are in the usual one now
@@ -39,7 +39,7 @@ struct TetraReport
 struct CheckedTetras
 {
   TetraMesh mesh;
-  std::vector<std::uint32_t> sourceVertex; ///< of each vertex, in what came in
+  std::vector<std::uint32_t> sourceVertex; ///< of each vertex: its index in the input
   std::vector<std::uint32_t> sourceTetra;  ///< of each tetrahedron
   std::vector<bool> fixed;                 ///< of each vertex
   TetraReport report;

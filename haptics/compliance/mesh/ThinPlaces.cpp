@@ -31,8 +31,8 @@ std::string ThinPlaces::sentence() const
 {
   return this->thin == 0 ? ""
                          : std::to_string(this->thin) + " of " + std::to_string(this->all) +
-                             " places of its border are one element thick, and felt stiffer than they are: mesh it "
-                             "finer, two elements are enough";
+                             " places of the body are one element thick and therefore feel too stiff: use a finer "
+                             "mesh, with at least two elements across";
 }
 
 ThinPlaces thinPlacesOf(const TetraMesh& mesh)

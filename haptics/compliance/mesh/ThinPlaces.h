@@ -15,7 +15,7 @@ struct ThinPlaces
   std::size_t thin = 0;
   std::size_t all = 0; ///< vertices of the border
 
-  /// What is to be said of it; empty where two elements lie between the sides everywhere.
+  /// The message; empty where two elements lie between the sides everywhere.
   [[nodiscard]] std::string sentence() const;
 };
 

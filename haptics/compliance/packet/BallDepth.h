@@ -16,7 +16,7 @@ struct PatchRung
   double compliance = 0.0; ///< [u/N]
 };
 
-/// How deep a ball goes into a surface under a force, by what patches around the place say.
+/// Depth of a ball in a surface under a force, from the compliance of the patches around the contact.
 ///
 /// Pressure is taken as a paraboloid, whose radius makes the complementary energy W(a) F^2 / 2 + F G(a) stationary:
 /// W(a) is the compliance of a patch of that radius, G(a) the mean gap that the sphere leaves over it. In depth this is
@@ -34,7 +34,7 @@ public:
   [[nodiscard]] double lastRoot() const { return this->root_.back(); }
   /// How wide the paraboloid of pressure is under a force [u].
   [[nodiscard]] double contactUnder(double force_N) const;
-  /// What the ball goes in deeper than the last patch, its knots so far apart.
+  /// Depth of the ball beyond the last patch, with knots at this distance.
   [[nodiscard]] SubgridSpring springOf(double step) const;
 
 private:

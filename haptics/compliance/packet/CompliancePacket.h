@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// What a contact point needs of the surface that it is on: barycentric coordinates between three vertices.
+/// Position of a contact point on its surface: barycentric coordinates between three vertices.
 struct SurfacePoint
 {
   std::array<std::uint32_t, 3> vertices{};
@@ -36,15 +36,15 @@ struct SubgridSpring
 {
   static constexpr std::size_t knots = 13; ///< the first one at t = 0
 
-  double hertz = 0.0;  ///< (9 / (16 E*^2 r))^(1/3) [u N^(-2/3)]; 0: no ball, no spring
-  double patch = 0.0;  ///< .6587 / (E* a) [u/N]
-  double across = 0.0; ///< of the slope, what the contact gives along the surface (Mindlin 1949); 0: nothing
-  double step = 0.0;   ///< of t from knot to knot [N^(1/3)]
+  double hertz = 0.0;                  ///< (9 / (16 E*^2 r))^(1/3) [u N^(-2/3)]; 0: no ball, no spring
+  double patch = 0.0;                  ///< .6587 / (E* a) [u/N]
+  double across = 0.0;                 ///< slope of the tangential compliance of the contact (Mindlin 1949); 0: nothing
+  double step = 0.0;                   ///< of t from knot to knot [N^(1/3)]
   std::array<double, knots> depth_u{}; ///< at the knots
   std::array<double, knots> rise{};    ///< derivative of that by t
 };
 
-/// What the servo gets of a body that gives way: where its surface would be without the tool, and how the vertices near
+/// The servo's snapshot of a soft body: where its surface would be without the tool, and how the vertices near
 /// the tool answer to forces on one another. Immutable; made by a worker (PacketMaker), read by the servo.
 struct CompliancePacket
 {

@@ -10,7 +10,7 @@ namespace palpate
 /// Of 1 / (E* a): compliance of a half space under a patch's paraboloid of force, in the patch's own mean.
 inline constexpr double halfSpaceOfPatch = 2048.0 / (315.0 * std::numbers::pi * std::numbers::pi);
 
-/// Compliance of what lies below a patch, as that of a layer on a rigid base: with the one number `stiffening` it is
+/// Compliance below a patch, modelled as a layer on a rigid base: with the one number `stiffening` it is
 /// told apart from a half space, whatever the patch's radius is. 0 is the half space; above 0 it is 1 over the layer's
 /// thickness (Burmister 1945, the base holds the layer); below 0, where a body bends, it is as much softer everywhere.
 /// A worker's.
@@ -28,7 +28,7 @@ public:
 private:
   [[nodiscard]] double lackAt(double radiusInLayers) const;
 
-  /// What a layer takes from the half space's compliance, times its thickness over the radius: over the logarithm of
+  /// Reduction of the half space's compliance by a layer, times its thickness over the radius: over the logarithm of
   /// the radius in thicknesses, in equal steps.
   std::vector<double> lack_;
 };

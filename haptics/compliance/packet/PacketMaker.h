@@ -12,14 +12,14 @@
 namespace palpate
 {
 
-/// What the servo was doing at the tick that a packet is made from.
+/// The state of the servo at the tick of a snapshot.
 struct PacketRequest
 {
   std::uint64_t tick = 0;
   Vec3 ball_W = Vec3::Zero(); ///< in the free surface of the packet before [u]
   Vec3 velocity_u_per_s = Vec3::Zero();
   double radius_u = 0.0;             ///< of the ball; 0: a point, without the spring below the patch
-  double tip_u = 0.0;                ///< radius of what presses as a point; 0: as wide as a patch
+  double tip_u = 0.0;                ///< radius of a point contact; 0: as wide as a patch
   double period_s = 0.04;            ///< from packet to packet
   std::vector<SurfacePoint> forceAt; ///< where the tool presses, or may: the packet answers there in any case
   std::vector<Vec3> force_N;         ///< and how, on the body
@@ -33,7 +33,8 @@ struct PacketRequest
 class PacketMaker
 {
 public:
-  /// Of a packet: a neighbourhood of 30 mm on edges of 6 mm; what is further answers as the nearest of them does.
+  /// Of a packet: a neighbourhood of 30 mm on edges of 6 mm; further points have the compliance of the nearest node
+  /// inside.
   static constexpr std::size_t usualVertices = 96;
   /// Patches are the ball's radius halved so often at most.
   static constexpr int mostHalvings = 3;
@@ -47,14 +48,14 @@ public:
   {
   }
 
-  /// Brings the body to its rest under the tool's force by so many Newton steps, and reads off what the servo needs.
-  /// Null if a factor failed.
+  /// Brings the body to its rest under the tool's force by so many Newton steps, and extracts the snapshot for the
+  /// servo. Null if a factor failed.
   [[nodiscard]] std::shared_ptr<const CompliancePacket> make(const PacketRequest& request, int newtonSteps = 3);
   /// How many widths of patches something is kept of: no more than mostWidths.
   [[nodiscard]] std::size_t widths() const { return this->spreads_.size(); }
 
 private:
-  /// What is known of a body under contacts of one width.
+  /// Cached compliance of a body under contacts of one width.
   struct Spread
   {
     Spread(const SoftBody& body, const SoftSurface& surface, double spread_u)
@@ -87,7 +88,7 @@ private:
   SoftBody& body_;
   const SoftSurface& surface_;
   double naturalPeriod_s_;
-  std::vector<Vec3> untouched_W_;        ///< the surface under what the body bears always
+  std::vector<Vec3> untouched_W_;        ///< the surface under the permanent loads
   std::vector<Vec3> normals_W_;          ///< of its vertices, to either side; empty: not asked for yet
   std::optional<LayerCompliance> layer_; ///< of its material, likewise
   std::optional<BallDepth> under_;       ///< where the ball was in the last packet

@@ -6,7 +6,7 @@
 namespace palpate
 {
 
-/// A contact point and what its compliance is beyond that of the triangle's corners taken together.
+/// A contact point and its local compliance beyond the interpolated one of the triangle's corners.
 ///
 /// Between vertices the bilinear form of their compliance is up to 13 % too stiff (a patch of two edges), which is felt
 /// as facets. The mean of the corners' own compliance is that of a patch around the point within .5 %: `own` makes up
@@ -21,7 +21,7 @@ struct CompliantPoint
 [[nodiscard]] CompliantPoint compliantPoint(const CompliancePacket& packet, const SurfacePoint& at) noexcept;
 
 /// How `a` answers to a force on `b` [u/N]. Of any set of points this is a positive semidefinite matrix, and points
-/// that coincide share one compliance: what is beyond the bilinear form goes with distance by a kernel that is positive
+/// that coincide share one compliance: the local part decays with distance by a kernel that is positive
 /// definite though patches are not alike.
 [[nodiscard]] Mat3 complianceBetween(
   const CompliancePacket& packet, const CompliantPoint& a, const CompliantPoint& b) noexcept;

@@ -9,8 +9,8 @@
 namespace palpate
 {
 
-/// The border of a soft body as it is touched: each vertex is at its node, and gives way to what presses it with a
-/// patch of nodes. In the one order of cleanMesh(), so that a tree of it numbers its vertices alike.
+/// The border of a soft body as it is touched: each vertex is at its node, and yields elastically to a pressing contact
+/// with a patch of nodes. In the one order of cleanMesh(), so that a tree of it numbers its vertices alike.
 struct SoftSurface
 {
   std::vector<std::uint32_t> vertices;                 ///< nodes of the body that the border's corners are
@@ -19,7 +19,7 @@ struct SoftSurface
   std::vector<std::vector<std::uint32_t>> neighbours;  ///< along edges
   std::vector<double> edge_u;                          ///< mean length of the edges at each vertex
   std::vector<double> patch_u;                         ///< radius of its patch
-  std::vector<double> stiffness;                       ///< E* = E / (1 - nu^2) of what is below it [N/u^2]
+  std::vector<double> stiffness;                       ///< E* = E / (1 - nu^2) of the material below [N/u^2]
   double poisson = 0.0;                                ///< of the body
   std::shared_ptr<const BorderFaces> border;           ///< between the body's nodes
   SurfaceMap map;

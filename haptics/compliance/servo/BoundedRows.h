@@ -10,9 +10,9 @@
 namespace palpate
 {
 
-/// Rows whose forces have bounds: inside them a row does not move, at one it moves only the way that its force does not
-/// hinder. Gap = free + compliance force; the dual active set of Goldfarb & Idnani (1983), exact but for rounding. Rows
-/// that are held are independent, and inside their bounds.
+/// Rows whose forces have bounds: a row with a force inside its bounds does not move, a row at a bound moves only in
+/// the direction that its force does not hinder. Gap = free + compliance force; the dual active-set method of Goldfarb
+/// & Idnani (1983), exact except for rounding. Active rows are independent, and inside their bounds.
 ///
 /// Rows: count(), compliance(i, j), free(i), lowest(i), highest(i), and `most`, how many there may be. Forces begin at
 /// 0, which the bounds allow. Real-time safe.
@@ -30,13 +30,13 @@ public:
 
   [[nodiscard]] double gap(int i) const noexcept { return this->gapAndRounding(i).gap; }
   [[nodiscard]] double force(int i) const noexcept { return this->force_[i]; }
-  /// The rows that are held, in the order of the factor.
+  /// The active rows, in the order of the factor.
   [[nodiscard]] std::span<const int> held() const noexcept
   {
     return { this->closed_.data(), static_cast<std::size_t>(this->count_) };
   }
 
-  /// Of each row the force that it has at its bound; of those that are held none.
+  /// The force of each row at its bound; 0 for active rows.
   using Bounds = std::array<double, most>;
   [[nodiscard]] Bounds bounds() const noexcept
   {
@@ -47,10 +47,10 @@ public:
     }
     return bounds;
   }
-  /// Whether the same rows are held, and all others at the same bounds.
+  /// Whether the same rows are active, and all others at the same bounds.
   [[nodiscard]] bool isHeldAs(const Bounds& bounds) const noexcept { return this->bounds() == bounds; }
 
-  /// Holds every row that has no bounds. One that follows from those before has nothing to add, now or later.
+  /// Activates every row without bounds. A row that depends on earlier rows is redundant, now and later.
   void holdUnbounded() noexcept
   {
     for (int i = 0; i < this->rows_.count(); ++i)
@@ -72,7 +72,7 @@ public:
     this->resolve();
   }
 
-  /// The row that is violated most; -1: none by more than rounding.
+  /// The most violated row; -1: no violation above rounding.
   [[nodiscard]] int worst() const noexcept
   {
     int worst = -1;
@@ -90,8 +90,8 @@ public:
     return worst;
   }
 
-  /// Presses or pulls row i until its gap closes or its force is at its bound; those that come to theirs let go on the
-  /// way. Where it follows from the held ones it takes the place of one of them. Returns how many steps that took.
+  /// Increases the force of row i until its gap closes or its force reaches its bound; rows that reach their bounds on
+  /// the way become inactive. A row that depends on the active rows replaces one of them. Returns the number of steps.
   int close(int i) noexcept
   {
     const std::array<double, most> forces = this->force_;
@@ -108,7 +108,7 @@ public:
         way, gives ? std::numeric_limits<double>::epsilon() : dependentShare, std::min(std::max(needed, 0.0), own));
       if (leaves < 0 && std::isinf(length))
       {
-        // No force of it ends the overlap: the others contradict it. They stay as they were.
+        // No force of this row ends the overlap, because the other rows conflict with it. They stay unchanged.
         this->goBack(forces, std::span(closed.data(), static_cast<std::size_t>(count)));
         this->state_[i] = State::Contradicts;
         return steps;
@@ -123,7 +123,7 @@ public:
     }
   }
 
-  /// (rows of the held ones)^-1 x, in the order of held().
+  /// (matrix of the active rows)^-1 x, in the order of held().
   void solveHeld(std::array<double, most>& x) const noexcept
   {
     for (int k = 0; k < this->count_; ++k)
@@ -138,10 +138,10 @@ public:
   }
 
 private:
-  /// Share of a row's own compliance that the held ones leave free: less is rounding.
+  /// Share of a row's own compliance in its Schur complement; a smaller share is rounding.
   static constexpr double dependentBelow = 1e-12;
-  /// Share that a held row truly has in one that follows from the held ones: a smaller one is rounding, and nothing
-  /// else would end the step.
+  /// Smallest true share of an active row in a dependent row: a smaller share is rounding, and without this limit the
+  /// step would not end.
   static constexpr double dependentShare = 1e-9;
 
   enum class State : unsigned char
@@ -158,12 +158,12 @@ private:
   struct Step
   {
     double length = 0.0;
-    int leaves = -1; ///< place among the held; none: the whole step goes
+    int leaves = -1; ///< index among the active rows; none: the whole step is taken
   };
 
   [[nodiscard]] double a(int i, int j) const noexcept { return this->rows_.compliance(i, j); }
 
-  /// Below 0: the force may change so as to end it.
+  /// Negative: the force can still change to close the gap.
   [[nodiscard]] double missedBy(int i, double gap) const noexcept
   {
     if (gap < 0.0)
@@ -191,8 +191,8 @@ private:
     return { sum, 1e-14 * size };
   }
 
-  /// By how much the held ones' forces fall while i's grows by one, into shares_; returns what compliance they leave
-  /// it.
+  /// Sensitivity of the active forces to row i, stored in shares_. Returns the Schur complement (free compliance) of
+  /// row i.
   [[nodiscard]] double sharesOf(int i) noexcept
   {
     double free = this->a(i, i);
@@ -224,7 +224,7 @@ private:
     }
   }
 
-  /// At most `length`: until the first force that goes to its bound on the way is there. Smaller shares do not count.
+  /// At most `length`: the step until the first force reaches its bound. Smaller shares do not count.
   [[nodiscard]] Step longestStep(double way, double leastShare, double length) const noexcept
   {
     Step step{ length };
@@ -255,7 +255,7 @@ private:
     }
   }
 
-  /// Row i after its last step: held, or at its bound where it goes on to move.
+  /// Row i after its last step: active, or at its bound and moving.
   void settle(int i, bool holds) noexcept
   {
     if (holds)
@@ -265,7 +265,7 @@ private:
     this->resolve();
   }
 
-  /// That one at the bound it has come to.
+  /// Deactivates a row at the bound that its force reached.
   void release(int place, double way) noexcept
   {
     const int i = this->closed_[place];
@@ -290,7 +290,7 @@ private:
     }
   }
 
-  /// Row i as the last one of the factor of what is held.
+  /// Appends row i to the factor of the active rows.
   void append(int i) noexcept
   {
     const double free = this->sharesOf(i);
@@ -300,7 +300,7 @@ private:
     this->state_[i] = State::Closed;
   }
 
-  /// What row i has to make up for: its free gap, and what the rows at their bounds press it by.
+  /// The right-hand side of row i: its free gap, and the displacement by rows at their bounds.
   [[nodiscard]] double openGap(int i) const noexcept
   {
     double sum = this->rows_.free(i);
@@ -314,7 +314,7 @@ private:
     return sum;
   }
 
-  /// Forces from the held set alone: no error of earlier steps stays.
+  /// Forces from the active set alone, without the errors of earlier steps.
   void resolve() noexcept
   {
     std::array<double, most> x;
@@ -334,7 +334,7 @@ private:
   std::array<State, most> state_;
   std::array<int, most> closed_{};
   int count_ = 0;
-  std::array<std::array<double, most>, most> l_; ///< Cholesky's factor of the held rows
+  std::array<std::array<double, most>, most> l_; ///< Cholesky factor of the active rows
   std::array<double, most> row_{};
   std::array<double, most> shares_{};
 };

@@ -42,7 +42,7 @@ struct ContactForces
 /// that the others contradict gets no force. Forces across are 0. Real-time safe.
 void solveGaps(const ContactProblem& problem, ContactForces& forces) noexcept;
 
-/// What the friction solver needs to work in: kept by who calls it.
+/// Workspace of the friction solver, owned by the caller.
 struct FrictionRoom
 {
   ContactProblem::Square jacobian;

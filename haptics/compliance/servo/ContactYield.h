@@ -17,10 +17,10 @@ namespace palpate
 /// Whether anything touched gives way.
 [[nodiscard]] bool givesWay(const SoftState& state) noexcept;
 
-/// The smallest patch of what gives way under the ball.
+/// The smallest soft patch under the ball.
 [[nodiscard]] double patchUnder(const SoftState& state) noexcept;
 
-/// What the contacts' forces come to.
+/// The solution for the contact forces.
 struct Yield
 {
   Vec3 force_N = Vec3::Zero();

@@ -15,7 +15,7 @@ namespace palpate
 /// each vertex. Clean; null where there are none.
 [[nodiscard]] std::shared_ptr<const TriangleMesh> heldFaces(const TriangleMesh& surface, const std::vector<bool>& held);
 
-/// What a ball is stopped at. Null where no face is one.
+/// The fixed faces that stop a ball. Null without such faces.
 [[nodiscard]] std::shared_ptr<const Scene> sceneOfHeld(const TriangleMesh& faces);
 
 /// Stops the ball of a tick at the held faces of the body that it sinks into. The contacts end at the body's free

@@ -24,7 +24,7 @@ struct PressedBody
   std::shared_ptr<const Scene> held; ///< of these faces; a recording has the faces alone
 };
 
-/// What the servo tells the worker of a soft body: where the ball is and how it presses.
+/// The servo's report to the worker of a soft body: position and force of the ball.
 struct BodyHand
 {
   static constexpr int most = GodObjectState::maxFeatures;
@@ -35,7 +35,7 @@ struct BodyHand
   Vec3 ball_W = Vec3::Zero();   ///< among the free surfaces [u]
   Vec3 velocity_u_per_s = Vec3::Zero();
   double radius_u = 0.0; ///< of a ball
-  double tip_u = 0.0;    ///< of what presses as a point
+  double tip_u = 0.0;    ///< of a point contact
   int count = 0;
   std::array<SurfacePoint, most> forceAt{};
   std::array<Vec3, most> force_N{}; ///< on the body

@@ -26,10 +26,10 @@ struct EnergyBalance
   double added_N = 0.0;  ///< along the force
 };
 
-/// What one tick adds along the force [N]: more where the hand goes in, less where it comes out, while more is stored
-/// than was taken. `step_u`: of the hand against the force, > 0: in; `felt_N`: what the hand really got in this step,
-/// `force_N`: what it would get now. Begins anew where there is no force. After Hannaford & Ryu (2002), with the energy
-/// that is stored known, so that it sees a gain while it arises.
+/// Correction of one tick along the force [N]: more where the hand goes in, less where it comes out, while more is
+/// stored than was taken. `step_u`: of the hand against the force, > 0: in; `felt_N`: the force on the hand in this
+/// step, `force_N`: the force without correction. Begins anew where there is no force. After Hannaford & Ryu (2002),
+/// with the energy that is stored known, so that it sees a gain while it arises.
 [[nodiscard]] double balanceEnergy(const EnergyBalancePlan& plan, double stored_Nu, double step_u, double felt_N,
   double force_N, EnergyBalance& balance) noexcept;
 

@@ -12,7 +12,7 @@ namespace palpate
 ///
 /// Where surfaces yield by u under the force f = K (y - p), f is that of a ball y - u among surfaces that do not yield,
 /// drawn to p - u. So the rigid core moves among the surfaces as they are without the tool (their packets' free_W), and
-/// stops at what it meets there; the contacts it rests on are solved exactly with the compliance that they share,
+/// stops at the first contact there; the contacts it rests on are solved exactly with the compliance that they share,
 /// coupling and friction included; and both take turns until they agree. It cannot pass through, as the core cannot.
 /// Where nothing soft is touched and nothing has yielded, the answer is the rigid core's, bit for bit.
 /// plan.coupling_N_per_m is here K [N/u]. Friction of soft contacts is kinetic. Deterministic, allocates nothing.
@@ -27,7 +27,7 @@ template<SceneView AnyScene>
 /// they are. `now` must outlive the next tick.
 void changePackets(std::span<const SoftTouch> now, SoftState& state) noexcept;
 
-/// Lets what changePackets() added fade: once a tick, before the ball moves.
+/// Fades the offset of changePackets(): once per tick, before the ball moves.
 void fadeChange(double dt_s, SoftState& state) noexcept;
 
 } // namespace palpate

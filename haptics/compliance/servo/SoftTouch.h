@@ -40,18 +40,18 @@ struct SoftContact
   Vec3 aside_W = Vec3::Zero();   ///< from the core to the ball as this contact had it where slip is counted from
 };
 
-/// What the servo keeps of a ball among things that give way.
+/// State of a ball among soft bodies, kept by the servo.
 struct SoftState
 {
   GodObjectState core;           ///< the ball among the free surfaces: in material space
   Vec3 yielded_W = Vec3::Zero(); ///< how far the surfaces under it have gone: the ball in W is there plus this
-  Vec3 offset_W = Vec3::Zero();  ///< of the surfaces: what the last change of packets would have moved them by, fading
+  Vec3 offset_W = Vec3::Zero();  ///< of the surfaces: fading offset of the last change of snapshots
   Vec3 lead_W = Vec3::Zero();    ///< by which friction holds the ball before the device, as the core is told [u]
   std::array<SoftContact, GodObjectState::maxFeatures> contacts{};
   int count = 0;
 };
 
-/// What a tick of contact is computed in: kept by its owner, so that nothing is allocated.
+/// Workspace of a tick of contact, kept by its owner, so that nothing is allocated.
 struct SoftRoom
 {
   ContactProblem problem;
@@ -59,7 +59,7 @@ struct SoftRoom
   FrictionRoom friction;
 };
 
-/// What one tick did.
+/// The result of one tick.
 struct SoftResult
 {
   Vec3 proxy_W = Vec3::Zero(); ///< the ball, where the surfaces have yielded to

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the system's BLAS and LAPACK do with dense blocks: column by column, `ld` numbers from one to the next.
+// Functions of the system's BLAS and LAPACK for dense blocks: column by column, `ld` numbers from one to the next.
 // NOLINTBEGIN(readability-identifier-naming) the names of BLAS
 extern "C"
 {

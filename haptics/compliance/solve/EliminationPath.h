@@ -20,7 +20,7 @@ public:
 
   /// Right sides as columns of E, one below the other: a row each, and a column for each place of the path.
   [[nodiscard]] Eigen::MatrixXd rightSides(const SparseColumns& e) const;
-  /// Y <- Y L^-T: what stands in each row was a right side b and is then L^-1 b.
+  /// Y <- Y L^-T: each row is a right side b before and L^-1 b after.
   void forward(Eigen::MatrixXd& y) const;
   /// Y <- Y L^-1: after forward() the answer on the path.
   void backward(Eigen::MatrixXd& y) const;

@@ -11,12 +11,12 @@ struct OldFactorAnswer
 {
   Eigen::VectorXd x;
   int iterations = 0;
-  bool reached = false; ///< what was asked for
+  bool reached = false; ///< the requested size
 };
 
 /// Solves K x = b by conjugate gradients, preconditioned by the factor of a matrix that K has moved on from, until the
-/// residual in the factor's own norm has fallen to a share of what it was, in at most so many iterations; each costs
-/// about one solve.
+/// residual in the factor's own norm has fallen to a share of its initial value, in at most so many iterations; each
+/// costs about one solve.
 [[nodiscard]] OldFactorAnswer solveByOldFactor(
   const SparseLower& k, const SparseFactor& old, const Eigen::VectorXd& b, double share, int most);
 

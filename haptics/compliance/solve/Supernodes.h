@@ -9,7 +9,7 @@ namespace palpate
 {
 
 /// Where the numbers of a factor L stand: columns of like pattern stand together as one dense block, a supernode.
-/// A view of what CHOLMOD's analysis found.
+/// A view of CHOLMOD's symbolic analysis.
 struct SupernodalView
 {
   int order = 0;

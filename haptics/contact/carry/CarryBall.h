@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// What moving surfaces did to the ball in a tick.
+/// The effect of moving surfaces on the ball in a tick.
 struct CarryResult
 {
   bool carried = false; ///< it was moved along or pushed
@@ -19,7 +19,7 @@ struct CarryResult
 /// Takes the ball along with the surfaces that moved between two moments, so that none passes it.
 ///
 /// A ball that a moving surface touches goes with that surface; a ball that a surface runs into is pushed before it.
-/// What counts is the ball's way relative to each surface, straight in that surface's own frame: this way must be free,
+/// The ball's path relative to each surface is straight in the frame of that surface. This path must be free,
 /// for a point exactly. Surfaces that close like scissors push together: by the least motion that keeps the ball in
 /// front of all of them. Where the surfaces leave no such place, the ball shrinks to its centre, which stays between
 /// them, and `pinned` is set. A centre between two parallel plates that meet has no place either and stays with the

@@ -29,7 +29,7 @@ template<SceneView AnyScene>
 [[nodiscard]] SweepHit sweepStraight(
   const AnyScene& scene, const ContactPlan& plan, double radius_u, const Vec3& from_W, const Vec3& to_W) noexcept;
 
-/// The place from which a point that comes straight from a free one stops short of what it would hit; `to_W` where it
+/// The place from which a point that comes straight from a free one stops short of its first contact; `to_W` where it
 /// hits nothing. The way to the result is free, exactly. AnyScene: Scene or MovingScene.
 template<SceneView AnyScene>
 [[nodiscard]] Vec3 stopBefore(
@@ -44,9 +44,9 @@ template<SceneView AnyScene>
 /// from one scene to the next, or between two moments of vertices that are on their way.
 ///
 /// Only where a triangle could have come over the ball on its straight way from old to new is anything done: the
-/// nearest point of the old surface goes with its triangle by barycentric coordinates, and what lay between it and the
+/// nearest point of the old surface goes with its triangle by barycentric coordinates, and the gap between it and the
 /// ball turns with the normals around it. From just above the new triangle, on the side where the ball was, the way to
-/// that place is swept exactly: what came between stops it. A ball is moved out of what it overlaps there.
+/// that place is swept exactly: a surface in between stops it. A ball is moved out of surfaces that it overlaps there.
 /// Beside a curve it goes with the curve's nearest point and back to where it was, as far as the curve lets it.
 /// True if that took the ball through another surface, or if another surface kept it from being taken: between the two
 /// there may be no room for it.

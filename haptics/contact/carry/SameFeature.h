@@ -10,8 +10,8 @@ namespace palpate
 {
 
 /// The feature of another scene whose corners have the same coordinates, to the bit: of a surface of which another part
-/// is there now, what is touched is often in both parts. Nothing where there is none, or where a surface is posed or
-/// moves. Bounded and allocation-free.
+/// is there now, the touched feature is often in both parts. Nothing where there is none, or where a surface is posed
+/// or moves. Bounded and allocation-free.
 [[nodiscard]] std::optional<ActiveFeature> sameFeature(
   const Scene& from, const ActiveFeature& feature, const Scene& to) noexcept;
 

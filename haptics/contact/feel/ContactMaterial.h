@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// What a surface is made of where it is touched.
+/// The material of a surface at the contact.
 struct ContactMaterial
 {
   double share = 1.0;               ///< felt stiffness over the coupling's, 0..1

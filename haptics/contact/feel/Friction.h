@@ -40,7 +40,7 @@ int listHeld(ContactSet<AnyScene>& contacts, const ProjectionResult& held, std::
   return held.count;
 }
 
-/// What friction lets the god-object do in a tick.
+/// The motion of the god-object that friction allows in a tick.
 struct FrictionVerdict
 {
   FrictionState motion = FrictionState::None;

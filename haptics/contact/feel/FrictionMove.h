@@ -7,8 +7,8 @@
 namespace palpate
 {
 
-/// One tick under friction. What friction lets the ball do is asked anew wherever a step ends: after a step over a bend
-/// the ball is held by other planes than those by which friction was judged.
+/// One tick under friction. The motion that friction allows is computed anew at the end of each step: after a step over
+/// a bend the ball is held by other planes than those by which friction was judged.
 template<SceneView AnyScene>
 class FrictionMove
 {
@@ -59,7 +59,7 @@ private:
     return judgeFriction(this->scene_, this->plan_, this->p_W_, this->state_);
   }
 
-  /// `landing`: no further than to what is touched first, for friction decides what becomes of the rest of the way.
+  /// `landing`: no further than to the first contact, because friction decides the rest of the path.
   void go(const Vec3& to_W, bool landing) noexcept
   {
     const ContactResult before = this->result_;
@@ -75,7 +75,7 @@ private:
     return this->state_.count == 0 || this->result_.capped || this->result_.overBudget || this->result_.infeasible;
   }
 
-  /// For a ball that has left the surface, or stands beside what seems to hold it: nothing drags any more.
+  /// For a ball that has left the surface, or stands beside its supposed contact: friction has no effect.
   [[nodiscard]] ContactResult goFreely() noexcept
   {
     this->state_.count = 0;

@@ -7,7 +7,7 @@
 namespace palpate
 {
 
-/// What holds the ball where it is, for a device at p.
+/// The planes that hold the ball, for a device at p.
 template<SceneView AnyScene>
 void holdShaded(const AnyScene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
   ContactResult& result) noexcept

@@ -8,10 +8,10 @@
 namespace palpate
 {
 
-/// What the coupling does to the hand where surfaces differ.
+/// The response of the coupling where surfaces differ.
 struct Response
 {
-  Vec3 pull_W = Vec3::Zero(); ///< what the coupling multiplies with its stiffness [u]
+  Vec3 pull_W = Vec3::Zero(); ///< the displacement that the coupling multiplies with its stiffness [u]
   double held_u2 = 0.0;       ///< the energy it holds, over half its stiffness [u^2]
 };
 
@@ -29,10 +29,10 @@ struct Response
 /// there a small closed way of the hand can take or give their force times that way.
 ///
 /// A texture of period L is felt up to the speed at which a period takes ten ticks. From there its height goes to the
-/// mean, and is the mean when a period takes five: what is faster could only buzz. At any one speed that is a potential
-/// too. The share of the texture changes with the speed only where the change leaves the coupling no more energy than
-/// it held: the texture fades on what is higher than the mean and returns in what is lower, so that no change of speed
-/// pays either.
+/// mean, and is the mean when a period takes five: a faster texture could only buzz. At any one speed that is a
+/// potential too. The share of the texture changes with the speed only where the change leaves the coupling no more
+/// energy than it held: the texture fades above its mean and returns below its mean, so that no change of speed pays
+/// either.
 ///
 /// `step_W`: way of the hand in the tick. `texture`: the share felt in the last tick, below 0 if nothing was held;
 /// becomes that of this one.

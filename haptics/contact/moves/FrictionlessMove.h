@@ -70,7 +70,7 @@ public:
     return this->tick_.result;
   }
 
-  /// True if nothing at all lies between ball and device, touched or not: what seems to hold the ball does not.
+  /// True if nothing at all lies between ball and device, touched or not: the supposed contacts do not hold the ball.
   [[nodiscard]] bool wayIsOpen() noexcept
   {
     if (this->tick_.x() == this->tick_.p_W || this->oneIsInTheWay())

@@ -109,7 +109,8 @@ template<SceneView AnyScene>
 }
 
 /// A point at a vertex is held by half-spaces. On a saddle not each of them is an obstacle, and which of them the point
-/// brought along depends on the way it came. So what holds the point is found anew from the surface itself.
+/// brought along depends on the way it came. So the planes that hold the point are computed anew from the surface
+/// itself.
 template<SceneView AnyScene>
 void reconsiderVertex(TickState<AnyScene>& tick) noexcept
 {
@@ -142,7 +143,8 @@ void reconsiderVertex(TickState<AnyScene>& tick) noexcept
   }
 }
 
-/// Forgets what holds the ball, once a tick, so that sweeps find its holders anew. False: that has been done already.
+/// Discards the planes that hold the ball, once per tick, so that sweeps find its holders anew. False: that has been
+/// done already.
 template<SceneView AnyScene>
 [[nodiscard]] bool startAnew(TickState<AnyScene>& tick) noexcept
 {

@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// What limits a straight slide: how far every holding feature supports it, and which one ends first.
+/// The limits of a straight slide: how far every holding feature supports it, and which one ends first.
 struct SlideLimit
 {
   double t = 1.0;
@@ -19,7 +19,7 @@ struct SlideLimit
   std::uint32_t lastFace = 0; ///< the face from which that edge was reached
 };
 
-/// How far feature i supports a slide along y, and what a ball comes to lie on there.
+/// Distance over which feature i supports a slide along y, and the next feature of the ball.
 template<SceneView AnyScene>
 [[nodiscard]] SlideLimit limitBy(TickState<AnyScene>& tick, int i, const Vec3& y) noexcept
 {

@@ -29,7 +29,7 @@ void returnStuck(TickState<AnyScene>& tick, const ActiveFeature& f, const Vec3& 
   }
 }
 
-/// Stops a point just before what it hits. Each committed way is one that the exact sweep found free.
+/// Stops a point just before its contact. The exact sweep has proven each committed path free.
 template<SceneView AnyScene>
 void stopPoint(TickState<AnyScene>& tick, const SweepHit& hit, const Vec3& to_W) noexcept
 {

@@ -30,7 +30,7 @@ inline constexpr double firstPart = 0.02;
   return Vec3::Constant(std::numeric_limits<double>::infinity());
 }
 
-/// What the moves of one tick share: the ball on its way, what it touches, and what that cost so far.
+/// State shared by the moves of one tick: the ball, its contacts, and the work so far.
 /// Only for the moves of a tick. Servo thread; no allocation.
 template<SceneView AnyScene>
 struct TickState
@@ -85,9 +85,9 @@ struct TickState
   [[nodiscard]] const VertexFan& fanAt(const ActiveFeature& f, std::uint32_t v) noexcept;
   /// Counts a look round all vertices that are touched.
   void countFans() noexcept;
-  /// Drops what no longer holds, never `keep`.
+  /// Drops contacts that no longer hold, never `keep`.
   void settle(const ActiveFeature* keep = nullptr) noexcept;
-  /// Adds what was hit, if anything, and drops what no longer holds.
+  /// Adds a new contact, if there is one, and drops contacts that no longer hold.
   void touch(const SweepHit& hit) noexcept;
   void forgetContacts() noexcept;
 
@@ -97,7 +97,7 @@ struct TickState
   const Vec3 start_W; ///< where the ball was before
   GodObjectState& state;
   PathSink* sink;
-  const double scale_u; ///< ball and thinnest curve: what a way is long or short against
+  const double scale_u; ///< ball and thinnest curve: the scale for long and short paths
   ContactSet<AnyScene> contacts;
   DepartedFaces left;
   Vec3 reconsideredAt_W = nowhere_W(); ///< where the holders of a point at a vertex were last looked for
@@ -161,7 +161,7 @@ SweepHit TickState<AnyScene>::sweepPast(
   query.resolution.include(to_W);
   query.touched = touched;
   const std::uint32_t left = this->plan.workBudget - std::min(this->plan.workBudget, this->result.work);
-  // Half of the ticks need one sweep only: gathering what is around pays from the second on.
+  // Half of the ticks need one sweep only: gathering the surroundings is worthwhile from the second on.
   const bool gather = this->result.sweeps >= 1 && (to_W - from_W).norm() <= this->gatheredWay_u();
   const SweepHit hit = sweepBall(this->scene, query, left, gather ? &this->near : nullptr);
   ++this->result.sweeps;

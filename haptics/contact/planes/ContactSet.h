@@ -32,7 +32,7 @@ public:
   {
     return surfaceOf(this->scene_, f.surface);
   }
-  /// Radius with which the ball rolls round f: its own and the coat of what it touches [u].
+  /// Radius with which the ball rolls round f: its own and the coat of the touched feature [u].
   [[nodiscard]] double radius(const ActiveFeature& f) const noexcept
   {
     return this->radius_u_ + sceneOf(this->scene_).surfaces()[f.surface].tree->data().coat_u;
@@ -53,7 +53,7 @@ public:
   int add(const ActiveFeature& f) noexcept;
   void remove(int i) noexcept;
   [[nodiscard]] bool has(const ActiveFeature& f) const noexcept { return this->isAmong(f, this->count()); }
-  /// After a move: normalises, drops what no longer supports the ball (never `keep`), merges what became equal.
+  /// After a move: normalises, drops planes that no longer support the ball (never `keep`), merges equal planes.
   void relinearise(const ActiveFeature* keep = nullptr) noexcept;
   /// Walks every touched face along a move that has been made from x_W - moved.
   void advanceFaces(const Vec3& from_W, const Vec3& moved) noexcept;
@@ -71,7 +71,7 @@ public:
     return this->radius_u_ > 0.0 ? 0.0 : this->raised_ * units * this->resolution_.del();
   }
   /// Keeps a point higher for the rest of the tick. The normal of a sliver is known so badly that the computed plane of
-  /// the sliver cuts through the sliver itself. What holds the point at the new height goes on holding it. False: the
+  /// the sliver cuts through the sliver itself. Planes that hold the point at the new height stay active. False: the
   /// point is as high as it may be.
   bool raise() noexcept;
 
@@ -85,7 +85,7 @@ private:
   double radius_u_;
   GodObjectState& state_;
   Resolution resolution_;
-  double raised_ = 1.0; ///< times the least lift: what raise() has doubled so far
+  double raised_ = 1.0; ///< multiple of the smallest lift, doubled by raise()
 };
 
 } // namespace palpate

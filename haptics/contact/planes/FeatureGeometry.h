@@ -45,7 +45,7 @@ template<class View>
 template<class View>
 [[nodiscard]] ActiveFeature normalised(const View& s, ActiveFeature f, const Vec3& x_W) noexcept;
 
-/// How many triangles are looked at to tell what feature f gives way to: for a vertex those round it, else none.
+/// Number of triangles examined for the successor of feature f: for a vertex its fan, else none.
 template<class View>
 [[nodiscard]] std::uint32_t fanOf(const View& s, const ActiveFeature& f) noexcept
 {

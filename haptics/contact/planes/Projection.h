@@ -16,7 +16,7 @@ struct PlaneRow
   double bound; ///< [u]
 };
 
-/// The point of the feasible set nearest to the target, and what holds it there.
+/// The point of the feasible set nearest to the target, and its active planes.
 struct ProjectionResult
 {
   Vec3 y = Vec3::Zero();

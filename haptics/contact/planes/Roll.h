@@ -29,7 +29,7 @@ struct RollPivot
   Vec3 w = Vec3::Zero();    ///< unit tangential direction in which the ball wants to go
   double limit = 0.0;       ///< tangent of the largest angle before it comes to lie on an incident face
   double turn = 0.0;        ///< tangent of the largest angle of this roll
-  double radius = 0.0;      ///< of the ball and the coat of what it rolls round [u]
+  double radius = 0.0;      ///< of the ball and the coat of its feature [u]
 };
 
 /// A side of a face, where the ball stops being held by it.

@@ -41,7 +41,7 @@ struct VertexFan
   }
 };
 
-/// What becomes of a fan at an edge of one face only.
+/// The end of a fan at a boundary edge.
 enum class FreeEdge : std::uint8_t
 {
   Ends, ///< it ends there

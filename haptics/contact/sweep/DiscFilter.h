@@ -41,7 +41,7 @@ public:
     __m128 h = _mm_andnot_ps(crosses, _mm_min_ps(absolute(h0), absolute(h1)));
     h = _mm_max_ps(zero, _mm_sub_ps(h, this->lost_));
     // Distance of the way from the disc's axis. Both are laid into the disc's plane first: differences of their squares
-    // would lose what is left of a long way that stands nearly upright on the disc.
+    // would lose the rest of a long path that stands nearly upright on the disc.
     const Triple across = alongPlane(q, n, h0), way = alongPlane(this->d_, n, hd);
     const __m128 safe = _mm_max_ps(dot(way, way), _mm_set1_ps(std::numeric_limits<float>::min()));
     const __m128 t =

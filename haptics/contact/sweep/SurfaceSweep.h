@@ -57,7 +57,7 @@ inline constexpr double longWay2 = 1e4;
 }
 
 /// The exact tests of one surface's faces, edges and vertices, and the best hit so far. All in the surface's own frame:
-/// a point is mapped there the same way each time, so that what is proven free stays free.
+/// a point is mapped there the same way each time, so that a proven path stays free.
 template<class Shape>
 class SurfaceSweep
 {
@@ -120,7 +120,7 @@ private:
   }
 
   /// True if the ball keeps so far from the plane of a face that it surely gets to neither face nor border: the quick
-  /// answer for most of what a ball that slides lies beside.
+  /// answer for most features beside a sliding ball.
   [[nodiscard]] bool staysAbove(const FaceRecord& face) const noexcept
   {
     const SweptBall& m = this->m_;
@@ -266,7 +266,7 @@ private:
   }
 
   /// The same for a way that is so long against the ball that squares of it would lose the radius: from where it comes
-  /// nearest, back by what is left of the radius there.
+  /// nearest, back by the rest of the radius there.
   [[nodiscard]] double timeOfEntry(const Vec3& w, const Vec3& d, double a) const noexcept
   {
     double t = -w.dot(d) / a;

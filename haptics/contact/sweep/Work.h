@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-/// What the steps of a tick cost, in units of about one visited node of a tree.
+/// Work of the steps of a tick, in units of about one visited node of a tree.
 /// Measured on fans and noise, not proven: a tick near the budget of 60,000 takes 1.2 to 1.3 ms, 20 ns a unit.
 namespace palpate::work
 {

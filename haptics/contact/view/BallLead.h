@@ -9,7 +9,7 @@ namespace palpate
 {
 
 /// A place that the ball comes from when a scene is taken: a surface that has come between that place and the ball
-/// stops it there, so what was outside stays outside.
+/// stops it there, so a ball outside stays outside.
 struct BallLead
 {
   std::uint64_t number = 0;   ///< each is followed once; 0: none

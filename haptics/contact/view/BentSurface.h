@@ -14,7 +14,7 @@ namespace palpate
 {
 
 /// A surface in its own frame at one moment of the way that its vertices make. Answers the same questions as
-/// SurfaceData. Only what is asked for is computed, triangles and boxes of the tree alike.
+/// SurfaceData. Only requested data are computed, triangles and boxes of the tree alike.
 /// Every vertex is moved on its own, the same way each time: faces that share one go on sharing it, bit for bit.
 class BentSurface
 {

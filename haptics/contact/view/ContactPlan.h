@@ -15,11 +15,11 @@ struct FrictionPlan
   [[nodiscard]] bool none() const noexcept { return this->statical == 0.0 && this->kinetic == 0.0; }
 };
 
-/// What the contact of a tick models, and how much work it may do. Part of every recording.
+/// The model of contact in a tick, and its work limit. Part of every recording.
 struct ContactPlan
 {
   double radius_u = 0.0;            ///< ball radius [u], >= 0; 0 is a point
-  double coupling_N_per_m = 1000.0; ///< of this tick, which sets it: what soft walls are compared with
+  double coupling_N_per_m = 1000.0; ///< of this tick, which sets it: the reference for soft walls
   FrictionPlan friction;
   /// A ball that is put where a point rests is moved off the face to the exact side of the point; else to the side that
   /// the face is turned to, as in recordings of before.

@@ -30,7 +30,7 @@ struct ActiveFeature
   friend bool operator==(const ActiveFeature&, const ActiveFeature&) = default;
 };
 
-/// What friction did in a tick.
+/// The result of friction in a tick.
 enum class FrictionState : std::uint8_t
 {
   None,   ///< no contact, or no friction
@@ -61,12 +61,11 @@ struct HeldPlane
   double depth_u = 0.0; ///< multiplier of the projection
 };
 
-/// What one tick of contact did.
+/// The result of one tick of contact.
 struct ContactResult
 {
   Vec3 proxy_W = Vec3::Zero();
-  Vec3 pull_W =
-    Vec3::Zero();       ///< what the coupling multiplies with its stiffness: proxy - device, or see SurfaceResponse
+  Vec3 pull_W = Vec3::Zero(); ///< the displacement of the coupling: proxy - device, or see SurfaceResponse
   double held_u2 = 0.0; ///< twice the energy the coupling holds, over its stiffness: |pull|^2, or see SurfaceResponse
   std::array<HeldPlane, 3> held{};
   int heldCount = 0;

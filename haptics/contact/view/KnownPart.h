@@ -8,8 +8,8 @@
 namespace palpate
 {
 
-/// How much of a whole a scene has, where the whole is too large to be here: all that is within a ball, exactly. What a
-/// hand finds there is what it would find in the whole as long as hand and proxy, with the ball that touches, are
+/// How much of a whole a scene has, where the whole is too large to be here: all that is within a ball, exactly. A hand
+/// feels there the same as in the whole as long as hand and proxy, with the ball that touches, are
 /// within.
 struct KnownPart
 {

@@ -37,7 +37,7 @@ public:
   [[nodiscard]] SweptBall toSurface(const SweptBall& m) const noexcept;
 
   [[nodiscard]] const SurfaceData& data() const noexcept { return this->data_; }
-  /// What it is in its own frame.
+  /// The surface in its own frame.
   [[nodiscard]] const BentSurface& shape() const noexcept { return this->shape_; }
   [[nodiscard]] FaceRecord face(std::uint32_t triangle) const noexcept;
   [[nodiscard]] std::array<Vec3, 3> cornersOf(std::uint32_t triangle) const noexcept

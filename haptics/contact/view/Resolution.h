@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// What double precision resolves where the ball is now: from the coordinates at hand,
+/// The resolution of double precision at the ball, from the coordinates at hand,
 /// never from the size of the scene.
 struct Resolution
 {
@@ -24,9 +24,9 @@ struct Resolution
   /// tol at most, so that what it rests on still touches. A move below 4 tol is no progress: each end is known to tol
   /// only.
   [[nodiscard]] double tol() const noexcept { return 64 * std::numeric_limits<double>::epsilon() * this->magnitude; }
-  /// What a projection may leave of a plane unsatisfied [u].
+  /// Largest violation of a plane after a projection [u].
   [[nodiscard]] double slack() const noexcept { return 0.25 * this->tol(); }
-  /// The largest error of a plane or of a corner that is believed [u], 6e-11 of a coordinate: what is known even worse,
+  /// The largest error of a plane or of a corner that is believed [u], 6e-11 of a coordinate: a larger error,
   /// as the normal of a sliver or the line of two planes that are all but parallel, tells nothing.
   [[nodiscard]] double mostError() const noexcept { return 4096 * this->tol(); }
 };

@@ -68,7 +68,7 @@ concept SceneView = requires(const T& scene, std::uint32_t i)
   return orientation(a, b, c, x_W);
 }
 
-/// What a tree is asked with: a surface that stands still is asked as it is.
+/// The argument of a query: a surface at rest is queried directly.
 [[nodiscard]] inline const SweptBall& inTree(const SurfaceData&, const SweptBall& m) noexcept
 {
   return m;
@@ -111,7 +111,7 @@ decltype(auto) askShape(const PosedSurface& s, Ask ask) noexcept
   return s.shape().bends() ? ask(s.shape()) : ask(s.data());
 }
 
-/// Calls ask(motion) with what the surface's tree is to be asked for a ball on its way.
+/// Calls ask(motion) with the argument of the surface's tree for a moving ball.
 template<class View, class Ask>
 decltype(auto) askTree(const View& s, const SweptBall& m, Ask ask) noexcept
 {

@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// What of a query does not change from leaf to leaf.
+/// The part of a query that is the same for all leaves.
 struct SweptBall
 {
   Vec3 x_W, e_W, d;

@@ -18,7 +18,7 @@ namespace palpate
 /// twice.
 using CellCorners = std::array<std::uint32_t, 8>;
 
-/// What cells are made of: places, a value at each, and which are the corners of what cell.
+/// Input of cells: points, a value at each, and the corners of each cell.
 struct CellParts
 {
   std::vector<Vec3> points_W;
@@ -37,7 +37,7 @@ class FieldCells
 {
 public:
   static constexpr std::uint32_t none = 0xffffffffU;
-  /// What one cell takes with its share of points, at most [bytes].
+  /// Largest memory of one cell with its share of points [bytes].
   static constexpr std::size_t bytesACell = 100;
 
   /// In the order of a tree, without cells that have a corner with no value, and points that no cell has.
@@ -52,7 +52,7 @@ public:
   {
     return static_cast<std::size_t>(cell[0]) < this->parts_.corners.size() && cell[1] == 0 && cell[2] == 0;
   }
-  /// How far a place is inside of what is there of the cells [u].
+  /// Depth of a point inside the loaded cells [u].
   [[nodiscard]] double roomAt_u(const Vec3& p_W) const noexcept
   {
     return this->parts_.reach_u - (p_W - this->parts_.centre_W).cwiseAbs().maxCoeff();

@@ -6,7 +6,7 @@
 namespace palpate
 {
 
-/// What friction lets a proxy do in a tick.
+/// The motion of a proxy that friction allows in a tick.
 struct IsoFriction
 {
   bool sticks = false;

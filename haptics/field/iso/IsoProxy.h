@@ -18,10 +18,10 @@ struct IsoPlan
   double yield_u = std::numeric_limits<double>::infinity(); ///< further than this the surface does not hold the hand
   double scrub_u = 0.0; ///< how far the felt surface may move in a tick while `level` changes; 0: at once
   FrictionPlan friction;
-  std::uint32_t passCap = 10; ///< what is left is done in the next tick: a capped proxy stands on its own side
+  std::uint32_t passCap = 10; ///< the rest is done in the next tick: a capped proxy stands on its own side
 };
 
-/// What is remembered from tick to tick. Directions at the surface are not: they are computed where the proxy is.
+/// State from tick to tick. Directions at the surface are not: they are computed where the proxy is.
 struct IsoState
 {
   static constexpr int mostCells = 5;

@@ -50,7 +50,7 @@ struct IsoSide
   double side = 1.0; ///< 1 or -1
 };
 
-/// What a proxy of an isosurface moves in: cells in which the scalar is trilinear, where they are, and the hand. A
+/// The space of a proxy on an isosurface: cells in which the scalar is trilinear, where they are, and the hand. A
 /// place is a cell and where in it. All lengths [u] are in axes of its own.
 class IsoSpace
 {
@@ -71,7 +71,7 @@ public:
   [[nodiscard]] virtual FieldSweepResult sweep(
     const IsoSide& of, const GridPlace& from, const Vec3& way_u) const noexcept = 0;
   [[nodiscard]] virtual Vec3 between_u(const GridPlace& from, const GridPlace& to) const noexcept = 0;
-  /// Least width of a cell there, what roundings are measured by, and the first step along a surface.
+  /// Least width of a cell there, the scale of roundings, and the first step along a surface.
   [[nodiscard]] virtual double least_u(const GridPlace& at) const noexcept = 0;
   [[nodiscard]] virtual double rounded_u(const GridPlace& at) const noexcept { return this->least_u(at); }
   [[nodiscard]] virtual double firstStep_u(const GridPlace& at) const noexcept = 0;

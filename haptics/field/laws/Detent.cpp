@@ -98,12 +98,11 @@ std::string setLevels(DetentPlan& plan, std::string_view text)
   std::vector<double> numbers;
   if (const std::string word = readNumbers(text, numbers); !word.empty())
   {
-    return "levels: '" + word + "' is no number; give numbers with commas between them";
+    return "levels: '" + word + "' is not a number; use numbers separated by commas";
   }
   if (numbers.size() > DetentPlan::mostLevels)
   {
-    return "levels: at most " + std::to_string(DetentPlan::mostLevels) +
-           " can be chosen; take equal distances for more";
+    return "levels: at most " + std::to_string(DetentPlan::mostLevels) + " can be chosen; use equal distances for more";
   }
   std::ranges::sort(numbers);
   DetentPlan changed = plan;

@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// What a field remembers from tick to tick.
+/// State of a field from tick to tick.
 struct FieldState
 {
   bool placed = false;

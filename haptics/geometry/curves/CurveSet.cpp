@@ -146,7 +146,7 @@ PlaneCurves curvesInPlane(const TriangleMesh& segments, const Pose& plane_WP)
   {
     if (!isSegment(corners) || std::max(corners[0], corners[1]) >= segments.vertices_W.size())
     {
-      found.refusal = "its lines name points that are not there";
+      found.refusal = "the lines refer to points that do not exist";
       break;
     }
     found.curves.segments.push_back({ corners[0], corners[1] });

@@ -214,7 +214,7 @@ SurfacePath over(const Part& part, const NearestPoint& from, const NearestPoint&
   {
     path.length_u += (path.points_W[i] - path.points_W[i - 1]).norm();
   }
-  return path.points_W.size() < 2 ? refused("no way was found over the surface between the two") : path;
+  return path.points_W.size() < 2 ? refused("no path on the surface was found between the two points") : path;
 }
 
 } // namespace
@@ -224,11 +224,11 @@ SurfacePath shortestPath(const SurfaceTree& surface, const Vec3& from_W, const V
   const SurfaceData& data = surface.data();
   if (data.coat_u > 0.0)
   {
-    return refused("lines have no surface to go over");
+    return refused("lines have no surface for a path");
   }
   if (!from_W.allFinite() || !to_W.allFinite())
   {
-    return refused("a place is not finite");
+    return refused("a point is not finite");
   }
   const NearestPoint from = nearestOn(data, from_W), to = nearestOn(data, to_W);
   if (from.triangle == to.triangle)
@@ -238,7 +238,7 @@ SurfacePath shortestPath(const SurfaceTree& surface, const Vec3& from_W, const V
   const double bound_u = lengthAlongEdges_u(data, from, to);
   if (bound_u == std::numeric_limits<double>::infinity())
   {
-    return refused("the two are on parts of the surface that do not hang together");
+    return refused("the two points are on parts of the surface that are not connected");
   }
   return over(Part(data, from, to, bound_u), from, to);
 }

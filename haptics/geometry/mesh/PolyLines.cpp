@@ -34,7 +34,7 @@ std::string refuseLineRadius(double radius_u, double largest_u)
   }
   else if (constexpr double thinnest = 1e-9; radius_u < thinnest * largest_u)
   {
-    refusal << "its line radius of " << radius_u << " is lost in the rounding of coordinates up to " << largest_u;
+    refusal << "its line radius of " << radius_u << " is below the rounding error of coordinates up to " << largest_u;
   }
   return refusal.str();
 }

@@ -301,7 +301,7 @@ std::string refuseUnclean(const TriangleMesh& mesh, bool segments)
     [&](const std::array<std::uint32_t, 3>& t) { return !isClean(mesh, t, segments); });
   return bad == mesh.triangles.end()
            ? ""
-           : "triangle " + std::to_string(bad - mesh.triangles.begin()) + " is not one that cleaning leaves";
+           : "triangle " + std::to_string(bad - mesh.triangles.begin()) + " is invalid after cleaning";
 }
 
 } // namespace palpate

@@ -286,7 +286,7 @@ SceneBuildResult SceneBuilder::assemble(const std::vector<SurfaceInput>& inputs)
     SurfaceReport& report = result.reports.emplace_back(kept.report);
     if (report.refusal.empty() && !RigidMotion{ pose_WS, pose_WS }.isRigid())
     {
-      report.refusal = "its pose is not rigid: its place must be finite and its rotation a unit quaternion";
+      report.refusal = "its pose is not rigid: the position must be finite and the rotation a unit quaternion";
     }
     if (kept.tree && report.refusal.empty())
     {

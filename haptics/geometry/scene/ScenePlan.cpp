@@ -103,8 +103,7 @@ void check(const TouchConditions& conditions)
       !std::isfinite(conditions.stiffness_N_per_m) || conditions.stiffness_N_per_m < 0.0 ||
       !std::isfinite(conditions.resolution_m) || conditions.resolution_m < 0.0)
   {
-    throw std::invalid_argument("a touch is planned with a scale and a penetration above zero and a stiffness and a "
-                                "resolution that are not negative");
+    throw std::invalid_argument("scale and penetration must be above 0, stiffness and resolution must not be negative");
   }
 }
 
@@ -150,7 +149,7 @@ std::string ScenePlan::sentence() const
        << this->deviation_m * this->conditions.stiffness_N_per_m << " N): ";
   if (!this->felt)
   {
-    text << "too little to be felt";
+    text << "below the perceptible force";
   }
   else
   {
@@ -158,7 +157,7 @@ std::string ScenePlan::sentence() const
   }
   if (this->sharpEdges > 0)
   {
-    text << "; " << this->sharpEdges << " edges sharper than 30 degrees are taken to be meant";
+    text << "; " << this->sharpEdges << " edges sharper than 30 degrees are kept as features";
   }
   return text.str();
 }

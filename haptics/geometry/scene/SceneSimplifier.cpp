@@ -34,7 +34,8 @@ std::string reasonToKeepCurves(
   }
   std::ostringstream reason;
   reason.precision(3);
-  reason << "coarser lines pay from " << rules.leastFine << " segments shorter than " << rules.fineBelow_u() << " u on";
+  reason << "coarser lines are worthwhile from " << rules.leastFine << " segments shorter than " << rules.fineBelow_u()
+         << " u on";
   return reason.str();
 }
 
@@ -42,7 +43,7 @@ std::string reasonToKeep(const Surface& surface, const SurfaceChoice& choice, bo
 {
   if (deforms || surface.motion.moves())
   {
-    return "what moves or deforms is touched as it is";
+    return "moving and deforming surfaces are not simplified";
   }
   if (surface.fields && !surface.fields->empty())
   {
@@ -54,7 +55,7 @@ std::string reasonToKeep(const Surface& surface, const SurfaceChoice& choice, bo
   }
   if (surface.tree->mesh().triangles.size() < rules.leastTriangles)
   {
-    return "simpler surfaces pay from " + std::to_string(rules.leastTriangles) + " triangles on";
+    return "simpler surfaces are worthwhile from " + std::to_string(rules.leastTriangles) + " triangles on";
   }
   return {};
 }

@@ -111,7 +111,7 @@ Simplification coarserSurface(
   const CoarserCurves coarser = coarsestWithin(lines.points_W, lines.segments, limits.limit_u, limits.stop);
   if (limits.stop.stop_requested())
   {
-    return refuse("it was stopped");
+    return refuse("the simplification was stopped");
   }
   if (coarser.segments.size() + leastGone > lines.segments.size())
   {

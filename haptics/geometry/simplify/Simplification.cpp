@@ -62,12 +62,12 @@ Simplification prove(const SurfaceTree& surface, std::shared_ptr<const SurfaceTr
                                : DistanceProof{};
   if (back.verdict != DistanceProof::Verdict::Within)
   {
-    return refusedBecause("it could not be proven that the simplified surface stays near enough");
+    return refusedBecause("the distance of the simplified surface could not be proven to be small enough");
   }
   if (crossingTriangles(*fewer, limits.stop) &&
       crossingTriangles(*fewer, unchangedTriangles(surface, *fewer), limits.stop))
   {
-    return refusedBecause("the simplified surface would cross itself");
+    return refusedBecause("the simplified surface would intersect itself");
   }
   return { std::move(fewer), std::max(there.bound_u, back.bound_u), {} };
 }
@@ -93,16 +93,16 @@ Attempt attempt(const SurfaceTree& surface, const std::vector<bool>& fixed, doub
   const std::optional<CollapsedMesh> fewer = collapseEdges(surface.mesh(), fixed, shareOf(limits, share));
   if (!fewer)
   {
-    return { refusedBecause("its triangles do not make a surface that edges can be collapsed on") };
+    return { refusedBecause("its triangles do not form a surface whose edges can be collapsed") };
   }
   CleanResult clean = cleanMesh(fewer->mesh);
   if (!clean.ok() || clean.report.collinear > 0)
   {
-    return { refusedBecause("nothing would be left of it"), true };
+    return { refusedBecause("no triangle would remain"), true };
   }
   if (2 * clean.mesh.triangles.size() > surface.mesh().triangles.size())
   {
-    return { refusedBecause("fewer than half of its triangles could go without being missed") };
+    return { refusedBecause("fewer than half of its triangles could be removed without a perceptible change") };
   }
   return { prove(surface, std::make_shared<const SurfaceTree>(std::move(clean.mesh)), limits), true };
 }
@@ -227,13 +227,14 @@ Simplification search(const SurfaceTree& surface, const SimplifyLimits& limits)
   const std::size_t mostAttempts = sample ? 1 : shares.size();
   std::vector<bool> fixed;
   std::size_t attempts = 0;
-  Simplification last = refusedBecause("in a sample of it no simpler surface could be proven to stay near enough");
+  Simplification last = refusedBecause("in a sample no simpler surface could be proven to be near enough");
   for (const double share : shares)
   {
     const Sample::Verdict verdict = sample ? sample->judge(share) : Sample::Verdict::Promising;
     if (verdict == Sample::Verdict::KeepsTooMuch)
     {
-      return refusedBecause("in a sample of it fewer than half of the triangles could go without being missed");
+      return refusedBecause(
+        "in a sample fewer than half of the triangles could be removed without a perceptible change");
     }
     if (verdict == Sample::Verdict::Unproven)
     {
@@ -256,16 +257,16 @@ Simplification simplifyWithin(const SurfaceTree& surface, const SimplifyLimits& 
 {
   if (!(limits.limit_u > 0.0) || !std::isfinite(limits.limit_u))
   {
-    return refusedBecause("a surface is simplified within a distance above zero");
+    return refusedBecause("the tolerance of the simplification must be above 0");
   }
   if (surface.coat_u() > 0.0)
   {
-    return refusedBecause("curves are touched as they are");
+    return refusedBecause("curves are not simplified");
   }
   SimplifyLimits afforded = limits;
   afforded.limit_u = affordable_u(surface, limits.limit_u);
   const Simplification result = search(surface, afforded);
-  return limits.stop.stop_requested() ? refusedBecause("it was stopped") : result;
+  return limits.stop.stop_requested() ? refusedBecause("the simplification was stopped") : result;
 }
 
 } // namespace palpate

@@ -32,7 +32,7 @@ std::string refusalOf(const SurfaceData& old, const std::vector<Vec3>& vertices_
   const auto bad = std::find_if(vertices_W.begin(), vertices_W.end(), [](const Vec3& v) { return !v.allFinite(); });
   if (bad != vertices_W.end())
   {
-    return "vertex " + std::to_string(bad - vertices_W.begin()) + " has moved to a place that is not finite";
+    return "vertex " + std::to_string(bad - vertices_W.begin()) + " has moved to a position that is not finite";
   }
   return {};
 }
@@ -42,7 +42,7 @@ std::string refusalOf(const SurfaceData& old, const std::vector<Vec3>& vertices_
   std::string refusal = refusalOf(old, vertices_W);
   if (way != nullptr && way->also.size() > mostPlaces)
   {
-    return "a surface comes from at most " + std::to_string(mostPlaces) + " places, not " +
+    return "a surface has at most " + std::to_string(mostPlaces) + " positions, not " +
            std::to_string(way->also.size());
   }
   for (std::size_t i = 0; way != nullptr && refusal.empty() && i < way->also.size(); ++i)
@@ -210,7 +210,7 @@ RefitResult SurfaceTree::refitted(
   LeafBoxes boxes(1 + also.size(), std::vector<Box>(data->leaves.size()));
   if (!refitLeaves(*data, old.faces, also, boxes))
   {
-    return { nullptr, old.coat_u > 0.0 ? "a segment has no length any more" : "a triangle has become collinear" };
+    return { nullptr, old.coat_u > 0.0 ? "a segment has lost its length" : "a triangle has become collinear" };
   }
   refitNodes(*data, boxes);
   data->coat_u = old.coat_u;

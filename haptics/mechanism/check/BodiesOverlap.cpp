@@ -261,7 +261,7 @@ const std::vector<BodyPair>& OverlapWatch::look(const Mechanism& mechanism, std:
 
 std::string overlapText(const BodyPair& pair)
 {
-  return "bodies \"" + pair.first + "\" and \"" + pair.second + "\" overlap: no law between them holds";
+  return "bodies \"" + pair.first + "\" and \"" + pair.second + "\" overlap: no active constraint joins them";
 }
 
 } // namespace palpate

@@ -71,7 +71,7 @@ public:
     this->tellSlipping(check);
     if (check.condition > badCondition)
     {
-      check.remarks.push_back("The laws are badly conditioned: two of them nearly say the same.");
+      check.remarks.push_back("The constraints are ill-conditioned: two of them are nearly linearly dependent.");
     }
   }
 
@@ -116,12 +116,13 @@ private:
       if (std::ranges::find(check.redundant, name) == check.redundant.end())
       {
         check.redundant.push_back(name);
-        check.remarks.push_back("Law \"" + name + "\" follows in part from the others.");
+        check.remarks.push_back("Constraint \"" + name + "\" is partly redundant.");
       }
       const double off_u = std::abs(this->problem_->free[row] - shares.dot(free));
       if (this->followsFromHeld(row, in, shares) && off_u > contradictsFrom * this->plan_.lever_u)
       {
-        check.faults.push_back("Law \"" + name + "\" contradicts the others: no place of the bodies meets them all.");
+        check.faults.push_back(
+          "Constraint \"" + name + "\" conflicts with the others: no configuration satisfies all of them.");
       }
     }
   }
@@ -169,8 +170,8 @@ private:
     }
     if (worst >= 0 && check.faults.empty())
     {
-      check.faults.push_back("Law \"" + this->mechanism_.laws[this->rows_->rows[worst].law].name +
-                             "\" contradicts the others: no place of the bodies meets them all.");
+      check.faults.push_back("Constraint \"" + this->mechanism_.laws[this->rows_->rows[worst].law].name +
+                             "\" conflicts with the others: no configuration satisfies all of them.");
     }
   }
 
@@ -193,7 +194,8 @@ private:
       if (free)
       {
         check.free.push_back(this->mechanism_.bodies[b].name);
-        check.remarks.push_back("Body \"" + this->mechanism_.bodies[b].name + "\" can move where no law holds it.");
+        check.remarks.push_back(
+          "Body \"" + this->mechanism_.bodies[b].name + "\" has degrees of freedom that no constraint restricts.");
       }
     }
   }
@@ -206,8 +208,9 @@ private:
     {
       if (this->plan_.bodies[b].load_W != Vec3::Zero() && this->problem_->along.middleCols(first, 3).isZero(0.0))
       {
-        check.faults.push_back("Nothing holds body \"" + this->mechanism_.bodies[static_cast<std::size_t>(b)].name +
-                               "\" against its load: join it by a law.");
+        check.faults.push_back("No constraint supports body \"" +
+                               this->mechanism_.bodies[static_cast<std::size_t>(b)].name +
+                               "\" against its load: add a constraint that does.");
       }
     }
   }
@@ -232,9 +235,10 @@ private:
     for (int k = factor.rank(); k < cones; ++k)
     {
       const MechanismLaw& law = this->mechanism_.laws[this->rows_->rows[first + factor.row(k)].law];
-      const std::string fault = "Law \"" + law.name +
-                                "\" rubs where nothing gives way, so nothing says how much of the friction is its own: "
-                                "let a soft body give way there, or use contact and dry friction.";
+      const std::string fault =
+        "Constraint \"" + law.name +
+        "\" has friction between rigid bodies, so that its share of the friction is undetermined: "
+        "make one of the bodies soft, or use contact and dry friction.";
       const bool said = std::ranges::find(check.faults, fault) != check.faults.end();
       if ((this->isBalanced(law.a) || this->isBalanced(law.b)) && !said)
       {
@@ -259,8 +263,8 @@ private:
     {
       if (law.kind == LawKind::Puncture && law.friction == 0.0 && !(this->grip_.turning_Nu_per_rad > 0.0))
       {
-        check.remarks.push_back(
-          "The tip of law \"" + law.name + "\" slips aside, as the device leaves its turn free: give it a friction.");
+        check.remarks.push_back("The tip of constraint \"" + law.name +
+                                "\" slips sideways, because the device leaves the rotation free: set its friction.");
       }
     }
   }
@@ -283,8 +287,9 @@ void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> sof
   check.overlaps = overlapsOf(mechanism, soft);
   for (const auto& [a, b] : check.overlaps)
   {
-    check.remarks.push_back("Bodies \"" + a + "\" and \"" + b +
-                            "\" overlap as they stand: but for the laws between them bodies pass through each other.");
+    check.remarks.push_back(
+      "Bodies \"" + a + "\" and \"" + b +
+      "\" overlap in the scene file: bodies without a constraint between them pass through each other.");
   }
 }
 
@@ -366,7 +371,7 @@ MechanismCheck checkMechanism(
   check.faults = faultsOf(mechanism, soft);
   if (!(grip.coupling_N_per_u > 0.0) || !(grip.turning_Nu_per_rad >= 0.0))
   {
-    check.faults.emplace_back("The hand holds nothing: give the device a stiffness above 0.");
+    check.faults.emplace_back("The hand holds no body: set a stiffness above 0.");
   }
   if (check.faults.empty())
   {

@@ -80,12 +80,12 @@ private:
     const auto most = [this](std::size_t count, std::size_t most, const std::string& what)
     {
       this->require(count <= most, "The mechanism has " + std::to_string(count) + " " + what + ", at most " +
-                                     std::to_string(most) + " can be felt: take some away.");
+                                     std::to_string(most) + " are supported: remove some.");
     };
     most(this->mechanism_.bodies.size(), Mechanism::mostBodies, "bodies");
     most(this->mechanism_.laws.size(), Mechanism::mostLaws, "laws");
     most(this->countOf(MechanismBodyKind::Held), 1, "bodies in the hand");
-    most(this->countOf(MechanismBodyKind::Rigid), mostRigid, "rigid bodies that nothing holds");
+    most(this->countOf(MechanismBodyKind::Rigid), mostRigid, "free rigid bodies");
     std::size_t rows = 0;
     for (const MechanismLaw& law : this->mechanism_.laws)
     {
@@ -100,9 +100,9 @@ private:
     const auto before = items.begin() + static_cast<std::ptrdiff_t>(i);
     const bool twice =
       std::any_of(items.begin(), before, [&](const auto& other) { return other.name == items[i].name; });
-    this->require(!items[i].name.empty(), "A " + what + " has no name: give it one.");
-    this->require(
-      !twice, "Two of the mechanism are called \"" + items[i].name + "\": give each " + what + " a name of its own.");
+    this->require(!items[i].name.empty(), "A " + what + " has no name: add a name.");
+    this->require(!twice,
+      "Two items of the mechanism have the name \"" + items[i].name + "\": give each " + what + " a unique name.");
   }
 
   void judgeBody(const MechanismBody& body, std::size_t i)
@@ -116,24 +116,24 @@ private:
                         body.load_W.allFinite() && body.load_W.norm() <= strongest_N;
     const bool soft = softNamed(this->soft_, body.name) && softNamed(this->soft_, body.name)->body;
     this->require(body.kind != MechanismBodyKind::Held || rod,
-      name + "has no length or no diameter: give it both, above 0 and at most 1e9.");
+      name + "has no length or no diameter: set both, above 0 and at most 1e9.");
     this->require(
-      body.kind != MechanismBodyKind::Rigid || box, name + "has no size: give it half sizes above 0 and at most 1e9.");
+      body.kind != MechanismBodyKind::Rigid || box, name + "has no size: set half sizes above 0 and at most 1e9.");
     this->require((body.kind != MechanismBodyKind::Rigid && body.kind != MechanismBodyKind::Held) || placed,
-      name + "stands nowhere: its pose is beyond 1e9, or its load beyond 1e6 N.");
-    this->require(body.kind != MechanismBodyKind::Soft || soft, name + "is not there: no soft body has that name.");
+      name + "has an invalid pose (beyond 1e9) or load (beyond 1e6 N).");
+    this->require(body.kind != MechanismBodyKind::Soft || soft, name + "is missing: no soft body has that name.");
   }
 
   void judgeLaw(const MechanismLaw& law, std::size_t i)
   {
-    this->judgeName(this->mechanism_.laws, i, "law");
-    const std::string name = "Law \"" + law.name + "\" ";
+    this->judgeName(this->mechanism_.laws, i, "constraint");
+    const std::string name = "Constraint \"" + law.name + "\" ";
     this->judgeNumbers(law, name);
     const int a = bodyNamed(this->mechanism_, law.a);
     const int b = bodyNamed(this->mechanism_, law.b);
     for (const auto& [body, of] : { std::pair(a, law.a), std::pair(b, law.b) })
     {
-      this->require(body >= 0, name + "joins \"" + of + "\", and no body has that name.");
+      this->require(body >= 0, name + "names \"" + of + "\", but no body has that name.");
     }
     if (a < 0 || b < 0)
     {
@@ -147,20 +147,19 @@ private:
   {
     const auto positive = [](double x) { return x > 0.0; }; // of what is no number, too
     const auto coefficient = [](double x) { return std::isfinite(x) && x >= 0.0; };
-    this->require(
-      positive(law.strength_N), name + "breaks at 0 N or less, so it holds nothing: give it a strength above 0.");
-    this->require(positive(law.tear_N), name + "is torn by 0 N or less: give its hole a strength above 0.");
-    this->require(positive(law.stiffness_N_per_u), name + "has no stiffness: give it one above 0.");
+    this->require(positive(law.strength_N), name + "breaks at 0 N or less: set a strength above 0 N.");
+    this->require(positive(law.tear_N), name + "tears at 0 N or less: set a strength of the hole above 0 N.");
+    this->require(positive(law.stiffness_N_per_u), name + "has no stiffness: set a stiffness above 0.");
     this->require(coefficient(law.friction) && coefficient(law.dryFriction_N),
-      name + "has a friction that is below 0 or no number.");
+      name + "has a friction that is negative or not a number.");
     const bool near = isNear(law.point_A) && isNear(law.point_B) && std::abs(law.rest_u) <= farthest_u;
-    this->require(near, name + "has a place beyond 1e9.");
+    this->require(near, name + "has a position beyond 1e9.");
     this->require(
       law.axis_A.allFinite() && law.axis_B.allFinite() && law.axis_A.norm() > 0.0 && law.axis_B.norm() > 0.0,
-      name + "has an axis without direction.");
+      name + "has an axis of length 0.");
     const bool bounded = std::abs(law.least_u) <= farthest_u || std::abs(law.most_u) <= farthest_u;
     this->require(law.kind != LawKind::Limit || (bounded && law.least_u <= law.most_u),
-      name + "contradicts itself: its least place is beyond its most, or it has neither.");
+      name + "has an empty range: 'least' must be below 'most', and at least one must be given.");
   }
 
   void judgeBodies(const MechanismLaw& law, const MechanismBody& a, const MechanismBody& b, const std::string& name)
@@ -168,13 +167,13 @@ private:
     const bool needle = law.kind == LawKind::Puncture || law.kind == LawKind::Insertion;
     const bool turns = law.kind == LawKind::Hinge || law.kind == LawKind::Slider;
     const auto is = [](const MechanismBody& body, MechanismBodyKind kind) { return body.kind == kind; };
+    this->require(!is(a, MechanismBodyKind::World) || !is(b, MechanismBodyKind::World),
+      name + "joins two bodies that cannot move.");
+    this->require(!needle || is(a, MechanismBodyKind::Held), name + "needs a rod in the hand as its first body.");
     this->require(
-      !is(a, MechanismBodyKind::World) || !is(b, MechanismBodyKind::World), name + "joins what does not move.");
-    this->require(!needle || is(a, MechanismBodyKind::Held), name + "is for a rod in the hand as its first body.");
-    this->require(
-      law.kind != LawKind::Puncture || is(b, MechanismBodyKind::Soft), name + "needs a soft body to go into.");
+      law.kind != LawKind::Puncture || is(b, MechanismBodyKind::Soft), name + "needs a soft body as its second body.");
     this->require(!turns || (!is(a, MechanismBodyKind::Soft) && !is(b, MechanismBodyKind::Soft)),
-      name + "turns a soft body, which has no turn of its own: attach it at two points instead.");
+      name + "rotates a soft body, which has no rotation of its own: attach the body at two points instead.");
     if (!needle)
     {
       this->judgePlace(a, law.point_A, name);

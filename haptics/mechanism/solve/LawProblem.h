@@ -9,14 +9,15 @@
 namespace palpate
 {
 
-/// The laws of a mechanism in the space of their rows: moved = free + compliance force + ways way, with forces between
-/// their bounds, and ways^T force + load = turns way. `ways` are those of bodies that nothing elastic holds: a device
-/// that leaves the turn free, a rigid body that rests on others. Turns count as the way of a lever's end, their moments
-/// as forces on it. Of fixed capacity: nothing is allocated. Some 40 kB: not for the stack.
+/// The constraints of a mechanism in the space of their rows: moved = free + compliance force + along u, with forces
+/// between their bounds, and along^T force + load = turns u. The degrees of freedom u (`ways`) belong to bodies without
+/// elastic support: a rod whose device leaves the rotation free, a rigid body that rests on others. Rotations are
+/// scaled by a lever arm so that all rows are lengths [u] and all multipliers forces [N]. The capacity is fixed:
+/// nothing is allocated. The size is some 40 kB: not for the stack.
 struct LawProblem
 {
   static constexpr int most = Mechanism::mostRows;
-  static constexpr int mostWays = 24; ///< three bodies that rest, a free turn, and room
+  static constexpr int mostWays = 24; ///< three bodies that rest, a free rotation, and a reserve
   using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
   using Ways = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, mostWays>;
@@ -29,47 +30,47 @@ struct LawProblem
   Numbers free;      ///< [u]
   Numbers lowest;    ///< of the forces [N]
   Numbers highest;
-  Ways along;      ///< how rows move when bodies do
-  Way load;        ///< [N] on those bodies
-  WaySquare turns; ///< [N/u] how the forces that are there hold what they pull on against turning: symmetric, >= 0
-  double yield_u_per_N = 1.0;              ///< the compliance to compare with: any, of the size of the others
-  int cones = 0;                           ///< Coulomb's contacts: the last rows, three each, a normal and two across
-  std::array<double, most / 3> friction{}; ///< coefficient of each, > 0; bounds are not theirs
+  Ways along;      ///< Jacobian: motion of the rows per motion of the bodies
+  Way load;        ///< [N] on these bodies
+  WaySquare turns; ///< [N/u] stiffness of the present forces against rotation of their bodies: symmetric, >= 0
+  double yield_u_per_N = 1.0; ///< scale of the compliances, for comparisons
+  int cones = 0;              ///< frictional contacts: the last rows, three each, one normal and two tangential
+  std::array<double, most / 3> friction{}; ///< coefficient of each, > 0; these rows have no bounds
 
-  /// For so many rows and ways; numbers are not set.
+  /// Sets the numbers of rows and degrees of freedom; values are not set.
   void resize(int rows, int freeWays) noexcept;
   [[nodiscard]] int bounded() const noexcept { return this->count - 3 * this->cones; }
 };
 
-/// What a problem comes to.
+/// The solution of a problem.
 struct LawForces
 {
   LawProblem::Numbers force_N;
   LawProblem::Numbers moved_u;
   LawProblem::Way way_u;
-  double residual_u = 0.0;   ///< by how much the laws are not met
-  double unbalanced_N = 0.0; ///< of the bodies that nothing elastic holds
+  double residual_u = 0.0;   ///< largest violation of a constraint
+  double unbalanced_N = 0.0; ///< residual of the balance of bodies without elastic support
   std::uint32_t work = 0;    ///< done, in the unit of ContactPlan::workBudget
-  bool capped = false;       ///< the laws are not met: the budget is used up, or nothing meets them
-  double damping = 0.0;      ///< of the last step towards balance; 0: there was none
+  bool capped = false;       ///< the constraints are not satisfied: budget exhausted, or no solution
+  double damping = 0.0;      ///< of the last Newton step; 0: no step
 };
 
-/// Where the steps towards balance begin.
+/// Start of the Newton steps.
 enum class LawStart : std::uint8_t
 {
-  Bodies, ///< where the bodies are
-  Before, ///< where they ended in the problem before, which differs little
+  Bodies, ///< the current configuration
+  Before, ///< the solution of the previous, similar problem
 };
 
-/// What the solver needs to work in: kept by who calls it.
+/// Workspace of the solver, owned by the caller.
 struct LawRoom
 {
-  LawProblem::Square stiffened; ///< compliance with what the free ways add
-  LawProblem::Numbers pressed;  ///< free, with what cones and free ways add
+  LawProblem::Square stiffened; ///< compliance plus the share of the free degrees of freedom
+  LawProblem::Numbers pressed;  ///< free, plus the shares of cones and free degrees of freedom
   LawProblem::Square conesAnswer;
   LawProblem::Ways conesWays;
-  ContactProblem::Square resists; ///< how the laws resist the free ways
-  LawProblem::WaySquare held;     ///< the part of what forces hold against turning
+  ContactProblem::Square resists; ///< resistance of the constraints to the free degrees of freedom
+  LawProblem::WaySquare held;     ///< the active part of the stiffness against rotation
   ContactProblem contacts;
   ContactForces contactForces;
   FrictionRoom friction;
@@ -77,17 +78,18 @@ struct LawRoom
   LawProblem::Ways answer;
 };
 
-/// What the solves of one tick may do together, in the unit of ContactPlan::workBudget: .5 ms on a machine where a
-/// needle in wall and liver takes 205 of it at most and a block that rubs on four springs 3,300
-/// (palpate-mechanism-bench). A turn that has begun is ended.
+/// Work limit of all solves of one tick, in the unit of ContactPlan::workBudget: 0.5 ms on a machine where a needle in
+/// wall and liver takes at most 205 units and a block with friction on four springs 3,300 (palpate-mechanism-bench).
+/// A started iteration is completed.
 inline constexpr std::uint32_t lawWorkBudget = 15000;
 
-/// Every law at once. Rows by the dual active set (BoundedRows.h). Cones by Coulomb's law (solveFriction) in what the
-/// held rows leave them. The free ways are the multipliers of the balance: Newton's steps on it, damped by a drag that
-/// fades (Kelley & Keyes 1998), begin where the bodies are, so that of several places of rest friction decides for the
-/// one that they come to. No compliance stands for "free". Where `budget` ends it, or no place is one of rest, forces
-/// are within their bounds and bodies go by a step against that drag. Forces begin at those of `forces` for cones. A
-/// start `Before` that does not lead to balance at once is left for one where the bodies are. Real-time safe.
+/// Solves all constraints together: rows by the dual active set (BoundedRows.h), cones by Coulomb friction
+/// (solveFriction) in the Schur complement of the active rows. Unconstrained degrees of freedom are solved as
+/// equilibrium multipliers by damped Newton (pseudo-transient continuation, Kelley & Keyes 1998) from the current
+/// configuration; with friction, this selects the equilibrium that is actually reached. No compliance stands for
+/// "free". If `budget` is exhausted, or there is no equilibrium, forces are within their bounds and bodies advance by
+/// one damped step. The forces of cones start at those in `forces`. If a start `Before` does not lead to balance at
+/// once, the solver starts again at the current configuration. Real-time safe.
 void solveLaws(const LawProblem& problem, LawRoom& room, LawForces& forces, std::uint32_t budget = lawWorkBudget,
   LawStart start = LawStart::Bodies) noexcept;
 

@@ -51,7 +51,8 @@ struct Bricks
   };
   static void read(ByteReader& payload, Recorded& recorded) { recorded.bricks.push_back(readBrick(payload)); }
   [[nodiscard]] static const auto& recorded(const Recorded& all) noexcept { return all.bricks; }
-  static constexpr const char* missing = "a field that was felt is not in it: it cannot be recomputed";
+  static constexpr const char* missing =
+    "a rendered field is missing in the recording, so that the recording cannot be recomputed";
 };
 
 } // namespace input

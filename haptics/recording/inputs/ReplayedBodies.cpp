@@ -25,7 +25,7 @@ std::string Bodies::Replay::take(const RecordedName& name, const Recorded& recor
   this->takeHeldFaces();
   const bool stops = !this->body_ || !this->body_->heldFaces || this->held_;
   return name.id != 0 && !(this->body_ && stops && fits(*this->body_, place.scene.get()))
-           ? "what a soft body gave way by is not in it: it cannot be recomputed"
+           ? "the compliance of a soft body is missing in the recording, so that the recording cannot be recomputed"
            : "";
 }
 
@@ -76,7 +76,7 @@ std::string Mechanisms::Replay::take(const RecordedName& name, const Recorded& r
   }
   if (!whole || !fits(place.state.mechanism, *found))
   {
-    return "a mechanism that was held is not in it: it cannot be recomputed";
+    return "a held mechanism is missing in the recording, so that the recording cannot be recomputed";
   }
   this->mechanism_ = std::make_shared<const FeltMechanism>(name.id, found->plan, std::move(bodies));
   return {};

@@ -15,8 +15,7 @@ namespace palpate
 class SceneLibrary
 {
 public:
-  static constexpr const char* missing =
-    "its scenes were left out or do not match: give the files they came from with --scene";
+  static constexpr const char* missing = "the scenes are missing or do not match: name their files with --scene";
 
   /// `given`: scenes that the recording left out, found by their meshes' hash.
   SceneLibrary(

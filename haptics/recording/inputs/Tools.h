@@ -54,7 +54,8 @@ struct Tools
   };
   static void read(ByteReader& payload, Recorded& recorded) { recorded.tools.push_back(readTool(payload)); }
   [[nodiscard]] static const auto& recorded(const Recorded& all) noexcept { return all.tools; }
-  static constexpr const char* missing = "what a tool touched is not in it: it cannot be recomputed";
+  static constexpr const char* missing =
+    "the surroundings of a tool are missing in the recording, so that the recording cannot be recomputed";
 };
 
 } // namespace input

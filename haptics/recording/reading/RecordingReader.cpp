@@ -97,7 +97,7 @@ private:
     if (!chunk.payload.ok() || chunk.payload.left() != 0)
     {
       return "is damaged: a part of kind " + chunk.name +
-             " is not what it should be, or another version of the program recorded it";
+             " has unexpected content, or comes from another version of the program";
     }
     return reader->kind.name == chunks::start.name && !isPossible(this->recording_) ? impossible : "";
   }

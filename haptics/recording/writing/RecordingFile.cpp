@@ -112,7 +112,8 @@ std::string RecordingFile::close(const std::vector<char>& endChunk)
   {
     return path + " could not be written to its end: is the disk full?";
   }
-  return this->isFull() ? path + " is where the disk became full: what was recorded until then is kept" : "";
+  return this->isFull() ? path + " could not grow, because the disk is full: the recording up to this point is kept"
+                        : "";
 }
 
 } // namespace palpate

@@ -18,7 +18,7 @@ std::unique_ptr<MechanismBodies> MechanismBodies::make(
     auto first = maker ? maker->press(pressed, 0.0) : nullptr;
     if (!first)
     {
-      refusal = input.name + ": " + (refusal.empty() ? "its stiffness cannot be factored" : refusal);
+      refusal = input.name + ": " + (refusal.empty() ? "its stiffness matrix is singular" : refusal);
       return nullptr;
     }
     made->asMade_.push_back(std::make_shared<const CheckedTetras>(maker->checked()));

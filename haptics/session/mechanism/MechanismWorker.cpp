@@ -48,7 +48,7 @@ void MechanismTask::giveUp()
     [](MechanismStatus& status, const Order&)
     {
       status = {};
-      status.problem = "the mechanism's soft bodies are too large: memory is used up; mesh them coarser";
+      status.problem = "not enough memory for the soft bodies of the mechanism: use a coarser mesh";
     });
 }
 
@@ -182,8 +182,11 @@ void MechanismTask::watchOverlaps(const MechanismHand* hand)
 void MechanismTask::publish(bool all)
 {
   this->channel_.report(
-    [all](MechanismStatus& status, const Order&) {
-      status.problem = all ? "" : "a soft body's stiffness can no more be factored: it stays as it was; let go of it";
+    [all](MechanismStatus& status, const Order&)
+    {
+      status.problem = all ? ""
+                           : "The stiffness matrix of a soft body is no longer positive definite (the body is "
+                             "overloaded). The last shape is kept; release the body";
     });
   const bool others = this->bodies_->changed();
   if (!all || (this->published_ && !others))

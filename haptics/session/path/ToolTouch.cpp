@@ -25,7 +25,8 @@ std::string refuseHold(const ToolHold& hold)
   }
   if (!(hold.friction >= 0.0 && hold.friction <= largestToolFriction))
   {
-    return "the friction of a tool must be a number from 0 to 1: where contacts wedge, more has no one answer";
+    return "the friction of a tool must be a number from 0 to 1: a larger friction has no unique solution where "
+           "contacts wedge";
   }
   return positive(hold.lever_u.value_or(1.0)) ? "" : "the lever of a tool must be a finite number above 0";
 }

@@ -26,13 +26,13 @@ const char* whyByProgram(const DeviceInfo& device, const PlaneWishes& wishes)
 {
   if (!device.abilities.holdsWalls)
   {
-    return ", for the device holds none";
+    return ", because the device holds none";
   }
   if (!device.closesWalls())
   {
-    return ", for the device has no viscosity, without which corridors shake";
+    return ", because the device has no viscosity and corridors would vibrate";
   }
-  return !wishes.holdWalls ? ", as was asked for" : ", for the plane does not lie across the device";
+  return !wishes.holdWalls ? ", as set" : ", because the plane is not the plane of the device";
 }
 
 } // namespace
@@ -86,18 +86,18 @@ std::string planeSentence(const HapticParameters& parameters, const PlaneWishes&
   text << ", in one plane: ";
   if (parameters.walls.hold && device.closesWalls())
   {
-    text << "at most four walls are held by the device itself, moved on at " << 1.0 / parameters.walls.every_s
-         << " Hz: a slide of " << slide_m_per_s << " m/s along a slant is braked by " << drag_N << " N";
+    text << "the device itself holds at most four walls, updated at " << 1.0 / parameters.walls.every_s
+         << " Hz: sliding at " << slide_m_per_s << " m/s along a slanted wall meets a drag of " << drag_N << " N";
   }
   else if (!device.closesWalls() && device.offersWalls)
   {
-    text << "walls are closed by the program, for the device offers to hold them, but " << whyNotHeld;
+    text << "the program renders the walls: the device offers walls of its own, but " << whyNotHeld;
   }
   else
   {
-    text << "walls are closed by the program" << whyByProgram(device, wishes);
+    text << "the program renders the walls" << whyByProgram(device, wishes);
   }
-  text << (parameters.guide.on && parameters.guide.largest_N > 0.0 ? "; the hand is led to the plane" : "");
+  text << (parameters.guide.on && parameters.guide.largest_N > 0.0 ? "; the hand is guided to the plane" : "");
   return text.str();
 }
 

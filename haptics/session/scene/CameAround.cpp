@@ -264,10 +264,10 @@ StayOutside stayOutside(
   const bool tooHard = parameters.stiffness_N_per_m * depth_m > parameters.safety.maxForce_N;
   StayOutside verdict;
   verdict.letGo = holder == HandHolder::Device && tooHard;
-  verdict.sentence = around.surface + " has come around the hand, which stays outside: " +
-                     (holder == HandHolder::Mouse ? "it begins anew in front of it"
-                       : verdict.letGo            ? "move out of it, then the force comes back"
-                                                  : "it presses on it from there");
+  verdict.sentence = around.surface + " moved over the hand, which stays outside: " +
+                     (holder == HandHolder::Mouse ? "contact restarts in front of the surface"
+                       : verdict.letGo            ? "move out of the surface, then the force returns"
+                                                  : "contact continues from there");
   return verdict;
 }
 

@@ -130,7 +130,8 @@ HapticState ofFieldAlone(HapticState state) noexcept
 
 std::string pointSentence(const FieldPlan& plan, double radius_u)
 {
-  return plan.isosurface && radius_u > 0.0 ? "an isosurface is felt by a point in the middle of the ball" : "";
+  return plan.isosurface && radius_u > 0.0 ? "an isosurface is touched by a point at the centre of the proxy sphere"
+                                           : "";
 }
 
 std::string latticeSentence(const FieldPlan& plan, const MadeBrick& made, const Vec3& hand_W)
@@ -141,8 +142,8 @@ std::string latticeSentence(const FieldPlan& plan, const MadeBrick& made, const 
     return "";
   }
   std::ostringstream text;
-  text << "its surfaces are felt on points " << made.brick->finestAt(hand_W).grid().spacing_u.maxCoeff()
-       << " u apart there, not in its own cells: " << made.whyNoCells;
+  text << "its isosurfaces are rendered from samples " << made.brick->finestAt(hand_W).grid().spacing_u.maxCoeff()
+       << " u apart there, not from its own cells: " << made.whyNoCells;
   return text.str();
 }
 
@@ -162,12 +163,12 @@ std::string detentSentence(const FieldPlan& plan, double stiffness_N_per_u)
   }
   if (!(most_N > 0.0))
   {
-    return "smooth levels do not hold: nobody knows yet how steep its values are at most, or they are too many to say, "
-           "or two along an axis; let the levels click";
+    return "smooth levels cannot hold the hand: the largest gradient is still unknown, or there are too many values, "
+           "or only two samples along an axis; use Levels click";
   }
   std::ostringstream text;
-  text << std::setprecision(2) << "smooth levels hold with " << most_N
-       << " N: with more the hand would jump from level to level; put them further apart, or let them click";
+  text << std::setprecision(2) << "smooth levels hold with at most " << most_N
+       << " N: a larger force would make the hand jump between levels; increase Between levels, or use Levels click";
   return text.str();
 }
 
@@ -198,12 +199,12 @@ std::string levelSentence(const FieldPlan& plan, const FieldEnds& ends)
     return "";
   }
   std::ostringstream text;
-  text << "its values go from " << ends[0] << " to " << ends[1] << ": ";
+  text << "its values range from " << ends[0] << " to " << ends[1] << ": ";
   if (surface)
   {
-    text << "none of them is the isovalue " << plan.isovalue;
+    text << "they do not contain the isovalue " << plan.isovalue;
   }
-  text << (surface && levels ? ", and " : "") << (levels ? "no level is among them" : "");
+  text << (surface && levels ? ", and " : "") << (levels ? "they contain no level" : "");
   return text.str();
 }
 
@@ -216,11 +217,11 @@ std::string fieldSentence(const std::string& name, const MadeBrick& made, double
 {
   if (!made.brick && made.reach_u == 0.0)
   {
-    return name + ": its values around the hand are on their way";
+    return name + ": the samples around the hand are being loaded";
   }
   if (!made.brick)
   {
-    return name + ": " + (made.problem.empty() ? "the hand is outside of its values" : made.problem);
+    return name + ": " + (made.problem.empty() ? "the hand is outside of the field" : made.problem);
   }
   const BrickGrid& grid = made.brick->grid();
   std::string felt;
@@ -233,11 +234,11 @@ std::string fieldSentence(const std::string& name, const MadeBrick& made, double
        << " points, " << grid.spacing_u.maxCoeff() << " u apart";
   if (const std::shared_ptr<const Brick>& finer = made.brick->finer())
   {
-    text << ", and " << finer->grid().spacing_u.maxCoeff() << " u where its cells are smaller";
+    text << ", and " << finer->grid().spacing_u.maxCoeff() << " u where the cells are smaller";
   }
   if (const std::shared_ptr<const FieldCells>& cells = made.brick->cells())
   {
-    text << ", its surfaces in " << cells->parts().corners.size() << " cells themselves";
+    text << ", isosurfaces in " << cells->parts().corners.size() << " cells of the data";
     if (std::isfinite(cells->parts().reach_u))
     {
       text << ", " << cells->parts().reach_u << " u around the hand";
@@ -245,13 +246,13 @@ std::string fieldSentence(const std::string& name, const MadeBrick& made, double
   }
   if (std::isfinite(made.reach_u))
   {
-    text << ", " << made.reach_u << " u around the hand: in time for up to " << made.reach_u / scale_u_per_m / ahead_s
-         << " m/s";
+    text << ", " << made.reach_u << " u around the hand: sufficient for hand speeds of up to "
+         << made.reach_u / scale_u_per_m / ahead_s << " m/s";
   }
   if (made.error > 0.0)
   {
-    text << ", within " << std::setprecision(2) << 100.0 * made.error << " % of their range of what the cells have"
-         << std::setprecision(6);
+    text << ", within " << std::setprecision(2) << 100.0 * made.error
+         << " % of the data range of the values in the cells" << std::setprecision(6);
   }
   if (made.smoothness.passes > 0)
   {
@@ -259,9 +260,8 @@ std::string fieldSentence(const std::string& name, const MadeBrick& made, double
   }
   if (made.smoothness.noise > trappingNoise && !made.brick->cells())
   {
-    text << ": its noise of " << made.smoothness.noise
-         << " of a spacing traps a hand otherwise, and what is felt is the "
-         << "smoothed surface";
+    text << ": noise of " << made.smoothness.noise
+         << " of a spacing would trap a hand, so that the smoothed isosurface is rendered";
   }
   return text.str();
 }

@@ -162,7 +162,7 @@ void FeltScene::plan(const SimplifyPlan& plan)
   {
     std::for_each(this->choices_.begin(), this->choices_.end(),
       [part](SurfaceChoice& choice)
-      { choice.reason = part ? "it is what is around the hand" : "simpler surfaces are off"; });
+      { choice.reason = part ? "it is the part around the hand" : "simpler surfaces are off"; });
   }
   if (std::any_of(this->choices_.begin(), this->choices_.end(), searched) &&
       this->search_.follow(this->full_.scene, this->choices_, plan.rules, this->worker_.takeRevision()))

@@ -37,7 +37,7 @@ const Readout readouts[] = {
     "Largest proxy radius that can be computed within one tick, evaluated for each scene; infinite without a limit" },
   { "RadiusUsed", Number, "u", "", "Radius of the proxy" },
   { "DeliveredEnergy", Number, "J", "Energy", "Net work done on the hand; negative if the hand did work" },
-  { "ExcessEnergy", Number, "J", "Energy", "Energy this contact has returned beyond what its spring stores" },
+  { "ExcessEnergy", Number, "J", "Energy", "Energy this contact has returned in excess of the energy stored in its spring" },
   { "PeakExcessEnergy", Number, "J", "Energy", "Largest excess energy so far" },
   { "StabiliserForce", Number, "N", "Stabiliser",
     "Part of the current force that the passivity controller adds; zero in free air" },

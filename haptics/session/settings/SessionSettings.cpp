@@ -64,7 +64,7 @@ Setting at(SettingPlaces places, Setting setting)
   return setting;
 }
 
-/// Whoever feels along a path in the scene begins with another value than a session.
+/// Default used by Touch Along Path, where it differs from the session's.
 Setting along(double path, Setting setting)
 {
   setting.alongPath = path;
@@ -311,7 +311,7 @@ const Setting settings[] = {
     amount("FieldFullSpeed", "", "Full at length",
       "Vector length at which follow and push reach full force; 0: full force at any length", 0.0)),
   at({ .field = "stiffness.limitStiffness", .group = "stability" },
-    flag("LimitStiffness", "L&imit stiffness to what the device can hold",
+    flag("LimitStiffness", "L&imit stiffness to the stable range",
       "Limit the stiffness to the largest that device and rate can render stably (LargestStiffness). Off: a wall may "
       "vibrate",
       true)),

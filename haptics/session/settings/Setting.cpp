@@ -181,7 +181,7 @@ std::string refuse(const Setting& setting, std::span<const double> values, std::
   }
   std::string sentence(setting.sentence);
   sentence.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence.front())));
-  return std::string(said) + ": it must be " + allowedWithKind(setting) + ", not " + listed(values) + "; " + sentence;
+  return std::string(said) + ": must be " + allowedWithKind(setting) + ", not " + listed(values) + "; " + sentence;
 }
 
 } // namespace palpate

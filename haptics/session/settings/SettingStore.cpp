@@ -31,7 +31,7 @@ std::string refuse(const Setting& setting, const SettingValue& value)
   }
   if (value.numbers.size() != setting.defaults.size() || (!isText && !value.text.empty()))
   {
-    return std::string(setting.name) + ": it must be " + shapeOf(setting);
+    return std::string(setting.name) + ": must be " + shapeOf(setting);
   }
   return refuse(setting, value.numbers, spoken(setting));
 }

@@ -26,9 +26,9 @@ struct BodyShape
   double throughItself_u = 0.0;  ///< how much of the line below what presses most lies in the body twice; 0: none
 };
 
-/// What a person is told of a body that has passed through itself.
-inline constexpr const char* throughItselfText =
-  "it was pressed through itself, for a body does not meet itself: what is felt there is not its force";
+/// The message for a body that has passed through itself.
+inline constexpr const char* throughItselfText = "the body was pressed through itself, because self-contact is not "
+                                                 "modelled: the force there is wrong; press less deep";
 
 /// A soft body as it is to be seen.
 struct SeenBody

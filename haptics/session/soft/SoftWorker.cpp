@@ -38,7 +38,7 @@ void SoftTask::giveUp()
     [](SoftStatus& status, const Order&)
     {
       status = {};
-      status.problem = "the soft body is too large: memory is used up; mesh it coarser";
+      status.problem = "not enough memory for the soft body: use a coarser mesh";
     });
 }
 
@@ -89,8 +89,9 @@ void SoftTask::publish(std::shared_ptr<const PressedBody> body)
   this->channel_.report(
     [&](SoftStatus& status, const Order&)
     {
-      status.problem =
-        body ? "" : "the soft body's stiffness can no more be factored: it stays as it was; let go of it";
+      status.problem = body ? ""
+                            : "The stiffness matrix of the soft body is no longer positive definite (the body is "
+                              "overloaded). The last shape is kept; release the body";
       status.packets += body ? 1 : 0;
       status.shape = body ? shape : status.shape;
     });

@@ -40,12 +40,12 @@ std::string noWayOut(const SurfaceTree& surface, const Pose& surface_WS, const T
   const TriangleMesh& tool_B = tool.shape_B->mesh();
   if (isAround(surface, into(surface_WS, tool_W * tool_B.vertices_W.front())))
   {
-    return "is inside of a closed body and cannot get out: begin outside of it";
+    return "is inside a closed body and cannot leave: start outside of the body";
   }
   const Vec3 onSurface_W = surface_WS * surface.mesh().vertices_W.front();
   if (isInBoxOf(tool_B, surface, surface_WS, tool_W) && isAround(SurfaceTree(tool_B), into(tool_W, onSurface_W)))
   {
-    return "is closed all around what is shown and cannot be drawn off: begin beside it";
+    return "encloses the visible data and cannot be removed: start beside the data";
   }
   return {};
 }

@@ -73,12 +73,12 @@ ToolSurroundings surroundingsOf(const Scene& scene, const ToolMesh& tool)
   if (scene.bends())
   {
     return { nullptr, {},
-      "surfaces that bend cannot be touched with a tool: let the animation stand, or take the ball" };
+      "deforming surfaces cannot be touched with a tool: stop the animation, or use the proxy sphere" };
   }
   CleanResult clean = cleanMesh(trianglesOf(scene));
   if (!clean.ok())
   {
-    return { nullptr, {}, "nothing that is shown has triangles that a tool could touch: show a surface" };
+    return { nullptr, {}, "no visible data have triangles for a tool: show a surface" };
   }
   auto mesh = makeToolScene(std::move(clean.mesh), tool);
   std::string refusal = refuseScene(tool, *mesh);

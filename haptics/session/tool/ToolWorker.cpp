@@ -48,7 +48,7 @@ void ToolTask::giveUp()
   this->now_ = {};
   this->stands_ = false;
   this->publishNone(true);
-  this->report("what is shown is too large for a tool to touch: memory is used up; show less of it");
+  this->report("not enough memory to touch the visible data with a tool: show fewer data");
 }
 
 /// Beyond the largest ball of a scene a tick may fall behind, which its mesh beside the tick does less.

@@ -51,11 +51,11 @@ struct Contact
     }
     if (plan.passCap < 1 || plan.passCap > mostPasses || plan.workBudget < 1 || plan.workBudget > mostWork)
     {
-      return "the work of a tick must be 1 to 1024 passes and 1 to 10000000 units of work";
+      return "the work limit of a tick must be 1 to 1024 passes and 1 to 10000000 units of work";
     }
     if (!p.ballLead.from_W.allFinite())
     {
-      return "the place that the ball comes from [scene units] must be finite";
+      return "the previous position of the proxy [scene units] must be finite";
     }
     return nonNegative(plan.friction.kinetic) && plan.friction.kinetic <= plan.friction.statical &&
                plan.friction.statical <= mostFriction

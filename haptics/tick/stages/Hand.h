@@ -51,7 +51,7 @@ struct Hand
     }
     return p.map.offset_W.allFinite() && std::fabs(p.map.q_WD.norm() - 1.0) < unitRounding
              ? ""
-             : "the device's place in the scene must be finite and its rotation a unit quaternion";
+             : "the device's position in the scene must be finite and its rotation a unit quaternion";
   }
 
   struct State

@@ -39,8 +39,8 @@ struct Surroundings
   {
     const bool usable = p.known.centre_W.allFinite() && nonNegative(p.known.reach_u) && nonNegative(p.knownLate_s);
     return usable ? ""
-                  : "what is known around the hand: its place and reach [scene units] and the time [s] that a "
-                    "request may take must be finite, and not negative";
+                  : "loaded region around the hand: centre, reach [scene units] and time limit of a request [s] must "
+                    "be finite and not negative";
   }
 
   struct State

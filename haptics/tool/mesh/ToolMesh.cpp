@@ -90,22 +90,23 @@ std::string refusalOf(const TriangleMesh& raw, const CleanResult& clean)
   }
   if (!clean.ok())
   {
-    return "the tool cannot be touched with: " + clean.refusal;
+    return "the mesh cannot be a tool: " + clean.refusal;
   }
   if (clean.mesh.triangles.size() == 1)
   {
-    return "the tool is one triangle: take a mesh with two triangles or more";
+    return "the tool is one triangle: use a mesh with at least two triangles";
   }
   if (clean.mesh.triangles.size() > mostTriangles)
   {
     const double memory_MB = 1e-6 * bytesATriangle * static_cast<double>(clean.mesh.triangles.size());
-    return "the tool has " + std::to_string(clean.mesh.triangles.size()) + " triangles, which would take some " +
-           std::to_string(static_cast<int>(memory_MB)) + " MB and too long to follow a hand: simplify it to " +
-           std::to_string(mostTriangles) + " or fewer";
+    return "the tool has " + std::to_string(clean.mesh.triangles.size()) + " triangles, which would need about " +
+           std::to_string(static_cast<int>(memory_MB)) +
+           " MB and would be too slow to follow a hand: simplify the mesh to " + std::to_string(mostTriangles) +
+           " or fewer";
   }
   if (boundsOf(clean.mesh).diagonal().norm() > furthestParts * partsMeasure_u(clean.mesh))
   {
-    return "the parts of the tool lie far apart: take the one that the hand is to hold";
+    return "the parts of the tool lie far apart: use only the part for the hand";
   }
   return {};
 }
@@ -115,9 +116,7 @@ std::string refuseHandle(const TriangleMesh& mesh, const Vec3& handle_W)
   const Eigen::AlignedBox3d bounds = boundsOf(mesh);
   const bool near =
     handle_W.allFinite() && bounds.exteriorDistance(handle_W) <= furthestHandle * bounds.diagonal().norm();
-  return near ? ""
-              : "the handle lies far outside of the tool: move the handle nearer to it, or the mesh where its origin "
-                "is held";
+  return near ? "" : "the handle lies far outside of the tool: move the handle or the mesh closer";
 }
 
 double bytesOf(const BoxedMesh& shape)
@@ -152,7 +151,8 @@ ToolResult makeTool(const TriangleMesh& raw, const std::optional<Vec3>& handle_W
   CleanResult body = cleanMesh(moved); // far from the origin the shift rounds, and what is left of slivers must be seen
   if (!body.ok())
   {
-    result.refusal = "the tool lies so far from the origin that its triangles are lost in rounding: move it there";
+    result.refusal =
+      "the tool is so far from the origin that rounding destroys its triangles: move the tool closer to the origin";
     return result;
   }
   ToolMesh& tool = result.tool;
@@ -209,15 +209,15 @@ std::string describeFelt(const ToolMesh& tool, bool asBall)
   if (asBall)
   {
     const auto kilobytes = static_cast<long>(1e-3 * bytesOf(*tool.shape_B)) + 1;
-    return "felt as what it is, " + is + "; its " + std::to_string(tool.shape_B->mesh().triangles.size()) +
-           " triangles would take a thread and " + std::to_string(kilobytes) + " kB";
+    return "rendered as its exact shape, " + is + "; its " + std::to_string(tool.shape_B->mesh().triangles.size()) +
+           " triangles would need a thread and " + std::to_string(kilobytes) + " kB";
   }
   if (tool.simple->kind != SimpleShape::Kind::Ball)
   {
-    return is + ", felt by its mesh";
+    return is + ", rendered by its mesh";
   }
-  return is + (tool.ball_u() > 0.0 ? ", too large for a tick among so many triangles: felt by its mesh"
-                                   : ", held elsewhere than in its middle: felt by its mesh");
+  return is + (tool.ball_u() > 0.0 ? ", too large for a tick among so many triangles: rendered by its mesh"
+                                   : ", not held at its centre: rendered by its mesh");
 }
 
 } // namespace palpate

@@ -87,7 +87,7 @@ std::string ToolMove::place(const Pose& pose_W)
   if (!standsFree(this->near_, unit_W, front.way_u(), provenGap * this->restGap_u_))
   {
     this->gathering_ = true; // the list is made anew for where the tool stands
-    return "the tool meets the scene where it is to begin: begin where it is free";
+    return "the tool overlaps the scene at its start: start at a free position";
   }
   this->front_.emplace(std::move(front));
   this->pose_W_ = unit_W;

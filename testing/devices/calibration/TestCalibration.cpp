@@ -88,18 +88,18 @@ TEST(Calibration, EachWayOfBeingWrongIsNamed)
   const std::vector<std::pair<std::string, std::string>> bad = {
     { "", "not a calibration" },
     { replaced(good, "calibration 2", "calibration 3"), "version" },
-    { replaced(good, "calibration 2", "calibration 1"), "its directions mean something else" },
+    { replaced(good, "calibration 2", "calibration 1"), "convention for directions" },
     { replaced(good, "held felt", "held hot"), "line 7" },
     { replaced(good, "held felt\n", ""), "line 7" },
     { replaced(good, "low -0.06", "low nan"), "line 5" },
     { replaced(good, "low -0.06", "low -inf"), "line 5" },
     { replaced(good, "low -0.06", "low 1e999"), "line 5" },
     { replaced(good, "low -0.06", "low 0.04"), "no range" },
-    { replaced(good, "low -0.06", "low -1e9"), "not a length" },
+    { replaced(good, "low -0.06", "low -1e9"), "outside the lengths" },
     { replaced(good, "strength 0.5", "strength -0.5"), "strength" },
     { replaced(good, "sensor y-", "sensor x-"), "share a sensor" },
     { replaced(good, "motor x-", "motor y-"), "share a sensor or a motor" },
-    { replaced(good, "motor x-", "motor z-"), "axis that the device does not have" },
+    { replaced(good, "motor x-", "motor z-"), "axis that the device lacks" },
     { replaced(good, "motor x-", "motor x"), "line 5" },
     { replaced(good, "axis y", "axis z"), "line 6" },
     { replaced(good, "2026-01-31", "yesterday"), "date" },
@@ -167,7 +167,7 @@ TEST_F(CalibrationFiles, ADamagedFileGivesTheOneBeforeItAndSaysSo)
   const KeptCalibration kept = this->load();
   EXPECT_EQ(kept.calibration, unfelt);
   EXPECT_NE(kept.problem.find(this->file()), std::string::npos) << kept.problem;
-  EXPECT_NE(kept.problem.find("before it is used"), std::string::npos) << kept.problem;
+  EXPECT_NE(kept.problem.find("previous calibration is used"), std::string::npos) << kept.problem;
 
   // A new one takes the place of the damaged one, not of the good one.
   ASSERT_EQ(saveCalibration(this->folder(), second), "");

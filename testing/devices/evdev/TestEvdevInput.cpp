@@ -62,7 +62,7 @@ TEST(EvdevInput, AnAxisWithoutARangeIsRefused)
 {
   Reading stick(test::stickTraits());
   stick.port.axes[ABS_Y] = {};
-  EXPECT_NE(stick.input.begin().find("range of its axis 1"), std::string::npos);
+  EXPECT_NE(stick.input.begin().find("range for the axis 1"), std::string::npos);
 }
 
 // Before a device has said anything the kernel has 0 for every axis: an end, for most.

@@ -253,7 +253,7 @@ TEST(PidEngine, ASlowBlockLoadIsAwaitedButNotForEver)
   rig.device().slowLoads = 30;
   EXPECT_EQ(rig.engine.create(pid::spring).problem, "");
   rig.device().slowLoads = 1000;
-  EXPECT_NE(rig.engine.create(pid::spring).problem.find("never says"), std::string::npos);
+  EXPECT_NE(rig.engine.create(pid::spring).problem.find("does not confirm"), std::string::npos);
 }
 
 TEST(PidEngine, FeatureRequestsThatTimeOutComeShortOrWithAnotherIdAreSaid)
@@ -317,7 +317,7 @@ TEST(PidEngine, ADescriptorWithoutForceFeedbackIsRefused)
   const std::vector<std::uint8_t> whole = descriptorOf(layout);
   const std::vector<std::uint8_t> joystick{ 0x05, 0x01, 0x09, 0x04, 0xA1, 0x01, 0x09, 0x30, 0x75, 0x08, 0x95, 0x01,
     0x81, 0x02, 0xC0 };
-  EXPECT_NE(PidEngine::refusal(parseReportDescriptor(joystick)).find("gives no force"), std::string::npos);
+  EXPECT_NE(PidEngine::refusal(parseReportDescriptor(joystick)).find("no force"), std::string::npos);
   EXPECT_EQ(PidEngine::refusal(parseReportDescriptor(whole)), "");
 }
 

@@ -4,6 +4,7 @@
 #include "devices/common/DeviceNotes.h"
 #include "devices/hid/pid/PidKind.h"
 #include "testing/devices/hid/PidRig.h"
+#include "testing/support/Says.h"
 
 namespace palpate
 {
@@ -56,7 +57,7 @@ TEST(PidKind, WithoutForceAndVibrationItIsRefusedByName)
 {
   test::PidLayout springs = test::plainLayout();
   springs.effects = { 0x40, 0x41 };
-  EXPECT_NE(kindOfLayout(springs).problem.find("neither a constant force nor a vibration"), std::string::npos);
+  EXPECT_TRUE(test::says(kindOfLayout(springs).problem, { "neither", "constant", "vibration" }));
   test::PidRig rig(springs);
   EXPECT_NE(rig.device.open().find("plain stick"), std::string::npos);
 }
@@ -82,23 +83,21 @@ TEST(PidKind, WhatEachKindCannotDoIsSaid)
     test::PidRig rig(layout);
     return shortcomings(rig.device.info());
   };
-  const std::string unfelt = " It offers to hold walls by itself, but no check of the device has felt them yet: the "
-                             "program closes them, softer.";
-  EXPECT_EQ(notes(test::plainLayout()),
-    "It pushes along x and y only: what pushes along z is not felt. It moves along x and y only." + unfelt);
-  EXPECT_EQ(notes(test::wheelLayout()),
-    "It pushes along x only: what pushes along y and z is not felt. It moves along x only." + unfelt);
-  EXPECT_EQ(notes(test::rumbleLayout()),
-    "It pushes in no direction: contact and sliding are felt as vibration. It moves along x and y only.");
-  EXPECT_NE(notes(test::adapterLayout()).find("holds no walls by itself"), std::string::npos);
+  EXPECT_TRUE(test::says(notes(test::plainLayout()),
+    { "force along x and y only", "moves along x and y only", "walls of its own", "no device check", "softer" }));
+  EXPECT_TRUE(test::says(
+    notes(test::wheelLayout()), { "force along x only", "moves along x only", "walls of its own", "no device check" }));
+  EXPECT_TRUE(
+    test::says(notes(test::rumbleLayout()), { "no directed force", "vibration", "moves along x and y only" }));
+  EXPECT_EQ(notes(test::rumbleLayout()).find("walls"), std::string::npos);
+  EXPECT_NE(notes(test::adapterLayout()).find("holds no walls itself"), std::string::npos);
   test::PidLayout bare = test::plainLayout();
   bare.effects = { 0x26 };
-  EXPECT_NE(notes(bare).find("It has no viscosity. It cannot shake."), std::string::npos);
+  EXPECT_TRUE(test::says(notes(bare), { "no viscosity", "cannot vibrate" }));
   test::PidLayout shaky = test::plainLayout();
   std::erase(shaky.effects, 0x41);
-  EXPECT_NE(notes(shaky).find("It holds walls without viscosity, in which corridors shake: the program closes them"),
-    std::string::npos);
-  EXPECT_EQ(notes(shaky).find("It has no viscosity"), std::string::npos);
+  EXPECT_NE(notes(shaky).find("holds walls without viscosity"), std::string::npos);
+  EXPECT_EQ(notes(shaky).find("no viscosity"), std::string::npos);
   DeviceInfo ideal;
   ideal.simulated = true;
   EXPECT_EQ(shortcomings(ideal), "");

@@ -69,14 +69,14 @@ TEST(LineRun, AWorldStifferThanTheDeviceHoldsIsRefusedByNumber)
   LineWorld world = detents();
   world.detent_N = 1000.0;
   LineRun run;
-  EXPECT_NE(run.start(wheelLedTo(0.0), world).find("can be held"), std::string::npos);
+  EXPECT_NE(run.start(wheelLedTo(0.0), world).find("rendered stably"), std::string::npos);
   EXPECT_FALSE(run.running());
 }
 
 TEST(LineRun, ADeviceWithoutForceIsRefused)
 {
   LineRun run;
-  EXPECT_NE(run.start(std::make_unique<FedDevice>(), detents()).find("does not"), std::string::npos);
+  EXPECT_NE(run.start(std::make_unique<FedDevice>(), detents()).find("no force"), std::string::npos);
 }
 
 TEST(LineRun, OnItsOwnThreadItEndsWithoutForce)

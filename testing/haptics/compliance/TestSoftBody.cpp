@@ -212,7 +212,7 @@ TEST(SoftBody, WhatCannotBeComputedIsRefusedInWords)
   // 75 nodes that are free have more than 100 kB of stiffness.
   EXPECT_THAT(refusal([](SoftBodyInput& input) { input.mostBytes = 100'000; }), HasSubstr("mesh it coarser"));
   EXPECT_THAT(refusal([](SoftBodyInput& input) { input.fixed.assign(input.fixed.size(), true); }),
-    HasSubstr("nothing gives way"));
+    HasSubstr("leave some vertices free"));
   // A vertex that is in no tetrahedron and is not fixed does not make it one that gives way.
   EXPECT_THAT(refusal(
                 [](SoftBodyInput& input)
@@ -221,7 +221,7 @@ TEST(SoftBody, WhatCannotBeComputedIsRefusedInWords)
                   input.mesh.vertices_W.emplace_back(1.0, 1.0, 1.0);
                   input.fixed.push_back(false);
                 }),
-    HasSubstr("nothing gives way"));
+    HasSubstr("leave some vertices free"));
   for (const double unit_m : { 0.0, -1.0, std::nan(""), 1e300 })
   {
     EXPECT_THAT(refusal([unit_m](SoftBodyInput& input) { input.unit_m = unit_m; }), HasSubstr("A unit of the scene"));

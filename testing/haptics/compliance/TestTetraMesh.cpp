@@ -7,6 +7,7 @@
 #include "Blocks.h"
 #include "haptics/compliance/mesh/FilledTwice.h"
 #include "haptics/compliance/mesh/ThinPlaces.h"
+#include "testing/support/Says.h"
 
 namespace palpate::test
 {
@@ -51,30 +52,31 @@ TEST(TetraMesh, FlatDoubledAndLooseOnesAreLeftOutAndTheOtherOrderIsTurnedRound)
   EXPECT_EQ(checked.report.loose, 1u);
   EXPECT_EQ(checked.mesh.tetras.size(), good);
   EXPECT_EQ(checked.mesh.vertices_W.size(), next);
-  EXPECT_THAT(checked.report.summary(), HasSubstr("1 that hang on nothing fixed left out"));
+  EXPECT_TRUE(test::says(checked.report.summary(), { "1", "connection", "removed" }));
 }
 
 TEST(TetraMesh, WhatCannotBeABodyIsRefusedInWords)
 {
   const TetraMesh mesh = blockOf({ 2, 2, 2 }, { 1, 1, 1 });
   EXPECT_THAT(checkTetras({}, {}).refusal, HasSubstr("no tetrahedra"));
-  EXPECT_THAT(checkTetras(mesh, std::vector<bool>(27, false)).refusal, HasSubstr("nothing of the body is fixed"));
-  EXPECT_THAT(checkTetras(mesh, fixedWhere(mesh, [](const Vec3& p) { return p.z() == 0.0 && p.y() == 0.0; })).refusal,
-    HasSubstr("three vertices of it that are not in line"));
+  EXPECT_TRUE(test::says(checkTetras(mesh, std::vector<bool>(27, false)).refusal, { "no fixed vertices" }));
+  EXPECT_TRUE(
+    test::says(checkTetras(mesh, fixedWhere(mesh, [](const Vec3& p) { return p.z() == 0.0 && p.y() == 0.0; })).refusal,
+      { "three", "vertices", "collinear" }));
   TetraMesh inverted = mesh;
   inverted.vertices_W[13] = Vec3(0.5, 0.5, 1.7); // the middle one, out through the lid
   EXPECT_THAT(checkOnFloor(inverted).refusal, HasSubstr("inverted"));
   TetraMesh noPoint = mesh;
   noPoint.vertices_W[4].x() = std::nan("");
-  EXPECT_THAT(checkOnFloor(noPoint).refusal, HasSubstr("no finite point"));
+  EXPECT_THAT(checkOnFloor(noPoint).refusal, HasSubstr("not finite"));
   noPoint.tetras[0][2] = 99;
-  EXPECT_THAT(checkOnFloor(noPoint).refusal, HasSubstr("no finite point"));
+  EXPECT_THAT(checkOnFloor(noPoint).refusal, HasSubstr("not finite"));
   SoftBodyInput tooLarge = pad(8);
   tooLarge.mostBytes = 1 << 20;
   EXPECT_THAT(makeSoftBody(tooLarge).refusal, HasSubstr("mesh it coarser"));
   SoftBodyInput held = pad(2);
   held.fixed.assign(held.fixed.size(), true);
-  EXPECT_THAT(makeSoftBody(held).refusal, HasSubstr("all of the body is fixed"));
+  EXPECT_TRUE(test::says(makeSoftBody(held).refusal, { "all vertices", "fixed" }));
   SoftBodyInput rigid = pad(2);
   rigid.young_Pa = { std::nan("") };
   EXPECT_THAT(makeSoftBody(rigid).refusal, HasSubstr("Young's modulus"));
@@ -85,7 +87,7 @@ TEST(ThinPlaces, AreThoseOneElementAwayFromTheOtherSideAndNotThoseAroundAnEdge)
   const auto placesOf = [](int through) { return thinPlacesOf(blockOf({ 6, 6, through }, Vec3(0.06, 0.06, 0.005))); };
   EXPECT_EQ(placesOf(1).all, 98u);  // 7 x 7 above and below
   EXPECT_GE(placesOf(1).thin, 50u); // but those of the rim, of which some have an element to the other side
-  EXPECT_THAT(placesOf(1).sentence(), HasSubstr("of 98 places of its border are one element thick"));
+  EXPECT_TRUE(test::says(placesOf(1).sentence(), { "98", "places", "element" }));
   EXPECT_EQ(placesOf(2).thin, 0u);
   EXPECT_EQ(placesOf(2).sentence(), "");
   EXPECT_EQ(thinPlacesOf(blockOf({ 4, 4, 4 }, Vec3(1, 1, 1))).thin, 0u);

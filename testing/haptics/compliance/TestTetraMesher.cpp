@@ -84,16 +84,16 @@ TEST(TetraMesher, WhatCannotBeFilledIsRefusedInWordsAndWorkEndsWhenTold)
   open.triangles.pop_back();
   EXPECT_THAT(meshInside(SurfaceTree(cleanMesh(open).mesh), { 0.3, 0.02 }).refusal, HasSubstr("has holes"));
   const SurfaceTree ball(cleanMesh(makeIcosphere(2, 1.0)).mesh);
-  EXPECT_THAT(meshInside(ball, { 0.001, 0.02 }).refusal, HasSubstr("give a longer edge"));
+  EXPECT_THAT(meshInside(ball, { 0.001, 0.02 }).refusal, HasSubstr("use a longer edge"));
   EXPECT_THAT(meshInside(ball, { 0.0, 0.02 }).refusal, HasSubstr("above 0"));
   EXPECT_THAT(meshInside(ball, { 0.3, 1e-12 }).refusal, HasSubstr("too short"));
-  EXPECT_THAT(meshInside(ball, { 0.3, 1e-5, 3000 }).refusal, HasSubstr("give a longer distance"));
+  EXPECT_THAT(meshInside(ball, { 0.3, 1e-5, 3000 }).refusal, HasSubstr("use a larger distance"));
   EXPECT_EQ(meshInside(ball, { 0.3, 0.02 }, [](double) { return false; }).refusal, "cancelled");
   LabelImage nothing = twoBalls();
   nothing.labels.assign(nothing.labels.size(), 0);
   EXPECT_THAT(meshLabels(nothing, { 1.5, 0.3 }).refusal, HasSubstr("has no labels"));
   nothing.labels.pop_back();
-  EXPECT_THAT(meshLabels(nothing, { 1.5, 0.3 }).refusal, HasSubstr("not a number for each"));
+  EXPECT_THAT(meshLabels(nothing, { 1.5, 0.3 }).refusal, HasSubstr("not one value per voxel"));
 }
 
 } // namespace

@@ -397,7 +397,7 @@ TEST(CurveInput, ARadiusThatIsNoneIsRefusedWithItsReason)
   for (const auto& [radius, reason] : { std::pair(0.0, "its line radius is 0: it must be finite and above 0"),
          std::pair(std::nan(""), "its line radius is nan: it must be finite and above 0"),
          std::pair(-1.0, "its line radius is -1: it must be finite and above 0"),
-         std::pair(1e-12, "its line radius of 1e-12 is lost in the rounding of coordinates up to 1") })
+         std::pair(1e-12, "its line radius of 1e-12 is below the rounding error of coordinates up to 1") })
   {
     SurfaceInput input;
     input.name = "fibre";

@@ -88,7 +88,7 @@ TEST(HapticParameters, RefuseATickWithoutEndOrWithoutWork)
     {
       HapticParameters parameters;
       parameters.contact.*bound = bad;
-      EXPECT_NE(parameters.validate().find("work of a tick"), std::string::npos) << bad;
+      EXPECT_NE(parameters.validate().find("work limit of a tick"), std::string::npos) << bad;
     }
   }
 }

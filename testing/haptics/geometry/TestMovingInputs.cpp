@@ -304,7 +304,7 @@ TEST(MovingInputs, TheMeshOfATreeInItsOrderIsThatTreeAgain)
   TriangleMesh broken = *ordered.mesh;
   broken.triangles[3][2] = 1000000;
   ordered.mesh = std::make_shared<TriangleMesh>(broken);
-  EXPECT_EQ(SceneBuilder().build({ ordered }).reports[0].refusal, "triangle 3 is not one that cleaning leaves");
+  EXPECT_EQ(SceneBuilder().build({ ordered }).reports[0].refusal, "triangle 3 is invalid after cleaning");
 }
 
 TEST(MovingInputs, LinesInTheirOrderWithARadiusThatCannotBeAreRefusedAsAnyOthers)

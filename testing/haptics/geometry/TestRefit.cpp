@@ -9,6 +9,7 @@
 #include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/geometry/tree/SurfaceTree.h"
 #include "testing/support/Meshes.h"
+#include "testing/support/Says.h"
 #include "testing/support/TreeOf.h"
 
 namespace palpate::test
@@ -149,14 +150,14 @@ TEST(Refit, RefusesWhatCannotBeTouchedInOneSentence)
 
   std::vector<Vec3> fewer = good;
   fewer.pop_back();
-  EXPECT_EQ(tree.refitted(fewer).refusal, "the surface has 42 vertices, but there are positions for 41");
+  EXPECT_TRUE(test::says(tree.refitted(fewer).refusal, { "surface", "42 vertices", "positions", "41" }));
 
   std::vector<Vec3> broken = good;
   broken[7].y() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(tree.refitted(broken).refusal, "vertex 7 has moved to a place that is not finite");
+  EXPECT_TRUE(test::says(tree.refitted(broken).refusal, { "vertex 7", "not finite" }));
 
   const VertexWay three{ 1, { &good, &good, &good } };
-  EXPECT_EQ(tree.refitted(good, nullptr, &three).refusal, "a surface comes from at most 2 places, not 3");
+  EXPECT_TRUE(test::says(tree.refitted(good, nullptr, &three).refusal, { "at most 2 positions", "not 3" }));
 
   const auto& t = tree.mesh().triangles[5];
   std::vector<Vec3> flat = good;

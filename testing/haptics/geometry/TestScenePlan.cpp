@@ -103,7 +103,7 @@ TEST(ScenePlan, SaysHowManyTrianglesWouldSuffice) // row 17: N >= 5.83 R / (0.07
     EXPECT_NEAR(static_cast<double>(plan.trianglesNeeded), 5.83 * 50.0 / (0.07 * 1.0), 0.05 * 4164);
     EXPECT_DOUBLE_EQ(plan.deviation_m, plan.deviation_u / 1000);
     EXPECT_DOUBLE_EQ(plan.forceError, plan.deviation_m / 1e-3);
-    EXPECT_NE(plan.sentence().find(felt ? "would feel smooth" : "too little to be felt"), std::string::npos);
+    EXPECT_NE(plan.sentence().find(felt ? "would feel smooth" : "below the perceptible force"), std::string::npos);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "haptics/geometry/curves/CurveSet.h"
 #include "haptics/geometry/simplify/SurfaceDistance.h"
 #include "testing/support/Meshes.h"
+#include "testing/support/Says.h"
 
 namespace palpate::test
 {
@@ -57,9 +58,9 @@ TEST(SceneSimplifier, SaysAtFirstWhyASurfaceIsLeftAsItIs)
   SimplifyRules some = rules();
   some.leastTriangles = 1000; // between 320 and 1280
   const std::vector<SurfaceChoice> choices = chooseAtFirst(scene, { { false, true, false, false, false }, {} }, some);
-  const std::vector<std::string> reasons{ "coarser lines pay from 64 segments shorter than 0.0312 u on",
-    "what moves or deforms is touched as it is", "its material comes from arrays",
-    "simpler surfaces pay from 1000 triangles on", "" };
+  const std::vector<std::string> reasons{ "coarser lines are worthwhile from 64 segments shorter than 0.0312 u on",
+    "moving and deforming surfaces are not simplified", "its material comes from arrays",
+    "simpler surfaces are worthwhile from 1000 triangles on", "" };
   ASSERT_EQ(choices.size(), reasons.size());
   for (std::size_t i = 0; i < reasons.size(); ++i)
   {
@@ -78,7 +79,7 @@ TEST(SceneSimplifier, EverySurfaceOfASceneThatMovesIsTouchedAsItIs)
   ASSERT_TRUE(scene.moves());
   for (const SurfaceChoice& choice : chooseAtFirst(scene, {}, rules()))
   {
-    EXPECT_EQ(choice.reason, "what moves or deforms is touched as it is");
+    EXPECT_TRUE(test::says(choice.reason, { "deforming", "surfaces", "simplified" }));
   }
 }
 
@@ -94,7 +95,7 @@ TEST(SceneSimplifier, ReplacesWhatPaysAndLeavesTheRestInItsPlace)
   EXPECT_EQ(simpler.choices[0].felt, simpler.scene->surfaces()[0].tree->mesh().triangles.size());
   EXPECT_LE(2 * simpler.choices[0].felt, fine);
   EXPECT_LE(simpler.choices[0].bound_u, ScenePlan::noticed * 1.0); // of a depth of 1 mm
-  EXPECT_EQ(simpler.choices[1].reason, "its facets are no finer than a hand feels");
+  EXPECT_TRUE(test::says(simpler.choices[1].reason, { "facets", "finer", "feels" }));
   EXPECT_EQ(simpler.choices[1].felt, simpler.choices[1].triangles);
 }
 
@@ -123,7 +124,7 @@ TEST(SceneSimplifier, CurvesAreFeltAtTheirCoarsestLevelAsTubesAndAsWalls)
   const std::vector<SurfaceChoice> first = chooseAtFirst(scene, traits, rules);
   EXPECT_EQ(first[0].triangles, count);
   EXPECT_EQ(first[1].triangles, count);
-  EXPECT_EQ(first[2].reason, "coarser lines pay from 64 segments shorter than 0.0312 u on");
+  EXPECT_TRUE(test::says(first[2].reason, { "coarser", "worthwhile", "64 segments", "0.0312 u" }));
   SceneSimplifier simplifier;
   const SimplerScene simpler = simplifier.simplify(scene, first, rules, 2);
   ASSERT_TRUE(simpler.scene);
@@ -154,7 +155,7 @@ TEST(SceneSimplifier, SaysWhyASurfaceItLookedForIsRefused)
   SceneSimplifier simplifier;
   const SimplerScene none = simplifier.simplify(scene, chooseAtFirst(scene, {}, rules()), rules(), 2);
   EXPECT_FALSE(none.scene);
-  EXPECT_EQ(none.choices[0].reason, "fewer than half of its triangles could go without being missed");
+  EXPECT_TRUE(test::says(none.choices[0].reason, { "triangles", "removed", "perceptible" }));
 }
 
 TEST(SceneSimplifier, KnowsASurfaceWhileItStaysAndUnderTheSameRules)

@@ -122,7 +122,7 @@ TEST(Simplification, RefusesWhatItCannotKeepItsWordFor)
   EXPECT_NE(
     simplifyWithin(SurfaceTree(cleanSegments(curve).mesh, 0.1), { 0.01 }).refusal.find("curves"), std::string::npos);
   EXPECT_FALSE(simplifyWithin(treeOf(makeSoup(300, 1.0, random)), { 0.01 }).tree);
-  EXPECT_NE(simplifyWithin(treeOf(makeIcosphere(3, 1.0)), { 0.0 }).refusal.find("above zero"), std::string::npos);
+  EXPECT_NE(simplifyWithin(treeOf(makeIcosphere(3, 1.0)), { 0.0 }).refusal.find("above 0"), std::string::npos);
   SimplifyLimits limits{ 0.1 };
   std::stop_source source;
   source.request_stop();
@@ -138,7 +138,7 @@ TEST(Simplification, ASampleRefusesALargeRoughSurfaceBeforeAllOfItIsTried)
   limits.progress = [&all](double) { all = true; };
   const Simplification none = simplifyWithin(rough, limits);
   EXPECT_FALSE(none.tree);
-  EXPECT_NE(none.refusal.find("in a sample of it"), std::string::npos) << none.refusal;
+  EXPECT_NE(none.refusal.find("in a sample"), std::string::npos) << none.refusal;
   EXPECT_FALSE(all); // only collapses on all of it are told
 }
 

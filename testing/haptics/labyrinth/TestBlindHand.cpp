@@ -135,7 +135,7 @@ TEST(BlindHand, SaysThatAWorldWithoutAWayHasNone)
   Labyrinth closed = hairpin();
   closed.curves.points_W[5] = { 4, 1 };
   const LabyrinthOutcome outcome = runBlind(closed, {});
-  EXPECT_NE(outcome.problem.find("everywhere"), std::string::npos) << outcome.problem;
+  EXPECT_NE(outcome.problem.find("all reachable"), std::string::npos) << outcome.problem;
 }
 
 /// Rooms of one corridor each with one way between any two of them, so that many walls end where a hand looks for a
@@ -262,7 +262,7 @@ TEST(BlindHand, IsSentWithEncoderStepsUpToTheCoarsestThatTellAPlaceAndRefusedBey
     EXPECT_EQ(runBlind(maze, run).problem.empty(), hand.stiffness_N_per_m > 0.0) << hand.name;
   }
   run.device.encoderStep_m = 1.001 * coarsest_m;
-  EXPECT_NE(runBlind(maze, run).problem.find("steps of"), std::string::npos);
+  EXPECT_NE(runBlind(maze, run).problem.find("resolution of"), std::string::npos);
 }
 
 TEST(BlindHand, IsNotSentIntoAStructureWithoutAnExit)

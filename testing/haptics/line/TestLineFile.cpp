@@ -29,7 +29,7 @@ TEST(LineFile, EachWayOfBeingWrongIsNamedWithItsLine)
     { "s,friction\n0,0\n1,0\n", "line 1" },
     { "s,value,value\n0,0,0\n", "line 1" },
     { "s,value,colour\n0,0,0\n", "line 1" },
-    { "s,value\n0,0\n", "two places" },
+    { "s,value\n0,0\n", "two positions" },
     { "s,value\n0,0\n1\n", "line 3" },
     { "s,value\n0,0\n1,2,3\n", "line 3" },
     { "s,value\n0,0\n1,x\n", "line 3" },

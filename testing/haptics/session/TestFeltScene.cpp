@@ -70,7 +70,7 @@ TEST_F(FeltSceneTest, AllTrianglesAreFeltFirstAndSimplerOnesOnceTheyAreFound)
   EXPECT_EQ(this->session_.scene(), this->felt_.built().scene);
   ASSERT_EQ(this->felt_.choices().size(), 1u);
   EXPECT_LE(2 * this->felt_.choices()[0].felt, this->felt_.choices()[0].triangles);
-  EXPECT_THAT(this->felt_.built().report, HasSubstr("triangles are felt"));
+  EXPECT_THAT(this->felt_.built().report, HasSubstr("triangles are used"));
   this->felt_.follow(plan); // nothing has changed
   EXPECT_TRUE(this->felt_.isSimpler());
   this->felt_.follow(planOf(AutoChoice::Off));

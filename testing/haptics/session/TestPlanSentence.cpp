@@ -43,8 +43,8 @@ TEST(PlanSentence, AddsSurfacesUpAndSaysEachReasonOnce)
 {
   const SurfaceChoice fewer{ "fine", 1000, 250, 0.06, "" };
   EXPECT_THAT(planSentence({ all(10, "a"), all(20, "a"), all(30, "b") }, {}),
-    StartsWith("all 60 triangles are felt (a; b), by "));
-  EXPECT_THAT(planSentence({ all(10, "a"), fewer }, {}), StartsWith("260 of 1010 triangles are felt (proven: "));
+    StartsWith("all 60 triangles are used (a; b), by "));
+  EXPECT_THAT(planSentence({ all(10, "a"), fewer }, {}), StartsWith("260 of 1010 triangles are used (proven: "));
   EXPECT_THAT(planSentence({ all(10, "") }, {}), HasSubstr("(a simpler surface is looked for meanwhile)"));
   EXPECT_EQ(planSentence({}, {}), "there is nothing to touch");
 }
@@ -54,52 +54,52 @@ TEST(PlanSentence, CountsSegmentsOfCurvesAndSaysWhatStandsForThem)
   SurfaceChoice lines = all(300000, "");
   lines.curves = true;
   EXPECT_THAT(planSentence({ lines }, {}),
-    StartsWith("all 300000 segments are felt (coarser lines are looked for meanwhile), by "));
-  EXPECT_THAT(planSentence({ lines, all(10, "a") }, {}), StartsWith("all 300010 triangles and segments are felt ("));
+    StartsWith("all 300000 segments are used (coarser lines are looked for meanwhile), by "));
+  EXPECT_THAT(planSentence({ lines, all(10, "a") }, {}), StartsWith("all 300010 triangles and segments are used ("));
   lines.wall_WP = Pose();
   lines.felt = 4;
   lines.bound_u = 0.0625;
   EXPECT_THAT(planSentence({ lines }, {}),
-    ::testing::AllOf(StartsWith("4 of 300000 segments are felt (proven: no point is further than 0.0625 u from the "
-                                "data's lines, or the data's from it"),
-      HasSubstr("a list (up to 8 triangles are one)"))); // a wall is two
+    ::testing::AllOf(StartsWith("4 of 300000 segments are used (proven: no point is further than 0.0625 u from the "
+                                "data's lines, or vice versa"),
+      HasSubstr("a list (up to 8 triangles)"))); // a wall is two
   lines.felt = 5;
   EXPECT_THAT(planSentence({ lines }, {}), HasSubstr("a tree of boxes"));
 }
 
 TEST(PlanSentence, SaysWhyTheBallIsAsLargeAsItIs)
 {
-  EXPECT_THAT(said(ballOf(0, 0, 3)), HasSubstr(", by a point (no radius is asked for) "));
-  EXPECT_THAT(said(ballOf(2, 2, infinity)), HasSubstr("a ball of 2 u (asked for; one of any size finishes its work"));
-  EXPECT_THAT(said(ballOf(2, 2, 3)), HasSubstr("a ball of 2 u (asked for; up to 3 u one finishes its work in a tick)"));
-  EXPECT_THAT(said(ballOf(3, 8, 3)), HasSubstr("a ball of 3 u (8 u is asked for, and may run out of a tick's work"));
-  EXPECT_THAT(said(ballOf(8, 8, 3)), HasSubstr("a ball of 8 u (asked for and forced; above 3 u one may run out of"));
-  EXPECT_THAT(said(ballOf(0, 8, 0)), HasSubstr("a point (8 u is asked for, and may run out of a tick's work"));
-  EXPECT_THAT(said(ballOf(0.001, 0, infinity)), HasSubstr("a ball of 0.001 u (curves are rolled round, by a point as"));
+  EXPECT_THAT(said(ballOf(0, 0, 3)), HasSubstr(", by a point (no radius is set) "));
+  EXPECT_THAT(said(ballOf(2, 2, infinity)), HasSubstr("a sphere of 2 u (as set; any size can be computed"));
+  EXPECT_THAT(said(ballOf(2, 2, 3)), HasSubstr("a sphere of 2 u (as set; up to 3 u can be computed within a tick)"));
+  EXPECT_THAT(said(ballOf(3, 8, 3)), HasSubstr("a sphere of 3 u (8 u is set, but may exceed the work of a tick"));
+  EXPECT_THAT(said(ballOf(8, 8, 3)), HasSubstr("a sphere of 8 u (as set and forced; above 3 u the work of a tick"));
+  EXPECT_THAT(said(ballOf(0, 8, 0)), HasSubstr("a point (8 u is set, but may exceed the work of a tick"));
+  EXPECT_THAT(said(ballOf(0.001, 0, infinity)), HasSubstr("a sphere of 0.001 u (curves need a small sphere"));
 }
 
 TEST(PlanSentence, SaysWhereFrictionComesFrom)
 {
   TouchChoice touch;
-  EXPECT_THAT(said(touch), HasSubstr(" without friction (none is asked for), "));
+  EXPECT_THAT(said(touch), HasSubstr(" without friction (none is set), "));
   touch.frictionFromData = true;
   EXPECT_THAT(said(touch), HasSubstr(" with friction from the data, "));
   touch.plan.friction = { 0.5, 0.25 };
   EXPECT_THAT(
-    said(touch), HasSubstr("friction 0.5 at rest, 0.25 sliding (asked for; where the data has its own, that)"));
+    said(touch), HasSubstr("friction 0.5 at rest, 0.25 sliding (as set; data with their own friction keep it)"));
   touch.frictionFromData = false;
-  EXPECT_THAT(said(touch), HasSubstr(" with friction 0.5 at rest, 0.25 sliding (asked for), "));
+  EXPECT_THAT(said(touch), HasSubstr(" with friction 0.5 at rest, 0.25 sliding (as set), "));
 }
 
 TEST(PlanSentence, ALeafIsAListAndAllElseIsATree)
 {
-  const std::string list = "through a list (up to 8 triangles are one)";
+  const std::string list = "through a list (up to 8 triangles)";
   EXPECT_THAT(planSentence({ all(8, "why") }, {}), EndsWith(list));
   for (const auto& choices :
     { std::vector{ all(9, "why") }, std::vector{ all(4, "why"), all(4, "why") } }) // two leaves stand in a tree
   {
     EXPECT_THAT(
-      planSentence(choices, {}), EndsWith("through a tree of boxes (lists of more than 8 triangles are dearer)"));
+      planSentence(choices, {}), EndsWith("through a tree of boxes (lists of more than 8 triangles are slower)"));
   }
 }
 

@@ -85,7 +85,7 @@ TEST(Settings, WholeNumbersChoicesAndRotationsAreTakenAsWhatTheyAre)
   EXPECT_THAT(said("Simplify", { 2 }), IsEmpty());
   for (const double bad : { -1.0, 0.5, 3.0, std::nan("") })
   {
-    EXPECT_THAT(said("Simplify", { bad }), HasSubstr("it must be 0 (auto), 1 (off) or 2 (on), not"));
+    EXPECT_THAT(said("Simplify", { bad }), HasSubstr("must be 0 (auto), 1 (off) or 2 (on), not"));
   }
   EXPECT_THAT(said("Passivity", { 2 }), HasSubstr("on or off"));
   EXPECT_THAT(said("Rotation", { std::sqrt(0.5), 0.0, std::sqrt(0.5), 0.0 }), IsEmpty());
@@ -95,14 +95,14 @@ TEST(Settings, WholeNumbersChoicesAndRotationsAreTakenAsWhatTheyAre)
 TEST(Settings, ARefusalNamesTheSettingItsRangeWithTheUnitAndWhatItIs)
 {
   EXPECT_EQ(said("Stiffness", { -1 }),
-    "stiffness: it must be a finite number of N/m, 0 or more, not -1; spring between hand and proxy");
-  EXPECT_THAT(said("Scale", { 0 }), HasSubstr("scale: it must be a finite number of u/m, more than 0, not 0"));
-  EXPECT_THAT(said("WallRate", { 5 }), HasSubstr("WallRate: it must be a finite number of Hz, 20 to 1000, not 5"));
+    "stiffness: must be a finite number of N/m, 0 or more, not -1; stiffness of the spring between hand and proxy");
+  EXPECT_THAT(said("Scale", { 0 }), HasSubstr("scale: must be a finite number of u/m, more than 0, not 0"));
+  EXPECT_THAT(said("WallRate", { 5 }), HasSubstr("WallRate: must be a finite number of Hz, 20 to 1000, not 5"));
   EXPECT_THAT(said("FrictionStatic", { -0.5 }), HasSubstr("a finite number, 0 to 10, not -0.5"));
   EXPECT_THAT(said("LineRadius", { std::nan("") }),
-    HasSubstr("radius of lines: it must be a finite number of u, 0 or more, not nan"));
+    HasSubstr("radius of lines: must be a finite number of u, 0 or more, not nan"));
   EXPECT_THAT(said("LinesAsWalls", { 7 }), HasSubstr("lines as walls: "));
-  EXPECT_THAT(said("Offset", { 0, 0, std::nan("") }), HasSubstr("it must be a finite number of u, not 0, 0, nan"));
+  EXPECT_THAT(said("Offset", { 0, 0, std::nan("") }), HasSubstr("must be a finite number of u, not 0, 0, nan"));
 }
 
 /// What the table allows the tick takes, and the other way round, where both say how large a number can be.
@@ -232,9 +232,9 @@ TEST(SettingStore, NumbersStayWhereTheyAreWhenTheyAreSet)
 TEST(SettingStore, AValueOfAnotherShapeIsRefused)
 {
   const auto refused = [](const char* name, const SettingValue& value) { return refuse(sessionSetting(name), value); };
-  EXPECT_EQ(refused("Offset", { { 1.0, 2.0 }, {} }), "Offset: it must be 3 numbers");
-  EXPECT_EQ(refused("Radius", { {}, "a" }), "Radius: it must be a number");
-  EXPECT_EQ(refused("DeviceName", { { 1.0 }, {} }), "DeviceName: it must be a text");
+  EXPECT_EQ(refused("Offset", { { 1.0, 2.0 }, {} }), "Offset: must be 3 numbers");
+  EXPECT_EQ(refused("Radius", { {}, "a" }), "Radius: must be a number");
+  EXPECT_EQ(refused("DeviceName", { { 1.0 }, {} }), "DeviceName: must be a text");
   EXPECT_THAT(refused("StrokePoints", { { 1.0 }, {} }), HasSubstr("one by one"));
   EXPECT_THAT(refused("Radius", { { -1.0 }, {} }), HasSubstr("0 or more"));
   EXPECT_EQ(refused("DeviceName", { {}, "mouse" }), "");

@@ -9,6 +9,7 @@
 #include "SoftBlock.h"
 #include "haptics/session/soft/SoftWorker.h"
 #include "testing/support/Eventually.h"
+#include "testing/support/Says.h"
 
 namespace palpate::test
 {
@@ -76,10 +77,10 @@ TEST(SoftLoads, ThatAreNoLoadsAreRefusedInWords)
   SoftBodyInput input = weighingBlock(ElasticModel::Linear);
   input.load_N.front().x() = std::nan("");
   EXPECT_FALSE(BodyMaker::make(input, "block", 0, refusal));
-  EXPECT_THAT(refusal, HasSubstr("no finite number of newtons"));
+  EXPECT_TRUE(test::says(refusal, { "finite", "number", "newtons" }));
   input.load_N.pop_back();
   EXPECT_FALSE(BodyMaker::make(input, "block", 0, refusal));
-  EXPECT_THAT(refusal, HasSubstr("another number of vertices"));
+  EXPECT_THAT(refusal, HasSubstr("differs in length"));
 }
 
 Eigen::VectorXd weightOf(const SoftBody& body)
@@ -105,7 +106,7 @@ TEST(SoftLoads, AreGivenUpWithTheFactorThatIsUnderWayOnceTheBodyIsNotWanted)
   EXPECT_GT(made.body->factorings(), before + 1);
   const SoftBodyResult refused = makeSoftBody(weighingBlock(ElasticModel::NeoHookean), stop.get_token());
   EXPECT_FALSE(refused.body);
-  EXPECT_THAT(refused.refusal, HasSubstr("not wanted"));
+  EXPECT_THAT(refused.refusal, HasSubstr("cancelled"));
 }
 
 TEST(SoftLoads, OfABodyThatIsNotWantedBeforeItIsThereAreNeverSaidAndTheNextBodyIsFelt)

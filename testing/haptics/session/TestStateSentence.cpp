@@ -13,19 +13,19 @@ namespace
 TEST(StateSentence, WhatNothingCanBeFeltWithoutComesFirst)
 {
   SessionGlance glance;
-  EXPECT_EQ(stateSentence(glance), "Press Touch to feel what is shown.");
+  EXPECT_EQ(stateSentence(glance), "Press Touch to touch the visible data.");
   glance.problem = "the file is gone: choose another";
   EXPECT_EQ(stateSentence(glance), "The file is gone: choose another.");
   glance.touching = true;
   glance.engage = EngageState::Armed;
-  glance.warning = "the dead-man is not held: hold its button";
-  EXPECT_EQ(stateSentence(glance), "No force: The dead-man is not held: hold its button.");
+  glance.warning = "the dead-man switch is released: hold its button";
+  EXPECT_EQ(stateSentence(glance), "No force: The dead-man switch is released: hold its button.");
   glance.engage = EngageState::Engaged;
-  EXPECT_EQ(stateSentence(glance), "Touching. The dead-man is not held: hold its button.");
+  EXPECT_EQ(stateSentence(glance), "Touching. The dead-man switch is released: hold its button.");
   glance.fault = "the device is lost";
   EXPECT_EQ(stateSentence(glance), "No force: The device is lost.");
-  glance.refusal = "Nothing is shown: open a file.";
-  EXPECT_EQ(stateSentence(glance), "No force: Nothing is shown: open a file.");
+  glance.refusal = "No data are visible: open a file.";
+  EXPECT_EQ(stateSentence(glance), "No force: No data are visible: open a file.");
 }
 
 TEST(StateSentence, WithoutATroubleItSaysWhatToDoNext)
@@ -33,7 +33,7 @@ TEST(StateSentence, WithoutATroubleItSaysWhatToDoNext)
   SessionGlance glance;
   glance.touching = true;
   glance.engage = EngageState::Armed;
-  EXPECT_EQ(stateSentence(glance), "Waiting: move the hand out of what it is in, then the force comes.");
+  EXPECT_EQ(stateSentence(glance), "Waiting: move the hand out of the data it overlaps, then the force starts.");
   glance.engage = EngageState::Engaged;
   EXPECT_EQ(stateSentence(glance), "Touching.");
 }
@@ -41,7 +41,8 @@ TEST(StateSentence, WithoutATroubleItSaysWhatToDoNext)
 TEST(StateSentence, AnotherDeviceThanTheOneThatRunsIsSaid)
 {
   EXPECT_EQ(otherDeviceSentence("mouse", "mouse"), "");
-  EXPECT_EQ(otherDeviceSentence("mouse", "replay"), "mouse still leads the hand: let go and touch again to use replay");
+  EXPECT_EQ(
+    otherDeviceSentence("mouse", "replay"), "mouse still moves the hand: release and touch again to use replay");
 }
 
 } // namespace

@@ -197,7 +197,7 @@ TEST_F(ToolInLoop, ThatBeginsInsideOfAClosedBodySaysSoUntilTheHandTakesItOutside
   this->begin(sceneOf(makeBox(Vec3(-0.1, -0.1, -0.1), Vec3(0.1, 0.1, 0.1))), cubeTool());
   this->hold(0.0, 5);
   EXPECT_TRUE(this->session.state().tool.placed) << "it is free there";
-  EXPECT_NE(this->session.toolNoWayOut().find("inside of a closed body"), std::string::npos);
+  EXPECT_NE(this->session.toolNoWayOut().find("inside a closed body"), std::string::npos);
   this->hold(0.2, 50);
   EXPECT_NE(this->session.toolNoWayOut(), "") << "nothing is passed";
   this->session.setTool({});
@@ -219,7 +219,7 @@ TEST_F(ToolInLoop, ThatIsClosedAllAroundWhatIsShownSaysSo)
   this->begin(sceneOf(part), {});
   take(shell);
   this->hold(0.0, 5);
-  EXPECT_NE(this->session.toolNoWayOut().find("all around"), std::string::npos);
+  EXPECT_NE(this->session.toolNoWayOut().find("encloses"), std::string::npos);
   this->hold(0.5, 50);
   EXPECT_NE(this->session.toolNoWayOut(), "") << "nothing is passed";
   shell.triangles.resize(10); // without its top

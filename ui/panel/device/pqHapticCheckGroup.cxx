@@ -22,22 +22,22 @@ pqHapticCheckGroup::pqHapticCheckGroup(QWidget* parent)
     Progress(new QProgressBar(this))
 {
   this->Verify->setObjectName("verify");
-  this->Verify->setToolTip(tr("Noise, ends, gentle pushes and the device's own walls, with a tenth of its force at "
-                              "most; you are told what to do"));
+  this->Verify->setToolTip(tr("Measure noise, range, response to gentle pushes and the device's own walls, with at "
+                              "most 1/10 of its force. The panel gives the instructions"));
   this->Adjust->setObjectName("adjust");
   this->Adjust->setText(tr("Ad&just Device"));
   this->Adjust->setToolTip(
-    tr("Keeps directions, ends and what was felt of its own walls, and applies them from the next touch on"));
+    tr("Save directions, range and the measured walls of the device, and apply them from the next touch"));
   this->Progress->setObjectName("progress");
   this->Progress->setRange(0, wholeProgress);
-  this->Progress->setToolTip(tr("How much of the check is done [%]"));
+  this->Progress->setToolTip(tr("Progress of the check [%]"));
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(this->Verify);
   buttons->addWidget(this->Adjust);
   this->Form->addRow(buttons);
   this->Form->addRow(this->Progress);
-  this->Ask = this->addText("ask", tr("What to do now"));
-  this->Result = this->addText("result", tr("What the check found"));
+  this->Ask = this->addText("ask", tr("Current instruction"));
+  this->Result = this->addText("result", tr("Result of the check"));
   this->connect(this->Verify, &QPushButton::clicked, this, &pqHapticCheckGroup::startOrStop);
   this->connect(this->Adjust, &QPushButton::clicked, this, &pqHapticCheckGroup::keep);
   this->refresh(nullptr);
@@ -83,7 +83,7 @@ void pqHapticCheckGroup::keep()
   if (session)
   {
     const bool kept = session->GetDeviceCheck()->KeepCalibration();
-    this->Note = kept ? tr("Kept, and applied from the next touch on.") : QString::fromUtf8(session->GetProblem());
+    this->Note = kept ? tr("Saved, and applied from the next touch on.") : QString::fromUtf8(session->GetProblem());
     this->refresh(session);
   }
 }

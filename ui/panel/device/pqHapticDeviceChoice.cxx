@@ -8,7 +8,7 @@
 
 pqHapticDeviceChoice::pqHapticDeviceChoice(QWidget* parent) : Superclass(parent)
 {
-  this->setToolTip(tr("Who moves the hand: the mouse in the view, a recording, or a device that is plugged in"));
+  this->setToolTip(tr("Device that moves the hand: the mouse in the view, a recording, or an attached device"));
 }
 
 pqHapticDeviceChoice::~pqHapticDeviceChoice() = default;
@@ -60,7 +60,7 @@ void pqHapticDeviceChoice::list()
   if (this->findText(chosen) < 0)
   {
     this->addItem(chosen);
-    this->setItemData(this->count() - 1, tr("it is not plugged in"), Qt::ToolTipRole);
+    this->setItemData(this->count() - 1, tr("the device is not attached"), Qt::ToolTipRole);
   }
   this->setCurrentText(chosen);
 }

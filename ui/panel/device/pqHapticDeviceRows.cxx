@@ -41,13 +41,13 @@ int RowOf(int mask, bool grip)
 pqHapticDeviceRows::pqHapticDeviceRows(QFormLayout* form) : Superclass(form->parentWidget())
 {
   QWidget* parent = form->parentWidget();
-  this->Notes = pqHapticLabel(parent, "deviceNotes", tr("What the device is, and what it cannot do"));
+  this->Notes = pqHapticLabel(parent, "deviceNotes", tr("Kind of the device, and functions it lacks"));
   form->addRow(this->Notes);
   this->Wheel = pqHapticSwitchRow(form, "wheel", "Wheel");
   this->DeadMan = new QComboBox(parent);
   this->DeadMan->setObjectName("deadMan");
-  this->DeadMan->setToolTip(tr(
-    "What the hand must hold to be pushed; let go, the force is zero within 50 ms and starts again from a small one"));
+  this->DeadMan->setToolTip(tr("Dead-man switch: force flows only while it is pressed. After release the force is zero "
+                               "within 50 ms, and restarts through its ramp"));
   this->DeadMan->addItem(tr("nothing"));
   for (int button = 1; button <= Buttons; ++button)
   {
@@ -56,8 +56,7 @@ pqHapticDeviceRows::pqHapticDeviceRows(QFormLayout* form) : Superclass(form->par
   this->DeadMan->addItems({ tr("any button"), tr("the grip"), tr("as set by a script") });
   form->addRow(pqHapticTitle("DeadManButtons"), this->DeadMan);
   this->Link = pqHapticLabel(parent, "link",
-    tr("How the link to the device goes: reports with the hand, effects renewed before "
-       "they end, writes that hung, losses, reports that are none"));
+    tr("USB link: reports per second, effects re-armed before expiry, stalled writes, disconnects, malformed reports"));
   form->addRow(this->Link);
   QObject::connect(this->Wheel, &QCheckBox::toggled, this, &pqHapticDeviceRows::sayWheel);
   QObject::connect(

@@ -21,7 +21,7 @@ namespace
 {
 QString AroundHand(vtkHapticSession& session)
 {
-  return pqHapticFieldGroup::tr("push %1 mW, %2 s old, %3 ticks beyond")
+  return pqHapticFieldGroup::tr("push %1 mW, age %2 s, %3 ticks outside")
     .arg(session.GetFieldPushPower(), 0, 'f', 2)
     .arg(session.GetFieldAge(), 0, 'f', 1)
     .arg(session.GetFieldTicksBeyond());
@@ -35,17 +35,16 @@ pqHapticFieldGroup::pqHapticFieldGroup(QWidget* parent) : Superclass(tr("Field")
   this->add("FieldResistance", 0);
   this->add("FieldOther", 0);
   this->addSettings();
-  this->Value =
-    pqHapticLabel(this, "fieldValue", tr("The value at the hand, and how much it changes there a unit [1/u]"));
+  this->Value = pqHapticLabel(this, "fieldValue", tr("Value at the hand, and magnitude of its gradient [1/u]"));
   this->Around = pqHapticLabel(this, "fieldAround",
-    tr("Power of the push [mW]; how old the numbers around the hand are [s]; ticks in which the hand was beyond them"));
+    tr("Power injected by Push [mW]; age of the sampled field around the hand [s]; ticks spent outside the sampled "
+       "region"));
   this->Form->addRow(tr("At the hand"), this->Value);
   this->Form->addRow(tr("Around it"), this->Around);
-  this->Sentence =
-    this->addText("fieldSentence", tr("What is felt as a field, how finely and how far around the hand"));
+  this->Sentence = this->addText("fieldSentence", tr("Sampled field: arrays, spacing and extent around the hand"));
   const QPushButton* const take = this->addButton("fieldTakeColours", tr("Take Range of Colour Map"),
-    tr("What the colour maps show low and high feels low and high: isovalue, where half as opaque as any, "
-       "and levels of the values, data ranges of stiffness, friction and texture"));
+    tr("Take ranges from the colour maps: isovalue (at half of the largest opacity), detent levels, and the data "
+       "ranges of stiffness, friction and texture"));
   this->connect(take, &QPushButton::clicked, this, &pqHapticFieldGroup::takeColours);
   this->Taken = this->addText("fieldTaken", take->toolTip());
   pqHapticSay(this->Taken, QString());
@@ -67,7 +66,7 @@ void pqHapticFieldGroup::takeColours()
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->Proxy.Get());
     const QString said = pqHapticController::instance()->follower()->takeColorRange(this->Proxy);
-    pqHapticSay(this->Taken, said.isEmpty() ? tr("Nothing that is felt is coloured by") : said.trimmed());
+    pqHapticSay(this->Taken, said.isEmpty() ? tr("No touchable source is coloured by") : said.trimmed());
   }
 }
 
@@ -94,7 +93,7 @@ void pqHapticFieldGroup::refresh(vtkHapticSession* session)
   }
   const double value = session ? session->GetFieldValue() : NAN;
   const double* const gradient = session ? session->GetFieldGradient() : nullptr;
-  this->Value->setText(std::isfinite(value) ? tr("%1, changes by %2 1/u")
+  this->Value->setText(std::isfinite(value) ? tr("%1, gradient %2 1/u")
                                                 .arg(value, 0, 'g', 5)
                                                 .arg(std::hypot(gradient[0], gradient[1], gradient[2]), 0, 'g', 3)
                                             : tr("-"));

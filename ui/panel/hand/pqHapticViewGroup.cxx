@@ -28,9 +28,10 @@ pqHapticViewGroup::pqHapticViewGroup(QWidget* parent) : Superclass(tr("Hand and 
   auto* buttons = new QHBoxLayout;
   this->Form->addRow(buttons);
   this->Fit = pqHapticButton(buttons, "fitSelection", tr("Fit Selection"),
-    tr("Scale and place such that the device's workspace holds the sources that are selected"));
+    tr("Set scale and offset so that the device's workspace contains the selected sources"));
   this->Align = pqHapticButton(buttons, "align", tr("Align Now"),
-    tr("Turn the workspace about the hand: right, up and towards of the device are those of the view"));
+    tr("Rotate the workspace about the hand: align the device's axes with right, up and towards the viewer of the "
+       "view"));
   auto* switches = new QHBoxLayout;
   this->Form->addRow(switches);
   this->Precise = Switch(switches, "precision", "Precision", tr("while Ctrl+Shift+P is held"));

@@ -42,8 +42,8 @@ pqHapticContactGroup::pqHapticContactGroup(QWidget* parent) : Superclass(parent)
   this->setObjectName("contactPlace");
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  this->None = pqHapticLabel(this, "contactNone", tr("What is at the contact is shown while a surface is touched"));
-  this->None->setText(tr("Nothing is touched now."));
+  this->None = pqHapticLabel(this, "contactNone", tr("Show the data at the contact while a surface is touched"));
+  this->None->setText(tr("There is no contact."));
   this->Found = new QWidget(this);
   this->Found->setObjectName("contactFound");
   column->addWidget(this->None);
@@ -53,7 +53,7 @@ pqHapticContactGroup::pqHapticContactGroup(QWidget* parent) : Superclass(parent)
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   this->Source = this->add(form, "contactSource", tr("Source"), pqHapticReadoutTip("ContactSource"));
   this->Ids = this->add(form, "contactIds", tr("Cell, point"),
-    tr("Ids of the cell at the contact, and of its point that counts most there"));
+    tr("Numbers of the cell at the contact, and of its point with the largest weight"));
   this->Position = this->add(form, "contactPosition", tr("Position"), pqHapticReadoutTip("ContactPosition"));
   this->Normal = this->add(form, "contactNormal", tr("Normal"), pqHapticReadoutTip("ContactNormal"));
   this->Depth = this->add(form, "contactDepth", tr("Depth"), pqHapticReadoutTip("Depth"));
@@ -89,7 +89,7 @@ void pqHapticContactGroup::showContact(vtkHapticSession& session)
   this->Normal->setText(Vector(session.GetContactNormal()));
   this->Depth->setText(Quantity(session.GetDepth(), "u", QString()));
   this->Curvature->setText(CurvatureOf(session));
-  this->Thickness->setText(Quantity(session.GetContactThickness(), "u", tr("none is met")));
+  this->Thickness->setText(Quantity(session.GetContactThickness(), "u", tr("no far wall")));
   const QString arrays = QString::fromUtf8(session.GetContactArrays()).trimmed();
   this->Arrays->setText(arrays.isEmpty() ? tr("none") : arrays);
 }

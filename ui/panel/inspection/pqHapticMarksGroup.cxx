@@ -24,8 +24,8 @@ constexpr int listHeight = 80; // of four marks [pixels]
 QString StateOf(vtkHapticSession& session, int mark)
 {
   const int state = session.GetInspection()->GetMarkState(mark);
-  return state == vtkHapticInspection::MarkStale    ? QObject::tr(" - stale: it has changed or moved")
-         : state == vtkHapticInspection::MarkUnseen ? QObject::tr(" - it is not touched now")
+  return state == vtkHapticInspection::MarkStale    ? QObject::tr(" - stale: the source has changed or moved")
+         : state == vtkHapticInspection::MarkUnseen ? QObject::tr(" - the source is not touched")
                                                     : QString();
 }
 
@@ -53,14 +53,15 @@ pqHapticMarksGroup::pqHapticMarksGroup(QWidget* parent) : Superclass(parent)
   const QAction* const action = pqHapticController::instance()->markAction();
   this->Mark = pqHapticButton(this, "mark", tr("Mark"),
     QString("%1 (%2)").arg(action->toolTip(), action->shortcut().toString(QKeySequence::NativeText)));
-  this->Save = pqHapticButton(this, "saveMarks", tr("Save Marks..."), tr("Writes the marks as csv or vtp"));
-  this->Clear = pqHapticButton(this, "clearMarks", tr("Clear"), tr("Removes all marks"));
-  this->Count = pqHapticLabel(this, "markCount", tr("How many marks there are"));
+  this->Save = pqHapticButton(this, "saveMarks", tr("Save Marks..."), tr("Write the marks as csv or vtp"));
+  this->Clear = pqHapticButton(this, "clearMarks", tr("Clear"), tr("Remove all marks"));
+  this->Count = pqHapticLabel(this, "markCount", tr("Number of marks"));
   this->Marks = new QPlainTextEdit(this);
   this->Marks->setObjectName("marks");
   this->Marks->setReadOnly(true);
   this->Marks->setTabChangesFocus(true);
-  this->Marks->setToolTip(tr("Number, source and place of each mark, and whether it still lies on what it was set on"));
+  this->Marks->setToolTip(
+    tr("Number, source and position of each mark, and its validity (stale after a change of the source)"));
   this->Marks->setMaximumHeight(listHeight);
   auto* buttons = new QHBoxLayout;
   for (QPushButton* button : { this->Mark, this->Save, this->Clear })

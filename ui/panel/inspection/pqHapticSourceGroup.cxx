@@ -42,13 +42,13 @@ void Show(QDoubleSpinBox* box, double value)
 
 pqHapticSourceGroup::pqHapticSourceGroup(QWidget* parent) : Superclass(tr("Active source"), "source", parent)
 {
-  this->Source = this->addText("sourceName", tr("The source that is active in the pipeline browser"));
+  this->Source = this->addText("sourceName", tr("Active source of the pipeline browser"));
   this->Touched = new QCheckBox(tr("Touch this source"), this);
   this->Touched->setObjectName("sourceTouched");
-  this->Touched->setToolTip(tr("Off: it is seen and not felt"));
+  this->Touched->setToolTip(tr("Off: the source is visible but not touchable"));
   this->Form->addRow(this->Touched);
-  this->Stiffness = this->addNumber(
-    "sourceStiffness", tr("Its stiffness"), tr("As felt, and no more than the session's; an array says more"));
+  this->Stiffness = this->addNumber("sourceStiffness", tr("Its stiffness"),
+    tr("Stiffness of this source, at most the session's stiffness; an array has priority"));
   this->Stiffness->setSuffix(" N/m");
   this->Stiffness->setMaximum(largestStiffness_N_per_m);
   this->FrictionStatic = this->addNumber("sourceFrictionStatic", tr("Its static friction"), tr("At rest"));

@@ -40,10 +40,10 @@ pqHapticRecordingRows::pqHapticRecordingRows(QWidget* parent) : Superclass(paren
   this->Record =
     NarrowButton(buttons, "record", pqHapticTitle("Recording"), pqHapticTip("Recording") + " (Ctrl+Shift+R)");
   this->Record->setCheckable(true);
-  this->Save = NarrowButton(buttons, "saveRecording", tr("Save..."), tr("Keep the last recording under a name"));
-  this->Replay = NarrowButton(buttons, "replay", tr("Replay"), tr("Let the recording move the hand again"));
+  this->Save = NarrowButton(buttons, "saveRecording", tr("Save..."), tr("Save the last recording to a file"));
+  this->Replay = NarrowButton(buttons, "replay", tr("Replay"), tr("Replay the recording as the hand"));
   this->Way =
-    NarrowButton(buttons, "showWay", tr("Way"), tr("Open the way of the hand in the pipeline, with its forces"));
+    NarrowButton(buttons, "showWay", tr("Path"), tr("Open the path of the hand in the pipeline, with its forces"));
   this->Text = pqHapticLabel(this, "recordingText", pqHapticReadoutTip("RecordingText"));
   rows->addWidget(this->Text);
   this->Played = new QWidget(this);
@@ -56,7 +56,7 @@ pqHapticRecordingRows::pqHapticRecordingRows(QWidget* parent) : Superclass(paren
   this->ReplayFile->setPlaceholderText(tr("Recording to play"));
   this->ReplayFile->setToolTip(pqHapticTip("ReplayFile"));
   played->addWidget(this->ReplayFile, 1);
-  this->Browse = NarrowButton(played, "browse", tr("Open..."), tr("Choose the recording that is played"));
+  this->Browse = NarrowButton(played, "browse", tr("Open..."), tr("Choose the recording to play"));
   auto* recordings = pqHapticController::instance()->recordings();
   this->connect(this->Save, &QPushButton::clicked, recordings, &pqHapticRecordings::save);
   this->connect(this->Replay, &QPushButton::clicked, recordings, &pqHapticRecordings::replay);

@@ -23,9 +23,9 @@ pqHapticProgress::pqHapticProgress(QWidget* parent)
   this->Bar->setObjectName("bar");
   this->Bar->setRange(0, static_cast<int>(percent));
   this->Bar->setFormat(tr("Preparing %p %"));
-  this->Bar->setToolTip(tr("How much of what is shown is ready to be touched"));
+  this->Bar->setToolTip(tr("Share of the visible data that is ready to be touched"));
   this->Cancel->setObjectName("cancel");
-  this->Cancel->setToolTip(tr("Do not wait for what is shown now: what was touched before is touched on"));
+  this->Cancel->setToolTip(tr("Stop preparing the visible data, and continue to touch the previous scene"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(this->Bar, 1);

@@ -54,15 +54,15 @@ pqHapticMechanismGroup::pqHapticMechanismGroup(QWidget* parent)
   : Superclass(tr("Mechanism"), "mechanism", "MechanismSource", parent)
 {
   this->addButtons({ "mechanismUse", tr("Hold Selected Source"),
-                     tr("The hand holds a body of the source that is active in the pipeline browser, made by Haptic "
-                        "Mechanism") },
-    { "mechanismLeave", tr("No Mechanism"), tr("What is held is let go of") });
-  this->Text = this->addText("mechanismText", tr("What the mechanism becomes, or why it cannot be felt"));
+                     tr("Hold a body of the active source of the pipeline browser, made by Haptic Mechanism") },
+    { "mechanismLeave", tr("No Mechanism"), tr("Release the mechanism") });
+  this->Text = this->addText("mechanismText", tr("State of the mechanism, or the reason why it cannot be touched"));
   this->addSettings();
   this->makeTable();
   this->Form->addRow(this->Table);
   this->Chart = new pqHapticStrip(this, "mechanismChart", tr("Force over depth"), "N", 1.0);
-  this->Chart->setToolTip(tr("The force on the hand, over its way along what it holds since nothing pushed"));
+  this->Chart->setToolTip(
+    tr("Force on the hand over its displacement along the held body since the last tick without contact force"));
   this->Form->addRow(this->Chart);
   this->makeButtons();
   auto* changes = new QHBoxLayout;
@@ -85,7 +85,7 @@ void pqHapticMechanismGroup::makeTable()
 {
   this->Table = new QTableWidget(0, static_cast<int>(Columns.size()), this);
   this->Table->setObjectName("mechanismTable");
-  this->Table->setToolTip(tr("A row a law: what it does, its force on its first body, how far a shaft is inside"));
+  this->Table->setToolTip(tr("One row per constraint: phase, force on its first body, depth of the shaft"));
   this->Table->setHorizontalHeaderLabels(Columns);
   this->Table->verticalHeader()->hide();
   this->Table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -99,15 +99,15 @@ void pqHapticMechanismGroup::makeTable()
 
 void pqHapticMechanismGroup::makeButtons()
 {
-  this->Remove = pqHapticButton(this, "mechanismRemove", tr("Remove Law"), tr("The mechanism without the chosen law"));
-  this->Break = pqHapticButton(this, "mechanismBreak", tr("Break Law"),
-    tr(
-      "The chosen law holds no more, until the mechanism begins anew: it is held or touched again, or has other laws"));
+  this->Remove = pqHapticButton(
+    this, "mechanismRemove", tr("Remove"), tr("Remove the chosen constraint from the mechanism"));
+  this->Break = pqHapticButton(this, "mechanismBreak", tr("Break"),
+    tr("Break the chosen constraint, until the mechanism is held or touched anew or gets other constraints"));
   this->Law = new QLineEdit(this);
   this->Law->setObjectName("mechanismLaw");
   this->Law->setPlaceholderText(tr("{ \"name\": ..., \"kind\": ..., \"a\": ..., \"b\": ... }"));
-  this->Law->setToolTip(tr("Another law, as in a scene file, in the place of the one of its name"));
-  this->Add = pqHapticButton(this, "mechanismAdd", tr("Add"), tr("The mechanism with this law as well"));
+  this->Law->setToolTip(tr("Constraint in the format of a scene file; replaces the constraint of the same name"));
+  this->Add = pqHapticButton(this, "mechanismAdd", tr("Add"), tr("Add this constraint to the mechanism"));
   this->connect(this->Add, &QPushButton::clicked, this, &pqHapticMechanismGroup::addLaw);
   this->connect(this->Law, &QLineEdit::returnPressed, this, &pqHapticMechanismGroup::addLaw);
   this->connect(this->Remove, &QPushButton::clicked, this, &pqHapticMechanismGroup::removeLaw);

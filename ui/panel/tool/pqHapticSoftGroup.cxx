@@ -7,11 +7,10 @@
 pqHapticSoftGroup::pqHapticSoftGroup(QWidget* parent) : Superclass(tr("Soft body"), "soft", "SoftSource", parent)
 {
   this->addButtons({ "softUse", tr("Press Selected Source"),
-                     tr("The source that is active in the pipeline browser, made by the filter Soft Body, gives way "
-                        "under the hand and bends in the view") },
-    { "softLeave", tr("Nothing Gives Way"), tr("What gave way is rigid again, as it is shown") });
-  this->Text = this->addText("softText",
-    tr("What gives way: its material, how often it is computed, how old what is felt of it is, how strained it is"));
+                     tr("Make the active source of the pipeline browser, made by the filter Soft Body, deform under "
+                        "the hand and in the view") },
+    { "softLeave", tr("No Soft Body"), tr("Make the soft body rigid again, in its visible shape") });
+  this->Text = this->addText("softText", tr("Soft body: material, solver rate, age of the solution, strain"));
   this->addSettings();
 }
 

@@ -31,15 +31,15 @@ pqHapticToolGroup::pqHapticToolGroup(QWidget* parent)
   : Superclass(tr("Tool"), "tool", "ToolSource", parent), Line(new pqHapticToolLine(this))
 {
   this->addButtons({ "toolUse", tr("Use Selected Source"),
-                     tr("The hand holds the surface of the source that is active in the pipeline browser, which is "
-                        "hidden: the tool is drawn where it is, and a ghost where the hand would have it") },
-    { "toolBall", tr("Take the Ball"), tr("The hand touches with its ball again") });
+                     tr("Hold the surface of the active source of the pipeline browser as tool. The source is hidden; "
+                        "the tool is drawn at its pose, with a ghost at the pose of the hand") },
+    { "toolBall", tr("Take the Ball"), tr("Touch with the proxy sphere again") });
   this->PlaceHandle = this->addButton("toolPlaceHandle", tr("Place Handle"), // three in a row would widen the panel
-    tr("Shows the tool where its data are, and a line in it whose ends are drawn with the mouse: where the hand holds "
-       "the tool, and its tip"));
+    tr("Show the tool at its data, with a line whose ends are moved with the mouse: the handle and the tip"));
   this->PlaceHandle->setCheckable(true);
-  this->Text = this->addText("toolText", tr("Which tool is held and how it is, or why none is"));
-  this->Contacts = this->addText("toolContacts", tr("What pushes the tool: source, place, share of all pushes"));
+  this->Text = this->addText("toolText", tr("State of the tool, or the reason why there is none"));
+  this->Contacts =
+    this->addText("toolContacts", tr("Contacts of the tool: source, position, share of the total contact force"));
   this->addSettings();
   this->connect(this->PlaceHandle, &QPushButton::toggled, this, &pqHapticToolGroup::placeHandle);
 }

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Does what a pipeline makes feel as it did? A test of one's own, under pytest, unittest, ctest or by hand.
+"""Tests whether the output of a pipeline feels the same as before, under pytest, unittest, ctest or by hand.
 
     from palpate.testing import assert_feels_the_same
 
     def test_bone():
         assert_feels_the_same(reader, "baselines/bone.json", unit="mm")
 
-The baseline is a file beside the test: the way of a hand and the force at each place of it. It is written by running the
-test once with PALPATE_UPDATE_BASELINES=1 in the environment, and again whenever a change is meant.
+The baseline is a file beside the test: the path of a hand and the force at each point of the path. A run of the test with
+PALPATE_UPDATE_BASELINES=1 in the environment writes the baseline, at first and after each intended change.
 
 Without Python: `python3 -m palpate.testing --help`.
 """
@@ -34,25 +34,25 @@ UPDATE = "PALPATE_UPDATE_BASELINES"  # in the environment, not empty and not 0: 
 
 def assert_feels_the_same(surface, baseline, *, unit, scene=None, path=None, tolerance=1.0, differences=None, update=None,
                           **settings):
-    """Raises AssertionError, with a report of where, if a hand feels a surface otherwise than its baseline says.
+    """Raises AssertionError, with the places of the differences, if a surface feels different from its baseline.
 
     surface      data, algorithm or its output port; a source of paraview.simple
     baseline     file; read, or written if asked for by the environment
-    unit         of the surface: nm, um, mm, cm, m, km. A baseline in another one is refused
-    scene        what is touched, by name; without it the name of the file. A baseline of another one is refused
-    path         of the hand, a row a tick: x, y, z or t, x, y, z [s, scene units] as rows, a file of such columns, or
-                 poly data; without it that of the baseline, and at first strokes over the six sides
-    tolerance    in just noticeable differences (palpate.testing.compare), 1: what a hand just tells apart
-    differences  file.vtp: where they differ, for ParaView, if they do
-    update       whether what is felt becomes the baseline; without it as the environment says
+    unit         unit of the surface: nm, um, mm, cm, m, km. A baseline in another unit is refused
+    scene        name of the touched scene; default: the name of the file. A baseline of another scene is refused
+    path         path of the hand, one row per tick: x, y, z or t, x, y, z [s, scene units] as rows, a file of such
+                 columns, or poly data; default: the path of the baseline, and at first strokes over the six sides
+    tolerance    in just noticeable differences (palpate.testing.compare); 1 is the threshold of perception
+    differences  file.vtp that receives the differences, if there are any, for ParaView
+    update       True: write the baseline; default: as set in the environment
     settings     of the filter Touch Along Path, by their names: Stiffness=500 [N/m] (the default here), Radius=2 [u]
 
-    Where the way does not lead it compares the separate pieces of the surface: none may come, go, move by more than a
-    hand reaches, or change its area by 7 %. Returns the comparison; its `coverage` says how much of the surface the way
-    covers. Refused, an AssertionError too, is raised in one sentence for what cannot be compared.
+    Beyond the path, the separate pieces of the surface are compared: no piece may appear, vanish, move by more than the
+    reach of a hand, or change its area by 7 %. Returns the comparison; its `coverage` is the covered share of the
+    surface. Data that cannot be compared raise Refused, a subclass of AssertionError, with one sentence.
     """
     if not 0 <= tolerance < math.inf:
-        raise Refused(f"The tolerance {tolerance} is none: give a number of just noticeable differences, 0 or more.")
+        raise Refused(f"The tolerance {tolerance} is invalid: use a number of just noticeable differences, 0 or more.")
     baseline = Path(baseline)
     scene = scene or baseline.stem
     surface = data_of(surface)
@@ -60,7 +60,7 @@ def assert_feels_the_same(surface, baseline, *, unit, scene=None, path=None, tol
     if os.environ.get(UPDATE, "0") not in ("", "0") if update is None else update:
         return _update(surface, baseline, scene, path, touch, tolerance)
     if not baseline.exists():
-        raise Refused(f"{baseline}: there is no such baseline yet; run the test once with {UPDATE}=1 to write it.")
+        raise Refused(f"{baseline}: there is no such baseline yet; run the test once with {UPDATE}=1 to write the file.")
     known = Baseline.read(baseline)
     known.check(scene, touch, None if path is None else read_path(path), tolerance)
     same_size(known, surface)
@@ -75,8 +75,7 @@ def assert_feels_the_same(surface, baseline, *, unit, scene=None, path=None, tol
 
 
 def _update(surface, file, scene, path, touch, tolerance):
-    """The way of the hand stays that of the baseline, where there is one that can be read and no other way is given and it
-    still meets the surface."""
+    """Keeps the path of a readable baseline that still meets the surface, unless another path is given."""
     if file.is_file():
         refuse_another_kind(file)
     way = None
@@ -95,7 +94,7 @@ def _update(surface, file, scene, path, touch, tolerance):
 
 
 def _felt(touch, way, surface, tolerance, before_N=None):
-    """What is felt along a way beside what was felt before; without that beside itself."""
+    """Compares the forces along a path with the earlier forces (default: with themselves)."""
     now_N, proxies_u = touch.along(way, surface)
     found = compare(way, now_N if before_N is None else before_N, now_N, tolerance)
     if not touch.feels_field:
@@ -111,9 +110,9 @@ def _refuse_nothing(found, touch):
     if touch.feels_field:
         how = "give the path of the hand through places where the field acts"
     else:
-        how = "give a path that meets the surface, and of a volume what is felt in it, such as FieldArray and FieldIsosurface"
+        how = "give a path that meets the surface; for a volume set the field, such as FieldArray and FieldIsosurface"
     most_N = norm(found.now_N, axis=1).max()
     if most_N > NOTHING_N:
-        raise Refused(f"The hand feels at most {most_N:.2g} N along its way, which {found.tolerance:g} just noticeable differences "
-                      f"do not tell from nothing: {how}, or give a larger Stiffness.")
-    raise Refused(f"The hand touches nothing along its way: {how}.")
+        raise Refused(f"The hand feels at most {most_N:.2g} N along its path, which {found.tolerance:g} just noticeable differences "
+                      f"do not distinguish from zero: {how}, or use a larger Stiffness.")
+    raise Refused(f"The hand touches nothing along its path: {how}.")

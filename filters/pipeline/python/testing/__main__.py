@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Does the surface in a file feel as its baseline says? Exit code 0: yes, 1: no, 2: it cannot be judged."""
+"""Tests whether the surface in a file feels like its baseline. Exit code 0: yes, 1: no, 2: cannot be judged."""
 
 import argparse
 import json
@@ -22,9 +22,9 @@ READERS = {".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader, "
 
 
 def read_surface(file):
-    """The data in a file; what cannot be read is refused."""
+    """Reads the data in a file; an unreadable file is refused."""
     if file.suffix.lower() not in READERS:
-        raise Refused(f"{file}: this kind of file is not read; write one of {', '.join(READERS)}.")
+        raise Refused(f"{file}: this type of file is not supported; use one of {', '.join(READERS)}.")
     if not file.is_file():
         raise Refused(f"{file}: there is no such file.")
     reader = READERS[file.suffix.lower()]()
@@ -33,7 +33,7 @@ def read_surface(file):
 
 
 def setting(text):
-    """NAME=VALUE as a pair; numbers and lists of numbers as JSON writes them, whatever else is a text."""
+    """NAME=VALUE as a pair; numbers and lists of numbers are JSON, all other values are text."""
     name, equals, value = text.partition("=")
     if not (name[:1].isupper() and equals):  # in small letters it would be an argument of the function itself
         raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE, NAME a setting such as Radius")
@@ -46,22 +46,22 @@ def setting(text):
 def arguments_of(words):
     parser = argparse.ArgumentParser(prog="python3 -m palpate.testing", description=__doc__)
     parser.add_argument("surface", type=Path, metavar="SURFACE", help=f"{', '.join(READERS)}")
-    parser.add_argument("baseline", type=Path, metavar="BASELINE.json", help="how it felt")
-    parser.add_argument("--unit", required=True, help="of the surface: nm, um, mm, cm, m, km")
-    parser.add_argument("--scene", help="name of what is touched; without it that of the baseline's file")
-    parser.add_argument("--path", type=Path, help="PATH.csv: t,x,y,z of the hand [s, scene units]; without it strokes")
-    parser.add_argument("--tolerance", type=float, default=1.0, help="in just noticeable differences; 1 without it")
+    parser.add_argument("baseline", type=Path, metavar="BASELINE.json", help="baseline with the expected forces")
+    parser.add_argument("--unit", required=True, help="unit of the surface: nm, um, mm, cm, m, km")
+    parser.add_argument("--scene", help="name of the scene (default: name of the baseline file)")
+    parser.add_argument("--path", type=Path, help="path of the hand, PATH.csv with columns t,x,y,z [s, scene units] (default: strokes)")
+    parser.add_argument("--tolerance", type=float, default=1.0, help="tolerance in just noticeable differences (default: 1)")
     parser.add_argument("--set", type=setting, action="append", default=[], metavar="NAME=VALUE", dest="settings",
                         help="a setting of the filter Touch Along Path")
-    parser.add_argument("--differences", type=Path, metavar="FILE.vtp", help="written if it feels otherwise")
-    parser.add_argument("--junit", type=Path, metavar="FILE.xml", help="the verdict for a server of continuous integration")
-    parser.add_argument("--update", action="store_true", help="what is felt becomes the baseline")
+    parser.add_argument("--differences", type=Path, metavar="FILE.vtp", help="file that receives the differences")
+    parser.add_argument("--junit", type=Path, metavar="FILE.xml", help="JUnit file with the result for continuous integration")
+    parser.add_argument("--update", action="store_true", help="write the baseline")
     parser.add_argument("--version", action="version", version=__version__)
     given = parser.parse_args(words)
     read = {file.resolve() for file in (given.surface, given.baseline, given.path) if file}
     for file in written(given):
         if file.resolve() in read:
-            parser.error(f"{file}: this run reads it; name another file to be written.")
+            parser.error(f"{file}: this run reads the file; name another file for the output.")
     return given
 
 

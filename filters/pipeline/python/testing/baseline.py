@@ -37,30 +37,30 @@ def same_size(baseline, surface):
     """Refuses a surface that is many times as large or as small as that of the baseline."""
     times = _size_u(surface) / baseline.size_u
     if not 1 / ANOTHER_SIZE < times < ANOTHER_SIZE:
-        raise Refused(f"{baseline.file}: the surface is {times:.3g} times as large as that of the baseline, so it is another "
-                      f"scene or no longer in {baseline.unit}; give it in {baseline.unit}, or write the baseline anew.")
+        raise Refused(f"{baseline.file}: the surface is {times:.3g} times as large as that of the baseline, so that it is another "
+                      f"scene or no longer in {baseline.unit}; give it in {baseline.unit}, or write the baseline again.")
 
 
 def refuse_another_kind(file):
     """Refuses a file that is there and is not a baseline, so that an update overwrites nothing else."""
     with file.open("rb") as held:
         if KIND.encode() not in held.read(HEAD_BYTES):
-            raise Refused(f"{file}: it is no baseline of palpate.testing; name another file or remove this one.")
+            raise Refused(f"{file}: not a baseline of palpate.testing; name another file or remove this one.")
 
 
 def _rounded(number):
-    """To twelve digits: what a file says and what was felt are the same numbers."""
+    """Rounds to twelve digits, so that stored and computed numbers are the same."""
     return float(f"{number:.12g}")
 
 
 def as_written(path):
-    """The way that a file gives back: where a surface has a corner, a way that differs by rounding may lead elsewhere."""
+    """The path after storage in a file: at a corner of a surface, a path that differs by rounding may continue elsewhere."""
     return np.vectorize(_rounded, otypes=[float])(path)
 
 
 @dataclass
 class Baseline:
-    """What was felt, of what, in which unit and by which version."""
+    """Forces along a path, with scene, unit and version."""
 
     file: Path
     scene: str
@@ -75,13 +75,13 @@ class Baseline:
 
     @classmethod
     def of(cls, file, scene, touch, felt, surface):
-        """Of what was felt, a comparison with itself."""
+        """Makes a baseline from a comparison of a touch with itself."""
         return cls(file, scene, touch.unit, palpate.__version__, touch.settings, _size_u(surface), felt.path, felt.now_N,
                    felt.coverage)
 
     @classmethod
     def path_of(cls, file, scene, touch):
-        """The way in a file, if it is one of this scene and unit; None where it says nothing of use."""
+        """The path in a file of the same scene and unit; None for an unusable file."""
         try:
             known = cls.read(file)
         except Refused:
@@ -90,16 +90,16 @@ class Baseline:
 
     @classmethod
     def read(cls, file):
-        """Of a file; what is not one is refused."""
+        """Reads a baseline; a file of another kind is refused."""
         try:
             held = json.loads(file.read_text(encoding="utf-8"))
         except (OSError, ValueError, RecursionError) as problem:
-            raise Refused(f"{file}: it cannot be read as a baseline ({problem}); write it anew.") from None
+            raise Refused(f"{file}: it cannot be read as a baseline ({problem}); write the baseline again.") from None
         if not isinstance(held, dict) or KIND not in held:
             raise Refused(f"{file}: it is no baseline of palpate.testing; name another file.")
         if held[KIND] != FORMAT:
             raise Refused(f"{file}: it is a baseline of format {held[KIND]}, and Palpate {palpate.__version__} reads "
-                          f"{FORMAT}; write it anew.")
+                          f"{FORMAT}; write the baseline again.")
         try:
             rows = np.array(held["rows"], dtype=float)
             if rows.ndim != 2 or rows.shape[1] != len(COLUMNS) or not np.isfinite(rows).all() or held["columns"] != COLUMNS:
@@ -110,7 +110,7 @@ class Baseline:
             return cls(file, str(held["scene"]), str(held["unit"]), str(held["version"]), held["settings"],
                        float(held["size"]), rows[:, :4], rows[:, 4:], coverage, "surface" in held)
         except (KeyError, TypeError, ValueError, OverflowError) as problem:
-            raise Refused(f"{file}: the baseline is damaged ({problem}); write it anew.") from None
+            raise Refused(f"{file}: the baseline is damaged ({problem}); write the baseline again.") from None
 
     def write(self):
         """All of it or nothing."""
@@ -128,27 +128,27 @@ class Baseline:
             raise Refused(f"{self.file}: the baseline cannot be written ({problem.strerror}).") from None
 
     def check(self, scene, touch, path, tolerance):
-        """Refuses what was felt of another scene, in another unit, by another version, or otherwise, and what felt nothing."""
+        """Refuses a baseline of another scene, unit, version or settings, and a baseline without force."""
         if self.scene != scene:
             raise Refused(f"{self.file}: it is the baseline of the scene {self.scene!r}, not of {scene!r}; name another file.")
         if self.unit != touch.unit:
             raise Refused(f"{self.file}: the baseline is in {self.unit}, the test in {touch.unit}; give the surface in "
-                          f"{self.unit}, or write the baseline anew.")
+                          f"{self.unit}, or write the baseline again.")
         if release(self.version) != release(palpate.__version__):
             raise Refused(f"{self.file}: the baseline is of Palpate {self.version}, and {palpate.__version__} may feel otherwise "
-                          "by intention; write it anew where the old version still passes.")
+                          "by intention; write the baseline again where the old version still passes.")
         if self.settings != touch.settings:
             changed = sorted(name for name in {**self.settings, **touch.settings}
                              if self.settings.get(name) != touch.settings.get(name))
             said = ", ".join(f"{name} {self.settings.get(name)} then, {touch.settings.get(name)} now" for name in changed)
-            raise Refused(f"{self.file}: the baseline was felt with other settings ({said}); write it anew.")
+            raise Refused(f"{self.file}: the baseline has other settings ({said}); write the baseline again.")
         if not is_something(self.force_N, tolerance):
             raise Refused(f"{self.file}: the hand of the baseline felt nothing that {tolerance:g} just noticeable differences tell "
-                          "from nothing at all, so whatever is there passes; write it anew along a way that meets something.")
+                          "from zero, so that any surface would pass; write the baseline again along a path that meets the surface.")
         if path is not None and not self._leads_along(path):
-            raise Refused(f"{self.file}: the hand of the baseline goes another way than the path given; write it anew.")
+            raise Refused(f"{self.file}: the path of the baseline differs from the given path; write the baseline again.")
 
     def _leads_along(self, path):
-        """Whether the way is that of the file, up to rounding: near 0 that is measured by the surface and by a second."""
+        """Whether the path is that of the file, up to rounding relative to the size of the surface and to 1 s."""
         scale = np.maximum(np.abs(self.path), [1.0, *3 * [self.size_u]])
         return path.shape == self.path.shape and bool((np.abs(path - self.path) <= SAME_WAY * scale).all())

@@ -17,7 +17,7 @@ FAINT_N = 1.0
 
 
 def jnd(before_N, now_N):
-    """Of each row of two arrays (n, 3) [N]: the larger one of what differs in strength and in direction [JND]."""
+    """For each row of two arrays (n, 3) [N]: the larger of the differences in magnitude and in direction [JND]."""
     before, now = (np.linalg.norm(force, axis=1) for force in (before_N, now_N))
     scale_N = np.maximum(before, FAINT_N)
     strength = np.abs(now - before) / (FORCE_SHARE * scale_N)
@@ -27,7 +27,7 @@ def jnd(before_N, now_N):
 
 @dataclass
 class Comparison:
-    """Two touches of one way, row by row."""
+    """Two touches along one path, row by row."""
 
     path: np.ndarray  # (n, 4): t, x, y, z [s, scene units]
     before_N: np.ndarray  # (n, 3)
@@ -39,7 +39,7 @@ class Comparison:
 
     @property
     def beyond(self):
-        """Of each row whether it differs: what is no number does."""
+        """For each row, whether the row differs; NaN counts as different."""
         return ~(self.jnd <= self.tolerance)
 
     @property
@@ -54,7 +54,7 @@ class Comparison:
 
 
 def is_something(force_N, tolerance):
-    """Whether a hand tells what it feels from nothing at all."""
+    """Whether a hand can distinguish the forces from zero."""
     return not (jnd(force_N, np.zeros_like(force_N)) <= tolerance).all()
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How much of a surface a hand covers on its way, and of which separate pieces it feels nothing.
+"""The share of a surface that a hand covers along its path, and the separate pieces without contact.
 
-Forces along a way say nothing of what the way does not lead to: a second body may come or go there. So a baseline holds
-the pieces of its surface as well.
+Forces along a path cannot reveal changes beyond the path, such as a second body that appears or vanishes. A baseline
+therefore also stores the pieces of its surface.
 """
 
 from dataclasses import dataclass
@@ -39,7 +39,7 @@ class Piece:
 
 @dataclass
 class Coverage:
-    """What a way reaches of a surface."""
+    """The part of a surface that a path reaches."""
 
     area: float  # [u^2]
     share: float  # of the area, within reach of where the hand felt something
@@ -55,7 +55,7 @@ class Coverage:
 
     @classmethod
     def read(cls, held):
-        """Of what a baseline holds; ValueError, KeyError or TypeError for anything else."""
+        """Reads the content of a baseline; ValueError, KeyError or TypeError for other content."""
         rows = np.array(held["largest"], dtype=float).reshape(-1, 5)
         numbers = [float(held[name]) for name in ("area", "covered", "reach")]
         if not (np.isfinite(rows).all() and np.isfinite(numbers).all() and len(rows) == min(held["pieces"], MOST_PIECES)):
@@ -64,10 +64,10 @@ class Coverage:
         return cls(area, share, int(held["pieces"]), reach_u, [Piece(row[0], row[1:4], bool(row[4])) for row in rows])
 
     def text(self):
-        """What the way covers, in words."""
+        """The coverage of the path as text."""
         touched = sum(piece.touched for piece in self.pieces)
         pieces = "its one piece" if self.count == 1 else f"{touched} of its {self.count} pieces"
-        return f"the way covers {100 * self.share:.2g} % of the surface and touches {pieces}"
+        return f"the path covers {100 * self.share:.2g} % of the surface and touches {pieces}"
 
 
 def _short(number):
@@ -75,7 +75,7 @@ def _short(number):
 
 
 def covered(surface, proxies, settings):
-    """What places of a proxy that felt a force (n, 3) [u] cover of a surface; None for a surface without faces."""
+    """The coverage of a surface by proxy positions with force (n, 3) [u]; None for a surface without faces."""
     mesh = _triangles(surface)
     if not mesh.GetNumberOfPolys():
         return None
@@ -157,7 +157,7 @@ def _nearest_cells(mesh, places):
 
 
 def changed_pieces(then, now):
-    """Sentences on the pieces that came, went or changed where the way does not lead; none: all is as it was."""
+    """Sentences on pieces that appeared, vanished or changed beyond the path; empty without changes."""
     if then is None or now is None:
         return [] if then is now else ["the surface has faces now, and had none" if now else "the surface has no faces any more"]
     reach_u = max(then.reach_u, now.reach_u)
@@ -168,7 +168,7 @@ def changed_pieces(then, now):
     if then.count != now.count:
         lines.insert(0, f"the surface has {now.count} separate pieces, and had {then.count}")
     if not lines and abs(then.area - now.area) > SAME_AREA * max(then.area, now.area):
-        lines.append(f"the surface's area is {now.area:.4g}, and was {then.area:.4g}, at places that the way does not reach")
+        lines.append(f"the surface's area is {now.area:.4g}, and was {then.area:.4g}, at positions that the path does not reach")
     return lines
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a hand feels along a way: the filter Touch Along Path with settings by their names."""
+"""Forces along a path: the filter Touch Along Path with settings by their names."""
 
 import difflib
 
@@ -16,7 +16,7 @@ PER_METRE = {"nm": 1e9, "um": 1e6, "mm": 1e3, "cm": 1e2, "m": 1.0, "km": 1e-3}
 
 
 class Refused(AssertionError):
-    """What cannot be judged: one sentence with the file, the reason and what to do."""
+    """Data that cannot be judged: one sentence with the file, the reason and the remedy."""
 
 
 def data_of(surface):
@@ -31,9 +31,9 @@ def data_of(surface):
         surface.GetProducer().Update()
         surface = surface.GetProducer().GetOutputDataObject(surface.GetIndex())
     if not isinstance(surface, (vtkDataSet, vtkCompositeDataSet)):
-        raise Refused(f"{surface!r} is nothing to touch: give data, an algorithm, its output port or a source of ParaView.")
+        raise Refused(f"{surface!r} cannot be touched: pass data, an algorithm, its output port or a source of ParaView.")
     if not surface.GetNumberOfElements(vtkDataObject.POINT):
-        raise Refused("The surface is empty: what makes it has left nothing to touch.")
+        raise Refused("The surface is empty: check the pipeline that makes the surface.")
     return surface
 
 
@@ -67,7 +67,7 @@ class Touch:
 
     def __init__(self, unit, settings):
         if unit not in PER_METRE:
-            raise Refused(f"The unit {unit!r} is not known: use one of {', '.join(PER_METRE)}.")
+            raise Refused(f"The unit {unit!r} is unknown: use one of {', '.join(PER_METRE)}.")
         self.unit = unit
         plain = {name: _plain(value) for name, value in settings.items()}
         self.settings = {"Scale": PER_METRE[unit], "Stiffness": 500.0, **plain}

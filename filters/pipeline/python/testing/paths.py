@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ways of a hand: given as rows, files or poly data, or led over the six sides of a surface."""
+"""Paths of a hand: given as rows, files or poly data, or made as strokes over the six sides of a surface."""
 
 import csv
 from pathlib import Path
@@ -19,7 +19,7 @@ PLACES = 150  # of a stroke, along the diagonal of the surface's box
 
 
 def read_path(path):
-    """Rows of t, x, y, z [s, scene units] of what a test gives."""
+    """Rows of t, x, y, z [s, scene units] from the argument of a test."""
     name = "the path of the hand"
     if isinstance(path, (str, Path)):
         name, path = path, _of_file(Path(path))
@@ -62,7 +62,7 @@ def _of_file(file):
 
 
 def strokes(surface, touch):
-    """A way that comes down on each of the six sides of a surface's box in turn, strokes over its middle 2 mm of the
+    """A path that comes down on each of the six sides of a surface's box in turn, strokes over its middle 2 mm of the
     hand deep (2 % of the surface where that is less), and goes on outside of it. Sides that show no whole stroke are left
     out."""
     faces = faces_of(surface)

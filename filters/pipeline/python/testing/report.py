@@ -14,11 +14,11 @@ ROW = "{:>11}  {:>13}  {:>29}  {:>9}  {:>9}  {:>8}  {:>7}"
 
 
 def text_of(found, baseline, differences, how_to_accept):
-    """The verdict, the worst stretches, and what to do if the change is meant."""
+    """The result, the worst stretches, and the remedy for an intended change."""
     rows = int(found.beyond.sum())
     lines = [f"the surface does not feel as it did: {rows} of {len(found.jnd)} places differ by more than {found.tolerance:g} "
              f"just noticeable differences (JND), at most by {found.jnd.max():.3g}" if rows else
-             "the surface feels as it did on the way of the hand, but elsewhere it is another",
+             "the surface feels the same along the path of the hand, but differs elsewhere",
              f"baseline: {baseline.file} (scene {baseline.scene}, in {baseline.unit}, Palpate {baseline.version})"]
     if rows:
         lines.append(ROW.format("rows", "t [s]", f"worst at [{baseline.unit}]", "then [N]", "now [N]", "turn [°]", "JND"))
@@ -49,7 +49,7 @@ def _stretch(found, first, last):
 
 
 def write_differences(found, file):
-    """The way of the hand as a polyline with the point arrays Before [N], Now [N] and JND."""
+    """The path of the hand as a polyline with the point arrays Before [N], Now [N] and JND."""
     points, lines, way = vtkPoints(), vtkCellArray(), vtkPolyData()
     points.SetDataTypeToDouble()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(found.path[:, 1:]), deep=True))

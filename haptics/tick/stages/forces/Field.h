@@ -68,15 +68,15 @@ struct Field
     }
     if (!(f.detent.bounds.gradient_per_u >= 0.0) || !(f.detent.bounds.bend_per_u2 >= 0.0))
     {
-      return "field: how steep a scalar is and how much it bends at most must be numbers that are not negative";
+      return "field: largest gradient and curvature of a scalar must be numbers that are not negative";
     }
     if (!std::isfinite(f.dragNone) || !std::isfinite(f.dragFull))
     {
-      return "field: the resistances of which nothing is felt and all must be finite";
+      return "field: the resistances of zero and full drag must be finite";
     }
     if (!nonNegative(f.noSpeed) || (f.noSpeed > 0.0 && !(f.fullSpeed > f.noSpeed)))
     {
-      return "field: the length that is felt in full must be larger than the one of which nothing is";
+      return "field: the vector length of full force must be larger than that of zero force";
     }
     if (std::string problem = refuseLevels(f.detent); !problem.empty())
     {

@@ -65,7 +65,7 @@ struct HeldMechanism
   {
     return nonNegative(p.mechanismTurning_N_m_per_rad)
              ? ""
-             : "mechanism: the stiffness of turning [N m/rad] must be a number that is not negative";
+             : "mechanism: the rotational stiffness [N m/rad] must be a number that is not negative";
   }
 
   struct State

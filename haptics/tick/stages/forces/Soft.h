@@ -31,7 +31,7 @@ struct SoftLead
   /// Infinite is allowed: then any age is.
   [[nodiscard]] static std::string refuse(const Plan& p)
   {
-    return p.softLate_s > 0.0 ? "" : "soft: the age of a packet [s] that ends the force must be a number above 0";
+    return p.softLate_s > 0.0 ? "" : "soft: the age of a solution [s] that ends the force must be a number above 0";
   }
 
   struct State

@@ -34,7 +34,7 @@ struct Tool
   {
     return p.toolCoupling <= ToolCoupling::Virtual && nonNegative(p.turnResolution_rad)
              ? ""
-             : "tool: its coupling is constraints or virtual, the resolution of turns [rad] a number that is not "
+             : "tool: the coupling must be constraints or virtual, and the resolution of rotations [rad] must not be "
                "negative";
   }
 
