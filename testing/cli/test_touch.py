@@ -121,7 +121,8 @@ class OnAPlane(CommandLineTest):
                     self.write_path(rows)
                     given = {"": [], " LOW,HIGH": ["1,2"]}.get(value, ["1"])
                     self.refused("touch", "plane.off", "--path", "path.csv", "--csv", "out.csv", option, *given,
-                                 saying=[option, "--field"] if option in OF_A_FIELD else [option.removesuffix("-array").lstrip("-")])
+                                 saying=[option, "--field"] if option in OF_A_FIELD else
+                                 ["no array '1'"] if option.endswith("-array") else [option])
                     continue
                 if not value:
                     self.touch(rows, option)
