@@ -305,7 +305,7 @@ class InAField(CommandLineTest):
         self.write_path([(0.0, 8.0, 8.0, 9.0)])
         command = ("touch", "f.vti", "--path", "path.csv", "--csv", "out.csv", "--field", "f", "--mode", "isosurface", "--iso", 8)
         self.assertEqual(self.succeed(*command).stderr, "")
-        self.refused(*command, "--radius", 1, saying=["--radius", "no surface"])
+        self.refused(*command, "--radius", 1, saying=["--radius", "a field alone"])
         self.write_off("plane.off", SQUARE_POINTS, SQUARE_FACES)
         self.assertIn("by a point", self.succeed(*command, "--radius", 0.5, "--surface", "plane.off").stderr)
         # Half a spacing up and down in turn along x alone is a wave, and the data

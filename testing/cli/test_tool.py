@@ -78,10 +78,10 @@ class Tool(CommandLineTest):
     def test_what_a_tool_does_not_feel_is_refused_by_name(self):
         self.write_path([(0, 0, 0, 3, *UPRIGHT)], header=POSES)
         base = ("touch", "plane.off", "--tool", "cube.off", "--path", "path.csv", "--csv", "out.csv")
-        for option in (("--radius", 1), ("--two-d",), ("--stiffness-array", "E"), ("--shading",),
-                       ("--strength", 1), ("--compare-with", "g"), ("--values", 1), ("--range", "0,1"), ("--snap", "points"),
-                       ("--young", 20000)):
-            self.refused(*base, *option, saying=("tool", "--tool"))
+        for option in (("--radius", 1), ("--two-d",), ("--stiffness-array", "E"), ("--shading",), ("--young", 20000)):
+            self.refused(*base, *option, saying=(option[0], "tool"))
+        for option in (("--strength", 1), ("--compare-with", "g"), ("--values", 1), ("--range", "0,1"), ("--snap", "points")):
+            self.refused(*base, *option, saying=(option[0], "--field"))
         self.refused(*base, "--lever", 0, saying=("lever",))
         for stiffness in (-1, 0, "inf"):
             self.refused(*base, "--torque-stiffness", stiffness, saying=(f"--torque-stiffness {stiffness}:", "finite number"))

@@ -19,7 +19,10 @@ PLACE = 1e-12
 FORCE = STIFFNESS * PLACE
 # Settings that say how numbers in space are felt.
 OF_A_FIELD = ("--eigenvector", "--component", "--smoothing", "--first-level", "--between-levels", "--levels-click", "--snap-reach",
-              "--compare-full", "--full-length")
+              "--compare-full", "--full-length", "--compare-with", "--levels")
+# Settings of what this scene and path have not: an array, a tool, a body that gives way.
+OF_OTHERS = ("--low-rate", "--lever", "--torque-stiffness", *(f"--{of}-{part}" for of in ("stiffness", "friction", "texture")
+                                                             for part in ("array", "component", "range", "to")))
 WALL_POINTS = [(0, -8, -8), (0, 8, -8), (0, 8, 8), (0, -8, 8)]
 
 
@@ -75,56 +78,17 @@ class OnAPlane(CommandLineTest):
             expected = 700 * (row["proxy_z"] - row["device_z"]) / 30
             self.assertAlmostEqual(row["force_z"], expected, delta=4 * math.ulp(expected))
 
-    def test_the_plane_pushes_back_to_the_side_the_hand_came_from(self):
-        rows = [(t, x, y, -z) for t, x, y, z in descent([0.5])]
-        self.assert_force(self.touch(rows, "--stiffness", STIFFNESS)[1], (0, 0, -STIFFNESS * 0.5))
-
-    def test_letting_go_is_free(self):
-        out = self.touch(descent([0.5, -0.5]), "--stiffness", STIFFNESS)
-        self.assertEqual((out[2]["proxy_z"], out[2]["force_z"], out[2]["contacts"]), (0.5, 0.0, 0))
-
     def test_the_force_does_not_depend_on_how_long_a_tick_is(self):
         slow = self.touch([(0.0, 0, 0, 1.0), (10.0, 0, 0, -0.5)], "--stiffness", STIFFNESS)
         quick = self.touch([(0.0, 0, 0, 1.0), (1e-6, 0, 0, -0.5)], "--stiffness", STIFFNESS)
         self.assertEqual(slow[1]["force_z"], quick[1]["force_z"])
 
-    def test_sliding_over_the_plane_gives_no_lateral_force(self):
-        rows = [(0.0, -4.0, 0.0, 1.0)] + [(n / 1024, -4.0 + n / 32, n / 64, -0.25) for n in range(1, 257)]
-        for row in self.touch(rows, "--stiffness", STIFFNESS)[1:]:
-            self.assertLessEqual(math.hypot(row["force_x"], row["force_y"]), 1e-9)
-            self.assertAlmostEqual(row["force_z"], STIFFNESS * 0.25, delta=1e-9)
-
-    def test_friction_holds_up_to_its_cone_and_trails_by_the_kinetic_one(self):
-        depth, static, kinetic = 0.5, 0.5, 0.25
-        ways = [k / 64 for k in range(33)]
-        rows = [(0, 0.25, 0.25, 1.0), (1 / 1024, 0.25, 0.25, -depth)]
-        rows += [((k + 2) / 1024, 0.25 + way, 0.25, -depth) for k, way in enumerate(ways)]
-        options = ("--mu-static", static, "--stiffness", STIFFNESS)
-        for kinetic_options, trailing in (((), static), (("--mu-kinetic", kinetic), kinetic)):
-            out = self.touch(rows, *options, *kinetic_options)
-            for way, row in zip(ways, out[2:]):
-                behind = way if way <= static * depth else trailing * depth
-                self.assert_force(row, (-STIFFNESS * behind, 0.0, STIFFNESS * depth))
-
-    def test_a_ball_rests_its_radius_above_the_plane(self):
-        out = self.touch(descent([0.5]), "--stiffness", STIFFNESS, "--radius", 0.25)
-        self.assert_proxy(out[1], (0.5, 0.25, 0.25))
-        self.assert_force(out[1], (0, 0, STIFFNESS * (0.25 + 0.5)))
-
-    def test_lines_are_tubes_of_their_radius(self):
-        self.write("line.vtp", vtp_text([(-2, 0, 0), (2, 0, 0)], [(0, 1)], kind="Lines"))
-        out = self.touch(
-            [(0.0, 0.5, 0.0, 1.0), (0.001, 0.5, 0.0, 0.5)],
-            "--stiffness", STIFFNESS, "--radius", 0.25, "--line-radius", 0.5, files=("line.vtp",),
-        )
-        self.assert_proxy(out[1], (0.5, 0.0, 0.75))
-        self.assert_force(out[1], (0, 0, STIFFNESS * 0.25))
-
-    def test_the_scale_turns_scene_units_into_metres(self):
-        # 1024 scene units per metre, so that 0.5 units are 0.5 / 1024 m
-        out = self.touch(descent([0.5]), "--stiffness", STIFFNESS, "--scale", 1024)
-        self.assertEqual(out[1]["device_z"], -0.5)
-        self.assertAlmostEqual(out[1]["force_z"], STIFFNESS * 0.5 / 1024, delta=FORCE / 1024)
+    def test_the_kinetic_friction_is_the_static_one_unless_it_is_given(self):
+        depth, static, way = 0.5, 0.5, 0.4  # the way is beyond the cone, whose half width is 0.25
+        rows = [(0, 0.25, 0.25, 1.0), (1 / 1024, 0.25, 0.25, -depth), (2 / 1024, 0.25 + way, 0.25, -depth)]
+        for given, trails in (((), static), (("--mu-kinetic", 0.25), 0.25)):
+            out = self.touch(rows, "--stiffness", STIFFNESS, "--mu-static", static, *given)
+            self.assert_force(out[2], (-STIFFNESS * trails * depth, 0.0, STIFFNESS * depth))
 
     def test_a_scale_that_is_not_a_power_of_two_keeps_17_digits_of_the_device(self):
         rows = [(0.0, 0.1, 0.2, 1.0), (0.001, 0.1, 0.2, -0.3)]
@@ -144,7 +108,7 @@ class OnAPlane(CommandLineTest):
     def test_every_setting_of_the_page_is_an_option_with_that_default_and_is_felt(self):
         # The page is written from the table of settings, and held to the table by plugin.properties.
         page = (Path(os.environ["PALPATE_SOURCE_DIR"]) / "docs/program.md").read_text(encoding="utf-8")
-        options = re.findall(r"^\| `(--[\w-]+)(| V| X,Y,Z)` \| (.*); (.*) \|$", page, re.MULTILINE)
+        options = re.findall(r"^\| `(--[\w-]+)(| V| LOW,HIGH| X,Y,Z)` \| (.*); (.*) \|$", page, re.MULTILINE)
         self.assertGreater(len(options), 8)
         help_text = " ".join(self.succeed("touch", "--help").stdout.split())
         rows = [(0.0, 0.0, 0.25, 0.5)] + [(n / 1024, n / 64, 0.25, -0.5) for n in range(1, 9)]
@@ -153,10 +117,12 @@ class OnAPlane(CommandLineTest):
         for option, value, sentence, default in options:
             with self.subTest(option=option):
                 self.assertIn(re.split(r";|\. ", sentence)[0], help_text)
-                if option in OF_A_FIELD:  # test_field.py feels them
+                if option in OF_A_FIELD + OF_OTHERS:  # test_field.py, test_materials.py, test_soft.py and test_tool.py feel them
                     self.write_path(rows)
-                    self.refused("touch", "plane.off", "--path", "path.csv", "--csv", "out.csv", option,
-                                 *(["1"] if value else []), saying=[option, "--field"])
+                    given = {"": [], " LOW,HIGH": ["1,2"]}.get(value, ["1"])
+                    self.refused("touch", "plane.off", "--path", "path.csv", "--csv", "out.csv", option, *given,
+                                 saying=[option, "--field"] if option in OF_A_FIELD else
+                                 ["no array '1'"] if option.endswith("-array") else [option])
                     continue
                 if not value:
                     self.touch(rows, option)

@@ -84,7 +84,7 @@ std::vector<Vec3> pressedAt(vtkTouchAlongPath* touch, const std::vector<double>&
     path_W.insert(path_W.end(), { Vec3(x, y, top_u + 1.0), Vec3(x, y, top_u - depth), Vec3(x, y, top_u - depth) });
   }
   touch->SetPathData(makePath(path_W));
-  touch->SetStiffness(stiffness);
+  touch->SetSetting("Stiffness", stiffness);
   EXPECT_THAT(errorsOf(touch), IsEmpty());
   std::vector<Vec3> forces_W;
   vtkDataArray* force = touch->GetOutput()->GetPointData()->GetArray("Force");
@@ -121,8 +121,8 @@ TEST(MaterialArrays, StiffnessFollowsALinearArrayAtEachPlace)
 {
   vtkNew<vtkTouchAlongPath> touch;
   touch->SetInputData(makePlaneWith(xOf));
-  touch->SetStiffnessArray("a");
-  touch->SetStiffnessFeltRange(200.0, 900.0);
+  touch->SetSetting("StiffnessArray", "a");
+  touch->SetSetting("StiffnessFeltRange", 200.0, 900.0);
   expectForcesOfARamp(pressedAt(touch, places));
 }
 
@@ -133,10 +133,10 @@ TEST(MaterialArrays, ATubeFollowsTheArrayOfItsLineAtEachPlace)
   line->GetPointData()->AddArray(makeArray("a", { -half, half }));
   vtkNew<vtkTouchAlongPath> touch;
   touch->SetInputData(line);
-  touch->SetLineRadius(tube);
-  touch->SetRadius(ball);
-  touch->SetStiffnessArray("a");
-  touch->SetStiffnessFeltRange(200.0, 900.0);
+  touch->SetSetting("LineRadius", tube);
+  touch->SetSetting("Radius", ball);
+  touch->SetSetting("StiffnessArray", "a");
+  touch->SetSetting("StiffnessFeltRange", 200.0, 900.0);
   expectForcesOfARamp(pressedAt(touch, places, 0.0, tube + ball));
 }
 
@@ -146,8 +146,8 @@ TEST(MaterialArrays, ALineWithoutTheArrayIsAnErrorUnlessASurfaceBesideItHasIt)
   vtkNew<vtkTouchAlongPath> touch;
   touch->SetInputData(line);
   touch->SetPathData(makePath({ Vec3(0.0, 0.0, 9.0), Vec3(0.0, 0.0, 8.0) }));
-  touch->SetLineRadius(0.5);
-  touch->SetStiffnessArray("a");
+  touch->SetSetting("LineRadius", 0.5);
+  touch->SetSetting("StiffnessArray", "a");
   const auto errors = errorsOf(touch);
   ASSERT_FALSE(errors.empty());
   EXPECT_THAT(errors.front(), HasSubstr("no array 'a'"));
@@ -162,21 +162,21 @@ TEST(MaterialArrays, ADataRangeIsLevelBeyondItsEndsAndTheFeltRangeMayFall)
 {
   vtkNew<vtkTouchAlongPath> touch;
   touch->SetInputData(makePlaneWith([](const Vec3& p) { return 100.0 * p.x(); }));
-  touch->SetStiffnessArray("a");
-  touch->SetStiffnessDataRange(2000.0, 3000.0); // beyond all there is
-  touch->SetStiffnessFeltRange(800.0, 200.0);
+  touch->SetSetting("StiffnessArray", "a");
+  touch->SetSetting("StiffnessDataRange", 2000.0, 3000.0); // beyond all there is
+  touch->SetSetting("StiffnessFeltRange", 800.0, 200.0);
   for (const Vec3& force_W : pressedAt(touch, places))
   {
     EXPECT_NEAR(force_W.z(), 800.0 * depth, 1e-12 * stiffness);
   }
-  touch->SetStiffnessDataRange(-3000.0, -2000.0);
+  touch->SetSetting("StiffnessDataRange", -3000.0, -2000.0);
   for (const Vec3& force_W : pressedAt(touch, places))
   {
     EXPECT_NEAR(force_W.z(), 200.0 * depth, 1e-12 * stiffness);
   }
-  touch->SetStiffnessDataRange(1000.0, -1000.0); // either end may be the higher one
+  touch->SetSetting("StiffnessDataRange", 1000.0, -1000.0); // either end may be the higher one
   EXPECT_NEAR(pressedAt(touch, { -5.0 }).front().z(), 350.0 * depth, 1e-12 * stiffness);
-  touch->SetStiffnessDataRange(-1000.0, 1000.0);
+  touch->SetSetting("StiffnessDataRange", -1000.0, 1000.0);
   const Vec3 middle_W = pressedAt(touch, { 0.0 }).front();
   EXPECT_NEAR(middle_W.z(), 500.0 * depth, 1e-12 * stiffness);
 }
@@ -185,8 +185,8 @@ TEST(MaterialArrays, NoMoreThanTheCouplingIsFelt)
 {
   vtkNew<vtkTouchAlongPath> touch;
   touch->SetInputData(makePlaneWith([](const Vec3&) { return 1.0; }));
-  touch->SetStiffnessArray("a");
-  touch->SetStiffnessFeltRange(5.0 * stiffness, 5.0 * stiffness);
+  touch->SetSetting("StiffnessArray", "a");
+  touch->SetSetting("StiffnessFeltRange", 5.0 * stiffness, 5.0 * stiffness);
   EXPECT_NEAR(pressedAt(touch, { 3.0 }).front().z(), stiffness * depth, 1e-12 * stiffness);
 }
 
@@ -194,8 +194,8 @@ TEST(MaterialArrays, FrictionFollowsAnArray)
 {
   vtkNew<vtkTouchAlongPath> touch;
   touch->SetInputData(makePlaneWith([](const Vec3& p) { return p.y(); }));
-  touch->SetFrictionArray("a");
-  touch->SetFrictionFeltRange(0.0, 0.8);
+  touch->SetSetting("FrictionArray", "a");
+  touch->SetSetting("FrictionFeltRange", 0.0, 0.8);
   for (const double y : { -5.0, 0.0, 7.0 })
   {
     std::vector<Vec3> path_W = { Vec3(-5.0, y, 1.0), Vec3(-5.0, y, -depth) };
@@ -204,7 +204,7 @@ TEST(MaterialArrays, FrictionFollowsAnArray)
       path_W.emplace_back(x, y, -depth); // along x the coefficient is the same
     }
     touch->SetPathData(makePath(path_W));
-    touch->SetStiffness(stiffness);
+    touch->SetSetting("Stiffness", stiffness);
     ASSERT_THAT(errorsOf(touch), IsEmpty());
     Vec3 last_W;
     vtkDataArray* force = touch->GetOutput()->GetPointData()->GetArray("Force");
@@ -218,8 +218,8 @@ TEST(MaterialArrays, ATextureIsTheForceOfItsPotential)
 {
   vtkNew<vtkTouchAlongPath> touch;
   touch->SetInputData(makePlaneWith(xOf));
-  touch->SetTextureArray("a");
-  touch->SetTextureFeltRange(-0.2, 0.2); // u over 2 half
+  touch->SetSetting("TextureArray", "a");
+  touch->SetSetting("TextureFeltRange", -0.2, 0.2); // u over 2 half
   const double slope = 0.2 / half;
   const std::vector<Vec3> forces_W = pressedAt(touch, places);
   ASSERT_EQ(forces_W.size(), places.size());
@@ -320,9 +320,9 @@ TEST(MaterialArrays, PointsWithoutANumberAreCountedAndFeelLikeTheSurfaceItself)
   vtkNew<vtkTouchAlongPath> touch;
   const auto plane = makePlaneWith([](const Vec3& p) { return p.x() < 0.0 ? notANumber : 1.0; }); // two of four points
   touch->SetInputData(plane);
-  touch->SetStiffnessArray("a");
-  touch->SetStiffnessDataRange(0.0, 1.0);
-  touch->SetStiffnessFeltRange(0.0, 400.0);
+  touch->SetSetting("StiffnessArray", "a");
+  touch->SetSetting("StiffnessDataRange", 0.0, 1.0);
+  touch->SetSetting("StiffnessFeltRange", 0.0, 400.0);
   const double slope = (400.0 - stiffness) / (2.0 * half);
   const std::vector<Vec3> forces_W = pressedAt(touch, places);
   ASSERT_EQ(forces_W.size(), places.size());
@@ -400,7 +400,7 @@ TEST(MaterialArrays, AnArrayThatCannotBeUsedIsAnErrorOfOneLine)
     vtkNew<vtkTouchAlongPath> touch;
     touch->SetInputData(plane);
     touch->SetPathData(makePath({ Vec3(0, 1, 1), Vec3(0, 1, -1) }));
-    touch->SetFrictionArray(name);
+    touch->SetSetting("FrictionArray", name);
     const std::vector<std::string> errors = errorsOf(touch);
     ASSERT_FALSE(errors.empty()) << name;
     EXPECT_THAT(errors.front(), HasSubstr(sentence));

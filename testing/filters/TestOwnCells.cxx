@@ -44,10 +44,10 @@ vtkSmartPointer<vtkTouchAlongPath> touched(vtkDataObject* data, const std::vecto
   auto touch = vtkSmartPointer<vtkTouchAlongPath>::New();
   touch->SetInputDataObject(0, data);
   touch->SetPathData(makePath(hands_W));
-  touch->SetStiffness(400.0);
-  touch->SetFieldArray("u");
-  touch->FieldIsosurfaceOn();
-  touch->SetFieldIsovalue(value);
+  touch->SetSetting("Stiffness", 400.0);
+  touch->SetSetting("FieldArray", "u");
+  touch->SetSetting("FieldIsosurface", 1);
+  touch->SetSetting("FieldIsovalue", value);
   EXPECT_THAT(errorsOf(touch), IsEmpty());
   return touch;
 }
@@ -334,7 +334,7 @@ TEST(OwnCells, ThatAreNotFeltAreAWarningOfTheFilterAndThoseThatAreFeltAreNone)
   const auto warningsOf = [](vtkDataObject* data, int smoothing)
   {
     const auto touch = touched(data, { Vec3(1.1, 0.2, 1.4), Vec3(1.1, 0.1, 1.4) }, 0.9);
-    touch->SetFieldSmoothing(smoothing);
+    touch->SetSetting("FieldSmoothing", smoothing);
     std::string warnings;
     vtkNew<vtkCallbackCommand> listener;
     listener->SetClientData(&warnings);

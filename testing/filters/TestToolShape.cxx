@@ -91,7 +91,7 @@ vtkSmartPointer<vtkTouchAlongPath> lead(
   touch->SetToolData(tool.GetOutput());
   touch->SetPathData(path);
   touch->SetTurnArray("turn");
-  touch->SetLever(lever);
+  touch->SetSetting("ToolLever", lever);
   touch->Update();
   return touch;
 }

@@ -60,7 +60,7 @@ TEST(TouchAlongPath, ForceOnAPlaneIsStiffnessTimesDepth)
   constexpr double stiffness = 750.0;
   const std::vector<Vec3> path_W = straight(Vec3(1.0, 2.0, 0.5), Vec3(1.5, -2.0, -0.5), 200);
   const auto touch = touchPlane(path_W);
-  touch->SetStiffness(stiffness);
+  touch->SetSetting("Stiffness", stiffness);
   ASSERT_THAT(errorsOf(touch), IsEmpty());
   vtkPolyData* output = touch->GetOutput();
   ASSERT_EQ(output->GetNumberOfPoints(), static_cast<vtkIdType>(path_W.size()));
@@ -76,91 +76,12 @@ TEST(TouchAlongPath, ForceOnAPlaneIsStiffnessTimesDepth)
   }
 }
 
-TEST(TouchAlongPath, ABallRestsItsRadiusAboveThePlane)
-{
-  constexpr double radius = 0.25;
-  const auto touch = touchPlane(straight(Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0), 100));
-  touch->SetRadius(radius);
-  touch->SetStiffness(100.0);
-  ASSERT_THAT(errorsOf(touch), IsEmpty());
-  vtkPolyData* output = touch->GetOutput();
-  const vtkIdType last = output->GetNumberOfPoints() - 1;
-  double proxy_W[3];
-  output->GetPoint(last, proxy_W);
-  EXPECT_NEAR(proxy_W[2], radius, 1e-12);
-  EXPECT_LT((vectorAt(output, "Force", last) - Vec3(0.0, 0.0, 100.0 * (radius + 1.0))).norm(), 1e-10);
-}
-
-TEST(TouchAlongPath, LinesAreTubesOfTheirRadius)
-{
-  constexpr double tube = 0.2, ball = 0.1, depth = 0.12, stiffness = 100.0;
-  auto touch = vtkSmartPointer<vtkTouchAlongPath>::New();
-  touch->SetInputData(makePath({ Vec3(-1, 0, 0), Vec3(0, 0, 0), Vec3(1, 0, 0) }));
-  const Vec3 out = Vec3(0, 1, 2).normalized();
-  touch->SetPathData(makePath(straight(Vec3(0.3, 0, 0) + out, Vec3(0.3, 0, 0) + (tube + ball - depth) * out, 60)));
-  touch->SetRadius(ball);
-  touch->SetStiffness(stiffness);
-  EXPECT_THAT(errorsOf(touch), Not(IsEmpty())); // without a radius there is nothing to touch
-  touch->SetLineRadius(tube);
-  ASSERT_THAT(errorsOf(touch), IsEmpty());
-  const vtkIdType last = touch->GetOutput()->GetNumberOfPoints() - 1;
-  EXPECT_LT((vectorAt(touch->GetOutput(), "Force", last) - stiffness * depth * out).norm(), 1e-11);
-  touch->SetLineRadius(std::nan(""));
-  const auto errors = errorsOf(touch);
-  ASSERT_THAT(errors, Not(IsEmpty()));
-  EXPECT_THAT(errors.front(), HasSubstr("radius of lines"));
-}
-
 TEST(TouchAlongPath, MoreSegmentsThanCanBeFeltAreRefusedAsInASession)
 {
   const auto touch = touchPlane({ Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0) });
   touch->SetInputData(makePath(straight(Vec3(0.0, 0.0, 0.0), Vec3(1.0, 0.0, 0.0), 4000001)));
-  touch->SetLineRadius(0.01);
+  touch->SetSetting("LineRadius", 0.01);
   EXPECT_THAT(errorsOf(touch), ::testing::Contains(HasSubstr("its lines have 4000001 segments; at most 4000000")));
-}
-
-TEST(TouchAlongPath, TheScaleTurnsSceneUnitsIntoMetresOfTheHand)
-{
-  constexpr double scale = 1000.0; // millimetres
-  const auto touch = touchPlane(straight(Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -2.0), 60));
-  touch->SetScale(scale);
-  touch->SetStiffness(500.0);
-  ASSERT_THAT(errorsOf(touch), IsEmpty());
-  const vtkIdType last = touch->GetOutput()->GetNumberOfPoints() - 1;
-  EXPECT_LT((vectorAt(touch->GetOutput(), "Force", last) - Vec3(0.0, 0.0, 500.0 * 2.0 / scale)).norm(), 1e-12);
-}
-
-TEST(TouchAlongPath, FrictionHoldsUpToTheStaticConeThenBrakesWithTheKineticOne)
-{
-  constexpr double depth = 0.5;
-  constexpr double stiffness = 1000.0;
-  constexpr double statical = 0.5;
-  constexpr double kinetic = 0.3;
-  std::vector<Vec3> path_W{ Vec3(0.0, 0.0, 1.0) };
-  for (const Vec3& p_W : straight(Vec3(0.0, 0.0, -depth), Vec3(2.1, 0.0, -depth), 200))
-  {
-    path_W.push_back(p_W);
-  }
-  const auto touch = touchPlane(path_W);
-  touch->SetStiffness(stiffness);
-  touch->SetFrictionStatic(statical);
-  touch->SetFrictionKinetic(kinetic);
-  ASSERT_THAT(errorsOf(touch), IsEmpty());
-  for (std::size_t i = 1; i < path_W.size(); ++i)
-  {
-    const double x = path_W[i].x();
-    const double drag_N = stiffness * (x < statical * depth ? x : kinetic * depth);
-    const Vec3 force_W = vectorAt(touch->GetOutput(), "Force", static_cast<vtkIdType>(i));
-    EXPECT_LT((force_W - Vec3(-drag_N, 0.0, stiffness * depth)).norm(), 1e-12 * stiffness) << "x = " << x;
-  }
-}
-
-TEST(TouchAlongPath, KineticFrictionAboveTheStaticOneIsRefused)
-{
-  const auto touch = touchPlane({ Vec3(0, 0, 1), Vec3(0, 0, -1) });
-  touch->SetFrictionStatic(0.2);
-  touch->SetFrictionKinetic(0.3);
-  EXPECT_THAT(errorsOf(touch).at(0), HasSubstr("friction"));
 }
 
 TEST(TouchAlongPath, ForceShadingTurnsTheForceOnAFacetedSphereToItsRadius)
@@ -178,7 +99,7 @@ TEST(TouchAlongPath, ForceShadingTurnsTheForceOnAFacetedSphereToItsRadius)
     vtkNew<vtkTouchAlongPath> touch;
     touch->SetInputData(sphere);
     touch->SetPathData(makePath(path_W));
-    touch->SetForceShading(shading);
+    touch->SetSetting("ForceShading", shading);
     touch->Update();
     double off = 0.0;
     for (std::size_t i = 5; i < path_W.size(); ++i) // it lands unshaded
@@ -201,7 +122,7 @@ TEST(TouchAlongPath, ForceOnASphereIsThatOfTheFaceTheHandIsBehind)
   vtkNew<vtkTouchAlongPath> touch;
   touch->SetInputData(sphere);
   touch->SetPathData(makePath(straight((radius + 1.0) * direction, (radius - depth) * direction, 50)));
-  touch->SetStiffness(1.0);
+  touch->SetSetting("Stiffness", 1.0);
   ASSERT_THAT(errorsOf(touch), IsEmpty());
   const vtkIdType last = touch->GetOutput()->GetNumberOfPoints() - 1;
   const Vec3 force = vectorAt(touch->GetOutput(), "Force", last);
@@ -287,26 +208,32 @@ TEST(TouchAlongPath, NumbersThatCannotBeAreRefused)
   const auto touch = touchPlane({ Vec3(0, 0, 1), Vec3(0, 0, -1) });
   for (const double bad : { -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
   {
-    touch->SetStiffness(bad);
-    expectRefused(touch, "stiffness");
-    touch->SetStiffness(1000.0);
-    touch->SetRadius(bad);
-    expectRefused(touch, "radius");
-    touch->SetRadius(0.0);
-    touch->SetScale(bad);
-    expectRefused(touch, "scale");
-    touch->SetScale(1.0);
+    touch->SetSetting("LineRadius", bad);
+    expectRefused(touch, "LineRadius: ");
+    touch->SetSetting("LineRadius", 0.0);
     touch->SetRate(bad);
-    expectRefused(touch, "rate");
+    expectRefused(touch, "Rate: ");
     touch->SetRate(1000.0);
   }
   EXPECT_THAT(errorsOf(touch), IsEmpty());
 }
 
+TEST(TouchAlongPath, TwoConnectionsAreTwoSurfaces)
+{
+  const auto touch = touchPlane({ Vec3(1, 2, 1), Vec3(1, 2, -0.5) });
+  touch->AddNamed(0, "other", makePlane(0.0)); // all corners in one point
+  expectRefused(touch, "it cannot be touched");
+  touch->RemoveInputConnection(0, 1);
+  ASSERT_THAT(errorsOf(touch), IsEmpty());
+  touch->AddInputData(0, makePlane(5.0));
+  ASSERT_THAT(errorsOf(touch), IsEmpty());
+  EXPECT_LT((vectorAt(touch->GetOutput(), "Force", 1) - Vec3(0.0, 0.0, 500.0)).norm(), 1e-9);
+}
+
 TEST(TouchAlongPath, PathsThatCannotBeFollowedAreRefused)
 {
   const auto touch = touchPlane({ Vec3(0, 0, 1), Vec3(0, std::nan(""), -1) });
-  expectRefused(touch, "point 1 is not finite");
+  expectRefused(touch, "not finite at point 1");
   touch->SetPathData(vtkSmartPointer<vtkPolyData>::New());
   expectRefused(touch, "no points");
 
@@ -332,12 +259,12 @@ TEST(TouchAlongPath, SurfacesThatCannotBeTouchedAreRefused)
   touch->SetInputData(makePath({ Vec3(0, 0, 1), Vec3(0, 0, -1) }));
   expectRefused(touch, "no polygons");
   touch->SetInputData(makePlane(0.0)); // all corners in one point
-  expectRefused(touch, "The surface cannot be touched");
+  expectRefused(touch, "the surface: it cannot be touched");
   const vtkSmartPointer<vtkPolyData> broken = makePlane(1.0);
   for (vtkIdType i = 0; i < 4; ++i)
   {
     broken->GetPoints()->SetPoint(i, std::nan(""), 0.0, 0.0);
   }
   touch->SetInputData(broken);
-  expectRefused(touch, "The surface cannot be touched");
+  expectRefused(touch, "the surface: it cannot be touched");
 }

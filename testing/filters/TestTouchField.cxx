@@ -49,7 +49,7 @@ vtkSmartPointer<vtkTouchAlongPath> touchField(vtkDataObject* input, const std::v
   auto touch = vtkSmartPointer<vtkTouchAlongPath>::New();
   touch->SetInputDataObject(0, input);
   touch->SetPathData(makePath(points_W));
-  touch->SetStiffness(touchStiffness);
+  touch->SetSetting("Stiffness", touchStiffness);
   return touch;
 }
 
@@ -88,9 +88,9 @@ TEST(TouchField, AnIsosurfaceIsWhereVtksProbeFindsItsValueAndPushesOut)
 {
   const auto data = sampledImage(waves);
   const auto touch = touchField(data, slide(0.2));
-  touch->SetFieldArray("f");
-  touch->FieldIsosurfaceOn();
-  touch->SetFieldIsovalue(0.125);
+  touch->SetSetting("FieldArray", "f");
+  touch->SetSetting("FieldIsosurface", 1);
+  touch->SetSetting("FieldIsovalue", 0.125);
   ASSERT_THAT(errorsOf(touch), IsEmpty());
   vtkPolyData* const output = touch->GetOutput();
   vtkNew<vtkProbeFilter> probe;
@@ -115,9 +115,9 @@ TEST(TouchField, OnTetrahedraTheSurfaceOfALinearFieldIsThatOfTheImage)
   cut->SetInputData(sampledImage(heightOf));
   cut->Update();
   const auto touch = touchField(cut->GetOutput(), { Vec3(0.3, 0.2, 1.0), Vec3(0.3, 0.2, 0.0), Vec3(0.4, 0.1, -0.5) });
-  touch->SetFieldArray("f");
-  touch->FieldIsosurfaceOn();
-  touch->SetFieldIsovalue(0.3);
+  touch->SetSetting("FieldArray", "f");
+  touch->SetSetting("FieldIsosurface", 1);
+  touch->SetSetting("FieldIsovalue", 0.3);
   ASSERT_THAT(errorsOf(touch), IsEmpty());
   EXPECT_LT((tuple(*touch->GetOutput(), "Force", 1) - Vec3(0, 0, 0.3 * touchStiffness)).norm(), 1e-4 * touchStiffness);
   EXPECT_LT((tuple(*touch->GetOutput(), "Force", 2) - Vec3(0, 0, 0.8 * touchStiffness)).norm(), 1e-4 * touchStiffness);
@@ -127,9 +127,9 @@ TEST(TouchField, AFieldBesideASurfaceIsFeltWithIt)
 {
   const auto touch = touchField(makePlane(10.0), { Vec3(0.3, 0.2, 1.0), Vec3(0.3, 0.2, -0.25) });
   touch->SetFieldData(sampledImage([](const Vec3& p) { return p.x(); }));
-  touch->SetFieldArray("f");
-  touch->FieldIsosurfaceOn();
-  touch->SetFieldIsovalue(0.0);
+  touch->SetSetting("FieldArray", "f");
+  touch->SetSetting("FieldIsosurface", 1);
+  touch->SetSetting("FieldIsovalue", 0.0);
   ASSERT_THAT(errorsOf(touch), IsEmpty());
   EXPECT_LT((tuple(*touch->GetOutput(), "Force", 1) - Vec3(0, 0, 0.25 * touchStiffness / 2)).norm(), 1e-9);
   touch->SetPathData(makePath({ Vec3(0.3, 0.2, 1.0), Vec3(-0.5, 0.2, -0.25) }));
@@ -150,8 +150,8 @@ double drift(vtkHapticFlowSource* flow, double radius, double beside)
   }
   flow->Update();
   const auto touch = touchField(flow->GetOutputDataObject(0), points_W);
-  touch->SetFieldVectors("Velocity");
-  touch->SetFieldFollow(1000.0);
+  touch->SetSetting("FieldVectors", "Velocity");
+  touch->SetSetting("FieldFollow", 1000.0);
   EXPECT_THAT(errorsOf(touch), IsEmpty());
   double most = 0.0;
   for (vtkIdType i = 0; i < touch->GetOutput()->GetNumberOfPoints(); ++i)
@@ -182,21 +182,21 @@ TEST(TouchField, TenTurnsRoundAVortexStayOnItsStreamlineAndFinerCellsHoldItBette
 TEST(TouchField, OtherDataAreComparedWithAndSnappedTo)
 {
   const auto touch = touchField(sampledImage(heightOf), { Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(0, 2, 0) });
-  touch->SetFieldArray("f");
-  touch->SetFieldSnap(0.5);
-  touch->SetFieldSnapReach(4.0);
+  touch->SetSetting("FieldArray", "f");
+  touch->SetSetting("FieldSnap", 0.5);
+  touch->SetSetting("FieldSnapReach", 4.0);
   touch->SetSnapData(makePath({ Vec3(-4, 0, 0), Vec3(4, 0, 0) }));
   ASSERT_THAT(errorsOf(touch), IsEmpty());
   EXPECT_LT((tuple(*touch->GetOutput(), "Force", 2) - Vec3(0, -0.25, 0)).norm(), 1e-9) << "half of the reach away";
   touch->SetSnapData(nullptr);
-  touch->SetFieldSnap(0.0);
-  touch->SetFieldCompare(0.4);
+  touch->SetSetting("FieldSnap", 0.0);
+  touch->SetSetting("FieldCompare", 0.4);
   touch->SetComparedData(sampledImage([](const Vec3& p) { return p.z() + 0.5; }));
   ASSERT_THAT(errorsOf(touch), IsEmpty());
   EXPECT_LT((tuple(*touch->GetOutput(), "Force", 2) - Vec3(0, -0.5 * 0.4, 0)).norm(), 1e-6)
     << "half of a difference of 1";
-  touch->SetFieldArray("");
-  touch->SetFieldCompare(0.0);
+  touch->SetSetting("FieldArray", "");
+  touch->SetSetting("FieldCompare", 0.0);
   touch->SetInputDataObject(0, makePlane(10.0));
   const auto errors = errorsOf(touch);
   ASSERT_FALSE(errors.empty());
@@ -206,9 +206,9 @@ TEST(TouchField, OtherDataAreComparedWithAndSnappedTo)
 TEST(TouchField, LevelsThatAreAskedToBeTooStrongAreAWarning)
 {
   const auto touch = touchField(sampledImage(heightOf), { Vec3(0, 0, 0), Vec3(0, 0, 0.1), Vec3(0, 0, 0.2) });
-  touch->SetFieldArray("f");
-  touch->SetFieldDetent(1.0);
-  touch->SetFieldDetentSpacing(2.0);
+  touch->SetSetting("FieldArray", "f");
+  touch->SetSetting("FieldDetent", 1.0);
+  touch->SetSetting("FieldDetentSpacing", 2.0);
   std::string warnings;
   vtkNew<vtkCallbackCommand> listener;
   listener->SetClientData(&warnings);
@@ -217,7 +217,7 @@ TEST(TouchField, LevelsThatAreAskedToBeTooStrongAreAWarning)
   touch->AddObserver(vtkCommand::WarningEvent, listener);
   ASSERT_THAT(errorsOf(touch), IsEmpty());
   EXPECT_THAT(warnings, IsEmpty());
-  touch->SetFieldDetent(1000.0);
+  touch->SetSetting("FieldDetent", 1000.0);
   ASSERT_THAT(errorsOf(touch), IsEmpty());
   // A slope of 1 without a bend: 0.9 k against 32 s / (3.08 D), which is 69 N.
   EXPECT_THAT(warnings, HasSubstr("smooth levels hold with 69 N"));
@@ -233,21 +233,21 @@ TEST(TouchField, WhatCannotBeFeltIsSaidInOneLineAndTheOutputIsEmpty)
     EXPECT_THAT(errors.front(), HasSubstr(words));
     EXPECT_EQ(touch->GetOutput()->GetNumberOfPoints(), 0);
   };
-  touch->FieldIsosurfaceOn();
+  touch->SetSetting("FieldIsosurface", 1);
   expect("no array of it: give FieldArray");
-  touch->SetFieldArray("gone");
-  expect("its array \"gone\" does not exist");
-  touch->SetFieldArray("f");
-  touch->FieldIsosurfaceOff();
+  touch->SetSetting("FieldArray", "gone");
+  expect("\"gone\"");
+  touch->SetSetting("FieldArray", "f");
+  touch->SetSetting("FieldIsosurface", 0);
   expect("in no way: give FieldIsosurface");
-  touch->SetFieldPush(3.0);
+  touch->SetSetting("FieldPush", 3.0);
   expect("FieldPush: ");
-  touch->SetFieldPush(0.0);
-  touch->SetFieldSmoothing(9);
+  touch->SetSetting("FieldPush", 0.0);
+  touch->SetSetting("FieldSmoothing", 9);
   expect("FieldSmoothing: ");
-  touch->SetFieldSmoothing(0);
-  touch->SetFieldVectors("f");
-  touch->SetFieldFollow(1.0);
+  touch->SetSetting("FieldSmoothing", 0);
+  touch->SetSetting("FieldVectors", "f");
+  touch->SetSetting("FieldFollow", 1.0);
   expect("directions need 3");
 }
 } // namespace

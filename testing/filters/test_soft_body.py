@@ -242,7 +242,7 @@ class SoftBody(unittest.TestCase):
         touch.AddObserver("ErrorEvent", complain)
         touch.SetInputData(grid)
         touch.SetPathData(path([(0.05, 0.05, 0.062 - 0.0001 * min(i, 60)) for i in range(120)]))
-        touch.SetRadius(0.01)
+        touch.SetSetting("Radius", 0.01)
         touch.Update()
         force = touch.GetOutput().GetPointData().GetArray("Force")
         felt = [force.GetTuple(i) for i in range(force.GetNumberOfTuples())] if force else []
@@ -256,8 +256,8 @@ class SoftBody(unittest.TestCase):
             touch = vtkTouchAlongPath()
             touch.SetInputData(grid)
             touch.SetPathData(path([(0.05, 0.05, 0.062 - 0.0001 * min(i, 60)) for i in range(120)]))
-            touch.SetRadius(0.01)
-            touch.SetLowRate(rate)
+            touch.SetSetting("Radius", 0.01)
+            touch.SetSetting("SoftRate", rate)
             touch.Update()
             forces[rate] = touch.GetOutput().GetPointData().GetArray("Force").GetTuple(119)[2]
         depth = 0.004

@@ -33,7 +33,7 @@ def slide(**settings):
     touch.SetInputConnection(floor.GetOutputPort())
     touch.SetPathData(way)
     touch.SetToolData(cube.GetOutput())
-    touch.SetStiffness(STIFFNESS_N_PER_M)
+    touch.SetSetting("Stiffness", STIFFNESS_N_PER_M)
     for name, value in settings.items():
         getattr(touch, f"Set{name}")(value)
     return vtk_to_numpy(updated(touch).GetPointData().GetArray("Force"))[1:]

@@ -14,10 +14,9 @@ from xml.sax.saxutils import escape
 ROOT = Path(__file__).resolve().parents[2]
 XML = ROOT / "filters" / "interaction" / "HapticInteraction.xml"
 GUIDE = ROOT / "plugin" / "README.md"
-WRAPPED = ROOT / "filters" / "interaction" / "vtkHapticSession.h"  # includes the declarations; what wraps it looks at its own time
-DECLARATIONS = ROOT / "filters" / "interaction" / "vtkHapticSessionDescribed.h"
+WRAPPED = ROOT / "filters" / "interaction" / "session" / "vtkHapticSession.h"  # includes the declarations; what wraps it looks at its own time
+DECLARATIONS = ROOT / "filters" / "interaction" / "session" / "vtkHapticSessionDescribed.h"
 TOUCH_XML = ROOT / "filters" / "pipeline" / "HapticPipeline.xml"
-TOUCH_DECLARATIONS = ROOT / "filters" / "pipeline" / "touch" / "vtkTouchAlongPathDescribed.h"
 PROGRAM = ROOT / "docs" / "program.md"
 
 SETTING_KIND = {"flag": "Int", "count": "Int", "choice": "Int", "number": "Double", "rotation": "Double",
@@ -54,11 +53,11 @@ def domain(setting):
     return [f'        <{kind}RangeDomain name="range"{ends}/>'] if kind and ends else []
 
 
-def setting_xml(setting, command='SetSetting" initial_string="{}'):
+def setting_xml(setting):
     name = setting["name"]
     element = SETTING_KIND[setting["kind"]] + "VectorProperty"
     default = setting["default_text"] if setting["kind"] == "text" else " ".join(map(number, setting["defaults"]))
-    attributes = f' command="{command.format(name)}" number_of_elements="{max(1, len(setting["defaults"]))}" default_values="{default}"'
+    attributes = f' command="SetSetting" initial_string="{name}" number_of_elements="{max(1, len(setting["defaults"]))}" default_values="{default}"'
     attributes = REPEATED if setting["kind"] == "points" else attributes
     attributes += "" if setting["saved"] else ' is_internal="1"'
     lines = [f'      <{element} name="{name}"{attributes}>', *domain(setting), documentation(setting), f"      </{element}>"]
@@ -89,13 +88,8 @@ def readout_row(readout):
     return f"| {readout['title']} | `{readout['name']}`{unit} | {readout['sentence']} |\n"
 
 
-def declared(macro, *arguments):
-    """One line of a macro that is a list of macros, which declare."""
-    return defined(macro, *arguments).replace(")", ");")
-
-
 def defined(macro, *arguments):
-    """The same of macros that define what they declare."""
+    """A line of a macro that defines what it declares."""
     return f"  vtkHaptic{macro}Macro({', '.join(arguments)})" + " \\\n"
 
 
@@ -111,17 +105,9 @@ def of_field(render):
 
 
 def touch_xml(setting):
-    head, newline, rest = setting_xml(setting, "Set{}").partition("\n")
+    head, newline, rest = setting_xml(setting).partition("\n")
     arrays = ARRAY_LIST if setting["kind"] == "text" and setting["name"] != "FieldDetentLevels" else ""
     return head[:-1] + '\n                         panel_visibility="advanced">' + newline + arrays + rest
-
-
-def touch_setter(setting):
-    owner = "Touch" + ("Field" if setting["field"] else "")
-    if setting["kind"] == "flag":
-        return declared(owner + "Switch", setting["name"])
-    value = {"text": "const char*", "count": "int", "choice": "int"}.get(setting["kind"], "double")
-    return declared(owner if setting["field"] else "TouchSetting", setting["name"], value)
 
 
 def getter(readout):
@@ -134,8 +120,8 @@ def getter(readout):
 
 
 def option_row(setting):
-    value = "" if setting["kind"] == "flag" else " X,Y,Z" if len(setting["defaults"]) == 3 else " V"
-    said = [setting["sentence"], setting["allowed"], setting["path_default_words"]]
+    value = "" if setting["kind"] == "flag" else {2: " LOW,HIGH", 3: " X,Y,Z"}.get(len(setting["defaults"]), " V")
+    said = [setting["sentence"], setting["path_allowed"], setting["path_default_words"]]
     row = f"| `--{setting['option']}{value}` | {'; '.join(part for part in said if part)} |\n"
     return row if setting["option"] else ""
 
@@ -153,8 +139,6 @@ PLACES = (
     (GUIDE, "| meaning |\n|---|---|---|\n", "\n## With the mouse", "readouts", readout_row),
     (DECLARATIONS, "#define vtkHapticTableReadoutsMacro() \\\n", "  /* the end of the read-outs", "readouts", getter),
     (TOUCH_XML, "      <!-- Settings of a field -->\n", "      <!-- Of the path -->\n", "settings", of_field(touch_xml)),
-    (TOUCH_DECLARATIONS, "#define vtkHapticTouchFieldSettingsMacro() \\\n", "  /* the end of the settings", "settings",
-     of_field(touch_setter)),
     (PROGRAM, "| option of `touch` | effect |\n|---|---|\n", "\nThe program reads", "settings", option_row),
 )
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iostream>
 #include <sstream>
-#include <utility>
 
 #include "haptics/session/settings/SessionSettings.h"
 #include "vtkHapticCliCommands.h"
-#include "vtkHapticCliMaterials.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticMechanismFile.h"
 
@@ -58,11 +55,10 @@ void AddCheck(CLI::App& app, Arguments& arguments)
   options.Settings.Add(*command, "LineRadius", "at 0, lines are walls perpendicular to the plane z = 0");
   options.Settings.Add(*command, "FrictionStatic");
   options.Settings.Add(*command, "FrictionKinetic", "default: the static coefficient");
-  vtkHapticCliAddMaterials(*command, options.Materials);
+  options.Settings.AddMaterials(*command);
   command->add_option("--thin", options.Thin_u, "List walls of a closed surface thinner than this [u]")
     ->check(CLI::NonNegativeNumber);
-  command->add_option("--torque-stiffness", options.Turning_N_m_per_rad,
-    "Mechanism: rotational stiffness between hand and held body [N m/rad]. Default: the body rotates freely");
+  options.Settings.Add(*command, "MechanismTurning");
   command->add_flag(
     "--simplify", options.Simplify, "Report the smallest number of triangles that is proven to feel the same");
   command->add_flag("--json", options.Json, "Print JSON");
@@ -73,12 +69,11 @@ void AddTouchedBodies(CLI::App& command, vtkHapticCliTouchOptions& options)
 {
   command.option_defaults()->group("Tool");
   CLI::Option* tool =
-    command.add_option("--tool", options.Tool.File, "Rigid mesh in the hand; the hand holds the origin of its data");
-  CLI::Option* lever = command.add_option("--lever", options.Tool.Lever_u,
-    "With --tool: lever arm [u] for rotational stiffness (default: radius of gyration of the mesh)");
-  lever->needs(tool);
+    command.add_option("--tool", options.Tool, "Rigid mesh in the hand; the hand holds the origin of its data");
+  CLI::Option& lever = options.Settings.Add(command, "ToolLever");
+  lever.needs(tool);
   command
-    .add_flag("--virtual-coupling", options.Tool.VirtualCoupling,
+    .add_flag("--virtual-coupling", options.VirtualCoupling,
       "With --tool: render the spring between tool and hand in place of the contact forces")
     ->needs(tool);
   command.option_defaults()->group("Soft body");
@@ -98,13 +93,9 @@ void AddTouchedBodies(CLI::App& command, vtkHapticCliTouchOptions& options)
     ->check(CLI::IsMember({ "linear", "corotational", "neohookean" }))
     ->needs(young);
   command.option_defaults()->group("Mechanism");
-  command
-    .add_option("--torque-stiffness", options.Turning_N_m_per_rad,
-      "Mechanism: rotational stiffness between hand and held body (default: free rotation) [N m/rad]. With --tool: "
-      "replaces --lever")
-    ->excludes(lever);
-  command.add_option("--low-rate", options.Soft.AskedRate_Hz,
-    "Mechanism, or --young: solver rate in virtual time [Hz], default 30. 0: solve to equilibrium in every tick");
+  options.Settings.Add(command, "MechanismTurning", "with --tool, in place of --lever").excludes(&lever);
+  options.Settings.Add(
+    command, "SoftRate", "in virtual time, also with --young; 0: solve to equilibrium in every tick");
 }
 
 void AddTouch(CLI::App& app, Arguments& arguments)
@@ -125,8 +116,6 @@ void AddTouch(CLI::App& app, Arguments& arguments)
     "--iso,--value", options.Iso, "Isovalue that extracts the surface from an image, or of --mode isosurface");
   command->add_flag("--two-d", options.TwoD, "Render lines in the plane z = 0 as walls, touched in that plane");
   options.Settings.AddAll(*command);
-  command->option_defaults()->group("Material");
-  vtkHapticCliAddMaterials(*command, options.Materials);
   command->option_defaults()->group("Field");
   vtkHapticCliAddField(*command, options.Field);
   AddTouchedBodies(*command, options);
@@ -197,12 +186,12 @@ void CheckNumber(const char* option, double value, bool zeroAllowed, const char*
   }
 }
 
-/// A free rotation has no stiffness, so that a stiffness of 0 is an error.
-void CheckTurning(const std::optional<double>& turning_N_m_per_rad)
+/// The default, 0, has a meaning of its own, and nobody gives it: a stiffness or a lever is above 0.
+void CheckAboveZero(const vtkHapticCliSettings& settings, const char* setting, const char* unit)
 {
-  if (turning_N_m_per_rad)
+  if (settings.IsGiven(setting))
   {
-    CheckNumber("--torque-stiffness", *turning_N_m_per_rad, false, "newton metres per radian");
+    CheckNumber(settings.OptionsOf(setting).c_str(), settings.Number(setting), false, unit);
   }
 }
 
@@ -216,59 +205,32 @@ void CheckEffect(const char* option, bool given, bool there, const char* what)
   }
 }
 
-/// Options without a meaning for lines of no width are refused.
-void CheckTwoD(const vtkHapticCliTouchOptions& options)
-{
-  const std::array<std::pair<const char*, bool>, 5> others = { { { "--iso", options.Iso.has_value() },
-    { "--line-radius", options.Settings.Number("LineRadius") != 0.0 }, { "--field", options.Field.Any() },
-    { "--shading", options.Settings.Number("ForceShading") != 0.0 },
-    { "arrays of materials", !options.Materials.Empty() } } };
-  for (const auto& [name, given] : others)
-  {
-    if (given)
-    {
-      throw vtkHapticCliProblem(std::string("--two-d cannot be combined with ") + name +
-                                ": lines have no width in their plane; omit one of the two");
-    }
-  }
-}
-
 int Touch(const vtkHapticCliTouchOptions& options)
 {
-  if (options.TwoD)
-  {
-    CheckTwoD(options);
-  }
-  CheckTurning(options.Turning_N_m_per_rad);
-  CheckNumber("--low-rate", options.Soft.LowRate_Hz(), true, "hertz");
-  options.Settings.Check();
-  vtkHapticCliCheckMaterials(options.Materials);
+  const vtkHapticCliSettings& settings = options.Settings;
+  CheckAboveZero(settings, "MechanismTurning", "newton metres per radian");
+  CheckAboveZero(settings, "ToolLever", "scene units");
+  settings.Check();
   const bool mechanism = vtkHapticIsMechanismFile(options.Files.front());
-  CheckEffect("--low-rate", options.Soft.AskedRate_Hz.has_value(), options.Soft.Young_Pa || mechanism, "--young");
-  CheckEffect(
-    "--torque-stiffness", options.Turning_N_m_per_rad.has_value(), !options.Tool.File.empty() || mechanism, "--tool");
-  return mechanism ? vtkHapticCliTouchMechanism(options) : vtkHapticCliTouch(options);
+  CheckEffect("--low-rate", settings.IsGiven("SoftRate"), options.Soft.Young_Pa || mechanism, "--young");
+  CheckEffect("--torque-stiffness", settings.IsGiven("MechanismTurning"), !options.Tool.empty() || mechanism, "--tool");
+  return vtkHapticCliTouch(options);
 }
 
 int Check(const vtkHapticCliCheckOptions& options)
 {
   CheckNumber("--thin", options.Thin_u, true, "scene units");
-  CheckTurning(options.Turning_N_m_per_rad);
+  CheckAboveZero(options.Settings, "MechanismTurning", "newton metres per radian");
   options.Settings.Check();
-  vtkHapticCliCheckMaterials(options.Materials);
   const bool mechanism = vtkHapticIsMechanismFile(options.File);
-  if (options.Turning_N_m_per_rad && !mechanism)
+  if (options.Settings.IsGiven("MechanismTurning") && !mechanism)
   {
     throw vtkHapticCliProblem("--torque-stiffness applies to mechanisms only; omit this option");
   }
   if (mechanism)
   {
-    const std::string setting = options.Settings.GivenBeside({});
-    const std::string asked = !setting.empty()             ? setting
-                              : options.Iso                ? "--iso"
-                              : options.Simplify           ? "--simplify"
-                              : !options.Materials.Empty() ? "an array of the material"
-                                                           : "";
+    const std::string setting = options.Settings.GivenBeside({ "MechanismTurning" });
+    const std::string asked = !setting.empty() ? setting : options.Iso ? "--iso" : options.Simplify ? "--simplify" : "";
     if (!asked.empty())
     {
       throw vtkHapticCliProblem(asked + " does not apply to a mechanism; omit this option");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticCliCommands.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -11,10 +12,12 @@
 #include "haptics/geometry/scene/ScenePlan.h"
 #include "haptics/geometry/scene/SceneSimplifier.h"
 #include "haptics/session/PlanSentence.h"
+#include "haptics/session/path/PathRunner.h"
+#include "haptics/session/settings/AutoChoice.h"
 #include "vtkHapticCliFaults.h"
-#include "vtkHapticCliPlane.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
+#include "vtkHapticPathData.h"
 
 namespace
 {
@@ -45,14 +48,18 @@ struct Input
   std::shared_ptr<const palpate::TriangleMesh> Lines; ///< those of the walls, if it is a plane world
   std::string Material;                               ///< a note
 
-  void Add(palpate::SurfaceInput surface, const vtkHapticMaterialResult& material)
+  void Add(
+    const palpate::PathSurface& surface, const palpate::SettingStore& settings, const vtkHapticCliCheckOptions& options)
   {
-    if (!material.Problem.empty())
+    std::string problem;
+    std::optional<palpate::SurfaceInput> input = palpate::sceneInput(surface, settings, problem);
+    problem = !surface.materialProblem.empty() ? surface.name + ": " + surface.materialProblem : problem;
+    if (!problem.empty())
     {
-      throw vtkHapticCliProblem(surface.name + ": " + material.Problem);
+      throw vtkHapticCliProblem(options.Settings.Said(problem));
     }
-    this->Material = material.Note; // lines have the arrays of the polygons beside them
-    this->Surfaces.push_back(std::move(surface));
+    this->Material = surface.materialNote; // lines have the arrays of the polygons beside them
+    this->Surfaces.push_back(std::move(*input));
   }
 };
 
@@ -320,31 +327,30 @@ void Print(const vtkHapticCliCheckOptions& options, const Input& input, const Su
 Input Read(const vtkHapticCliCheckOptions& options)
 {
   const std::string& file = options.File;
-  const vtkHapticCliSurface surface = vtkHapticCliReadSurface(file, options.Iso, options.Materials, true);
-  if (options.Settings.Number("LineRadius") > 0.0 && !surface.Lines)
+  palpate::SettingStore settings = options.Settings.Store();
+  const vtkHapticMaterialSettings materials = vtkHapticMaterialsOf(settings);
+  const std::vector<palpate::PathSurface> surfaces = vtkHapticCliReadSurface(file, options.Iso, materials, true);
+  const bool tubes = settings.number("LineRadius") > 0.0;
+  const bool walls = !tubes && std::ranges::all_of(surfaces, &palpate::PathSurface::curves);
+  if (tubes && std::ranges::none_of(surfaces, &palpate::PathSurface::curves))
   {
     throw vtkHapticCliProblem(file + ": it has no lines; leave out --line-radius");
   }
-  Input input;
-  if (surface.Input.mesh)
-  {
-    input.Add(surface.Input, surface.Material);
-  }
-  if (options.Settings.Number("LineRadius") > 0.0)
-  {
-    input.Add(vtkHapticCliTubesOf(file, surface, options.Settings.Number("LineRadius")), surface.LineMaterial);
-  }
-  if (!input.Surfaces.empty())
-  {
-    return input;
-  }
-  if (!options.Materials.Empty())
+  if (walls && !materials.Empty())
   {
     throw vtkHapticCliProblem(file + ": lines as walls are felt without arrays of materials; leave those out, or " +
                               "make tubes of the lines (--line-radius)");
   }
-  input.Surfaces = { vtkHapticCliWallsOf(file, surface, options.Settings.Number("Radius")) };
-  input.Lines = surface.Lines;
+  settings.put("LinesAsWalls", static_cast<double>(walls ? palpate::AutoChoice::On : palpate::AutoChoice::Off));
+  Input input;
+  for (const palpate::PathSurface& surface : surfaces)
+  {
+    if (tubes || walls || !surface.curves)
+    {
+      input.Add(surface, settings, options);
+    }
+  }
+  input.Lines = walls ? surfaces.front().mesh : nullptr;
   return input;
 }
 

@@ -10,7 +10,6 @@
 
 #include "vtkHapticCliField.h"
 #include "vtkHapticCliSettings.h"
-#include "vtkHapticMaterialArrays.h"
 
 /// The commands of the program `palpate`. Each returns the exit code and throws vtkHapticCliProblem for bad input.
 
@@ -41,12 +40,10 @@ struct vtkHapticCliCheckOptions
 {
   std::string File;
   std::optional<double> Iso;
-  vtkHapticMaterialSettings Materials;
   bool Simplify = false;         ///< also with how few triangles it would feel the same, which takes a while
   bool ForceRadius = false;      ///< a ball as large as asked for, although a tick may run out of its work
   double Thin_u = 0.0;           ///< walls below that are named; 0: none is looked for
   vtkHapticCliSettings Settings; ///< with a LineRadius of 0 lines are walls
-  std::optional<double> Turning_N_m_per_rad; ///< of a mechanism; without it the hand turns freely
   bool Json = false;
 };
 
@@ -57,14 +54,6 @@ int vtkHapticCliCheck(const vtkHapticCliCheckOptions& options);
 /// What a mechanism of a scene file becomes. 0: it can be felt; a fault throws.
 int vtkHapticCliCheckMechanism(const vtkHapticCliCheckOptions& options);
 
-/// A mesh in the hand, whose frame's origin is held.
-struct vtkHapticCliToolOptions
-{
-  std::string File;              ///< empty: a ball touches
-  std::optional<double> Lever_u; ///< what a turn by 1 rad weighs as a way; none: that of the mesh
-  bool VirtualCoupling = false;  ///< a spring to the hand, in place of what the contacts push with
-};
-
 /// A body that gives way: the first file.
 struct vtkHapticCliSoftOptions
 {
@@ -72,9 +61,6 @@ struct vtkHapticCliSoftOptions
   double Poisson = 0.4;
   std::string Fixed; ///< sides of its box, or a point array
   std::string Model = "linear";
-  std::optional<double> AskedRate_Hz; ///< of its packets; 0: at rest in every tick
-
-  [[nodiscard]] double LowRate_Hz() const { return this->AskedRate_Hz.value_or(30.0); }
 };
 
 struct vtkHapticCliTouchOptions
@@ -84,20 +70,15 @@ struct vtkHapticCliTouchOptions
   std::string Output;
   std::optional<double> Iso;
   bool TwoD = false; ///< lines in the plane z = 0, felt by a disc
-  vtkHapticMaterialSettings Materials;
   vtkHapticCliFieldOptions Field;
-  vtkHapticCliToolOptions Tool;
+  std::string Tool;             ///< a mesh in the hand, whose frame's origin is held; empty: a ball touches
+  bool VirtualCoupling = false; ///< of the tool: a spring to the hand, in place of the push of the contacts
   vtkHapticCliSoftOptions Soft;
-  std::optional<double> Turning_N_m_per_rad; ///< of a tool in place of its lever, or of a mechanism
   vtkHapticCliSettings Settings;
 };
 
-/// The tick along a given device path: one row of Path, one tick, one row of Output.
+/// The filter Touch Along Path for files: one row of Path, one tick, one row of Output.
 int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options);
-/// The same by a rigid tool that turns: each row is as far as it comes in unlimited time.
-int vtkHapticCliTouchWithTool(const vtkHapticCliTouchOptions& options);
-/// The same of a mechanism, whose scene file is the only one.
-int vtkHapticCliTouchMechanism(const vtkHapticCliTouchOptions& options);
 
 struct vtkHapticCliReplayOptions
 {

@@ -7,7 +7,6 @@
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliOutput.h"
 #include "vtkHapticCliPath.h"
-#include "vtkHapticCliPlane.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
 #include "vtkHapticGallery.h"
@@ -24,10 +23,7 @@ palpate::Labyrinth Read(const std::string& nameOrFile, std::optional<double> cor
   {
     throw vtkHapticCliProblem(read.Problem);
   }
-  if (!read.Note.empty())
-  {
-    std::cerr << "palpate: " << nameOrFile << ": " << read.Note << '\n';
-  }
+  vtkHapticCliNote(nameOrFile, read.Note);
   return read.Labyrinth;
 }
 
@@ -84,12 +80,8 @@ public:
   {
     if (this->Output)
     {
-      for (const double value : { moment.time_s, moment.location_W.x(), moment.location_W.y(), moment.hand_W.x(),
-             moment.hand_W.y(), moment.force_N })
-      {
-        this->Output->Value(value);
-      }
-      this->Output->EndRow();
+      this->Output->Row({ moment.time_s, moment.location_W.x(), moment.location_W.y(), moment.hand_W.x(),
+        moment.hand_W.y(), moment.force_N });
     }
   }
 
@@ -202,7 +194,7 @@ void CheckOptions(const vtkHapticCliLabyrinthOptions& options)
 /// The hand is where the path says, the disc where the walls let it.
 int Follow(const palpate::Labyrinth& labyrinth, const vtkHapticCliLabyrinthOptions& options)
 {
-  const std::vector<vtkHapticCliPathRow> path = vtkHapticCliReadPath(options.Path);
+  const std::vector<palpate::PathSample> path = vtkHapticCliReadPath(options.Path);
   vtkHapticCliCheckPlanePath(options.Path, path);
   const std::shared_ptr<const palpate::Scene> scene = vtkHapticCliBuild({ palpate::wallsOf(labyrinth) });
   Trace trace(options.Output, { labyrinth.name, options.Path });
@@ -211,18 +203,18 @@ int Follow(const palpate::Labyrinth& labyrinth, const vtkHapticCliLabyrinthOptio
   constexpr double firstTick_s = 1e-3;
   palpate::PathTouch touch(scene, parameters, firstTick_s);
   std::optional<double> arrived_s;
-  for (const vtkHapticCliPathRow& row : path)
+  for (const palpate::PathSample& row : path)
   {
-    const palpate::HapticState now = touch.next(row.Time_s, row.Pose_W);
-    trace.Row({ row.Time_s, row.Pose_W.p, now.proxy_W.p, now.force_D.norm() });
+    const palpate::HapticState now = touch.next(row.time_s, row.hand_W);
+    trace.Row({ row.time_s, row.hand_W.p, now.proxy_W.p, now.force_D.norm() });
     if (!arrived_s && (now.proxy_W.p.head<2>() - *labyrinth.exit_W).norm() <= labyrinth.exitReach_u())
     {
-      arrived_s = row.Time_s;
+      arrived_s = row.time_s;
     }
   }
   trace.Commit();
   std::cout << labyrinth.name << ": ";
-  arrived_s ? std::cout << "arrived after " << *arrived_s - path.front().Time_s << " s\n"
+  arrived_s ? std::cout << "arrived after " << *arrived_s - path.front().time_s << " s\n"
             : std::cout << "the path does not arrive at the exit\n";
   return arrived_s ? 0 : NotArrived;
 }

@@ -76,28 +76,21 @@ void vtkHapticCliOutput::Header(const std::string& names)
   this->Stream << names << '\n';
 }
 
-void vtkHapticCliOutput::Value(double value)
+void vtkHapticCliOutput::Row(const std::vector<double>& values)
 {
   constexpr int digits = 17;
-  std::array<char, 32> text{};
-  const auto [end, error] =
-    std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
-  static_cast<void>(error); // 32 characters hold any double
-  this->Stream << (this->RowStarted ? "," : "");
-  this->Stream.write(text.data(), end - text.data());
-  this->RowStarted = true;
-}
-
-void vtkHapticCliOutput::Value(int value)
-{
-  this->Stream << (this->RowStarted ? "," : "") << value;
-  this->RowStarted = true;
-}
-
-void vtkHapticCliOutput::EndRow()
-{
+  const char* before = "";
+  for (const double value : values)
+  {
+    std::array<char, 32> text{};
+    const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+    static_cast<void>(error); // 32 characters hold any double
+    this->Stream << before;
+    this->Stream.write(text.data(), end - text.data());
+    before = ",";
+  }
   this->Stream << '\n';
-  this->RowStarted = false;
 }
 
 void vtkHapticCliOutput::Commit()

@@ -18,18 +18,18 @@ public:
   vtkHapticCliOutput(const vtkHapticCliOutput&) = delete;
   vtkHapticCliOutput& operator=(const vtkHapticCliOutput&) = delete;
 
+  /// Of ticks: time [s], device, proxy [scene units], force on the hand as seen in the scene [N], contacts, cost [us].
+  static constexpr const char* TickColumns =
+    "t,device_x,device_y,device_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contacts,cost_us";
   void Header(const std::string& names);
-  /// The values of a row with 17 significant digits, enough to read back the same bits.
-  void Value(double value);
-  void Value(int value);
-  void EndRow();
+  /// Values with 17 significant digits, enough to read back the same bits.
+  void Row(const std::vector<double>& values);
   void Commit();
 
 private:
   std::string File;
   std::string Temporary;
   std::ofstream Stream;
-  bool RowStarted = false;
 };
 
 #endif

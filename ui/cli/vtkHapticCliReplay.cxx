@@ -8,11 +8,14 @@
 #include <thread>
 
 #include "haptics/recording/Recording.h"
+#include "haptics/session/mechanism/MechanismTouch.h"
+#include "haptics/session/path/PathRunner.h"
+#include "haptics/session/path/TickCost.h"
 #include "vtkHapticCliOutput.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
-#include "vtkHapticCliTicks.h"
 #include "vtkHapticFileGuards.h"
+#include "vtkHapticReaders.h"
 
 namespace
 {
@@ -38,7 +41,15 @@ std::vector<std::shared_ptr<const palpate::Scene>> ScenesOf(const vtkHapticCliRe
   {
     return scenes;
   }
-  scenes.push_back(vtkHapticCliBuildScene(options.Scenes, options.Iso));
+  vtkHapticCliCheckIsoIsUsed(options.Scenes, options.Iso);
+  std::vector<palpate::SurfaceInput> inputs;
+  for (const std::string& file : options.Scenes)
+  {
+    std::string none;
+    const std::optional<double> iso = vtkHapticIsImageFile(file) ? options.Iso : std::nullopt;
+    inputs.push_back(*palpate::sceneInput(vtkHapticCliReadSurface(file, iso).front(), palpate::pathSettings(), none));
+  }
+  scenes.push_back(vtkHapticCliBuild(inputs));
   for (std::size_t i = 0; options.Scenes.size() > 1 && i < options.Scenes.size(); ++i)
   {
     scenes.push_back(std::make_shared<const palpate::Scene>(
@@ -105,7 +116,7 @@ private:
     const std::string kind =
       found != all.end() ? std::string(" (") + palpate::nameOf(found->plan.laws[event.law].kind) + ")" : "";
     std::cerr << "palpate: " << state.time_s << " s: tick " << event.tick << ": "
-              << NumberedLaw(static_cast<int>(event.law)) << kind << ' ' << vtkHapticCliSaid(event.change) << " at "
+              << NumberedLaw(static_cast<int>(event.law)) << kind << ' ' << palpate::wordsOf(event.change) << " at "
               << event.force_N << " N\n";
   }
 
@@ -120,21 +131,24 @@ public:
   TickTable(const vtkHapticCliReplayOptions& options, int laws)
     : Output(options.Output, Inputs(options)), Laws(static_cast<std::size_t>(laws))
   {
-    vtkHapticCliWriteHeader(this->Output, LawColumns(laws));
+    this->Output.Header(vtkHapticCliOutput::TickColumns + LawColumns(laws));
   }
 
   void Add(const palpate::TickOutput& tick)
   {
-    const double cost_us = this->Started ? this->Stopwatch.Cost_us() : std::numeric_limits<double>::quiet_NaN();
-    std::vector<double> laws;
+    const double cost_us = this->Started ? this->Cost.cost_us() : std::numeric_limits<double>::quiet_NaN();
+    const palpate::HapticState& state = tick.state;
+    const palpate::Vec3 &device_W = state.device_W.p, &proxy_W = state.proxy_W.p, &force_W = state.force_W;
+    std::vector<double> values{ state.time_s, device_W.x(), device_W.y(), device_W.z(), proxy_W.x(), proxy_W.y(),
+      proxy_W.z(), force_W.x(), force_W.y(), force_W.z(), static_cast<double>(state.contacts), cost_us };
     for (std::size_t i = 0; i < this->Laws; ++i)
     {
-      const palpate::LawReport& law = tick.state.mechanism.laws[i];
-      laws.insert(laws.end(), { law.force_N, static_cast<double>(law.phase), law.inside_u });
+      const palpate::LawReport& law = state.mechanism.laws[i];
+      values.insert(values.end(), { law.force_N, static_cast<double>(law.phase), law.inside_u });
     }
-    vtkHapticCliWriteTick(this->Output, tick.state.time_s, tick.state, cost_us, laws);
+    this->Output.Row(values);
     this->Started = true;
-    this->Stopwatch.Start();
+    this->Cost.start();
   }
 
   void Commit() { this->Output.Commit(); }
@@ -149,7 +163,7 @@ private:
 
   vtkHapticCliOutput Output;
   std::size_t Laws;
-  vtkHapticCliStopwatch Stopwatch;
+  palpate::TickCost Cost;
   bool Started = false;
 };
 } // namespace

@@ -2,227 +2,255 @@
 #include "vtkHapticCliCommands.h"
 
 #include <algorithm>
-#include <iostream>
+#include <filesystem>
 
-#include "haptics/field/Smoothing.h"
-#include "haptics/session/path/PathTouch.h"
-#include "haptics/session/scene/TouchedData.h"
-#include "haptics/session/settings/SessionSettings.h"
+#include "haptics/session/path/PathRunner.h"
+#include "haptics/session/settings/AutoChoice.h"
+#include "vtkDoubleArray.h"
+#include "vtkHapticBodyFile.h"
 #include "vtkHapticCliOutput.h"
 #include "vtkHapticCliPath.h"
-#include "vtkHapticCliPlane.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
-#include "vtkHapticCliSoft.h"
-#include "vtkHapticCliTicks.h"
+#include "vtkHapticMechanismData.h"
 #include "vtkHapticReaders.h"
+#include "vtkHapticSoftBodyData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTouchAlongPath.h"
 
 namespace
 {
-constexpr double OnlyTickSeconds = 1e-3; // of a path of one row, which has no difference of times
-
-/// The path is given in the scene, so device frame and scene are one and a metre is a unit; the scale enters through
-/// the stiffness alone. Dividing the path by the scale and multiplying it again would move the hand by its rounding.
-palpate::HapticParameters ParametersOf(const vtkHapticCliTouchOptions& options)
+/// What a kind does not feel would be lost; the filter refuses settings, and here are the options that are none.
+void CheckKinds(const vtkHapticCliTouchOptions& options, bool mechanism)
 {
-  palpate::HapticParameters parameters;
-  options.Settings.SetFields(parameters);
-  parameters.stiffness_N_per_m /= parameters.map.scale_u_per_m;
-  parameters.map = {};
-  parameters.contact.friction = options.Settings.Friction();
-  vtkHapticCliSetField(options.Field, options.Settings, options.Iso, parameters.field);
-  if (const std::string problem = parameters.validate(); !problem.empty())
+  const bool tool = !options.Tool.empty(), soft = options.Soft.Young_Pa.has_value();
+  const std::string asked = !mechanism && !tool && !soft            ? ""
+                            : options.Field.Any()                   ? "--field"
+                            : options.TwoD                          ? "--two-d"
+                            : (mechanism || tool) && soft           ? "--young"
+                            : mechanism && tool                     ? "--tool"
+                            : (mechanism || soft) && options.Iso    ? "--iso"
+                            : mechanism && options.Files.size() > 1 ? "another file"
+                                                                    : "";
+  if (!asked.empty())
   {
-    throw vtkHapticCliProblem("--stiffness, --scale: " + problem);
-  }
-  return parameters;
-}
-
-/// Ticks that did less than an exact contact, for a person to know.
-struct Shortfalls
-{
-  int Seated = 0;
-  int Incomplete = 0;
-
-  void Count(const palpate::HapticState& state)
-  {
-    this->Seated += state.fault == palpate::Fault::Seated ? 1 : 0;
-    this->Incomplete += state.capped || state.overBudget || state.infeasible ? 1 : 0;
-  }
-
-  void Tell() const
-  {
-    if (this->Seated > 0)
-    {
-      std::cerr << "palpate: in " << this->Seated << " ticks the ball overlapped a surface with no free place within "
-                << "its radius, and no force was given; start the path away from the surface\n";
-    }
-    if (this->Incomplete > 0)
-    {
-      std::cerr << "palpate: in " << this->Incomplete << " ticks the ball moved only as far as was proven free\n";
-    }
-  }
-};
-
-/// A ball that is too large is safe and may lag: that is the person's choice.
-double ChooseRadius_u(const palpate::Scene& scene, const palpate::ContactPlan& plan, bool keepLimit)
-{
-  const palpate::ChosenBall ball = palpate::chooseBall(scene, plan, keepLimit);
-  if (!ball.limit.kept())
-  {
-    std::cerr << "palpate: --radius: " << ball.limit.sentence() << "; "
-              << (keepLimit ? "the ball is so large instead" : "--limit-radius makes the ball so large instead")
-              << '\n';
-  }
-  return ball.plan.radius_u;
-}
-
-void TellOfCoupling(const vtkHapticCliTouchOptions& options)
-{
-  const vtkHapticTransfer& data = options.Materials.Stiffness;
-  const double coupling_N_per_m = options.Settings.Number("Stiffness");
-  if (!data.Array.empty() && std::max(data.FeltRange[0], data.FeltRange[1]) > coupling_N_per_m)
-  {
-    std::cerr << "palpate: --stiffness-to: at most " << coupling_N_per_m
-              << " N/m is felt, the coupling's own (--stiffness)\n";
+    const char* const kind = mechanism ? "a mechanism" : tool ? "a tool" : "a soft body";
+    throw vtkHapticCliProblem(asked + ": " + kind + " does not feel it; leave out one of both");
   }
 }
 
-void Render(const std::vector<vtkHapticCliPathRow>& path, palpate::PathTouch& touch, vtkHapticCliOutput& output)
+void CheckPlaneAlone(const vtkHapticCliTouchOptions& options)
 {
-  vtkHapticCliStopwatch stopwatch;
-  Shortfalls shortfalls;
-  for (const vtkHapticCliPathRow& row : path)
+  if (options.TwoD && (options.Iso || options.Field.Any()))
   {
-    stopwatch.Start();
-    const palpate::HapticState state = touch.next(row.Time_s, row.Pose_W);
-    const double cost_us = stopwatch.Cost_us();
-    shortfalls.Count(state);
-    vtkHapticCliWriteTick(output, row.Time_s, state, cost_us);
-  }
-  shortfalls.Tell();
-}
-
-void TellOfField(const palpate::PathTouch& touch, const palpate::HapticParameters& parameters)
-{
-  const palpate::MadeBrick& made = touch.madeBrick();
-  if (const std::string lattice = touch.latticeSentence(); !lattice.empty())
-  {
-    std::cerr << "palpate: --field: " << lattice << '\n';
-  }
-  if (const std::string detent = touch.detentSentence(); !detent.empty())
-  {
-    std::cerr << "palpate: --strength: " << detent << '\n';
-  }
-  if (const std::string point = palpate::pointSentence(parameters.field, parameters.contact.radius_u); !point.empty())
-  {
-    std::cerr << "palpate: --radius: " << point << '\n';
-  }
-  const bool inCells = made.brick && made.brick->cells();
-  if (made.smoothness.noise > palpate::trappingNoise && !inCells)
-  {
-    std::cerr << "palpate: --smoothing: the field's noise of " << made.smoothness.noise
-              << " of a spacing traps a hand; it was smoothed once, --smoothing 0 leaves it as it is\n";
+    throw vtkHapticCliProblem(std::string("--two-d feels lines as they are, without ") +
+                              (options.Iso ? "--iso" : "--field") + "; leave out one of both");
   }
 }
 
-/// Options of surfaces that nothing comes of are refused rather than ignored.
-void CheckSurfaceOptions(const vtkHapticCliTouchOptions& options, const std::vector<std::string>& surfaces, bool wall)
+vtkSmartPointer<vtkPolyData> DataOf(const std::vector<palpate::PathSample>& path)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> times, turns;
+  times->SetName("t");
+  turns->SetName("q");
+  turns->SetNumberOfComponents(4);
+  for (const palpate::PathSample& sample : path)
+  {
+    const palpate::Quat& q = sample.hand_W.q;
+    points->InsertNextPoint(sample.hand_W.p.data());
+    times->InsertNextValue(sample.time_s);
+    turns->InsertNextTuple4(q.w(), q.x(), q.y(), q.z());
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->GetPointData()->AddArray(times);
+  data->GetPointData()->AddArray(turns);
+  return data;
+}
+
+void AddMechanism(const std::string& file, vtkTouchAlongPath& filter)
+{
+  const vtkHapticMechanismResult read = vtkHapticReadMechanism(file);
+  if (!read.Inputs)
+  {
+    throw vtkHapticCliProblem(read.Problem);
+  }
+  const vtkSmartPointer<vtkPolyData> shapes = vtkHapticMechanismShapes(read);
+  vtkHapticDescribeMechanism(*shapes, read.Text, std::filesystem::path(file).parent_path().string());
+  filter.AddNamed(0, file, shapes);
+}
+
+void AddBody(const vtkHapticCliTouchOptions& options, const std::string& file, vtkTouchAlongPath& filter)
+{
+  const vtkHapticTetraFillResult read = vtkHapticReadBody(file, {});
+  if (!read.Grid)
+  {
+    throw vtkHapticCliProblem(read.Problem);
+  }
+  vtkHapticCliNote(file, read.Note);
+  vtkHapticSoftMaterial material{ *options.Soft.Young_Pa, options.Soft.Poisson, palpate::ElasticModel::Linear,
+    1.0 / options.Settings.Number("Scale") };
+  (void)vtkHapticModelOf(options.Soft.Model, material.Model); // the command line knows no other names
+  std::string problem;
+  if (!vtkHapticFixBody(*read.Grid, options.Soft.Fixed, read.Rough, problem) ||
+      !vtkHapticDescribeBody(*read.Grid, material, "", problem))
+  {
+    throw vtkHapticCliProblem(file + ": it cannot give way: " + problem);
+  }
+  filter.AddNamed(0, file, read.Grid);
+}
+
+/// An iso value is of an image among the surfaces or of a mode.
+void CheckIso(const vtkHapticCliTouchOptions& options, const std::vector<std::string>& surfaces)
 {
   const bool image = std::ranges::any_of(surfaces, vtkHapticIsImageFile);
-  if (options.Iso && options.Field.Any() && !wall && !image)
+  const bool wall = std::ranges::count(options.Field.Modes, std::string_view("isosurface")) > 0;
+  if (!options.Iso || image || wall)
+  {
+    return;
+  }
+  if (options.Field.Any())
   {
     throw vtkHapticCliProblem("--iso: no --mode is isosurface, and no other image is touched; leave it out");
   }
-  if (surfaces.empty() && options.Settings.Number("Radius") > 0.0)
+  vtkHapticCliCheckIsoIsUsed(surfaces, options.Iso);
+}
+
+/// Gives the filter all files.
+void AddFiles(const vtkHapticCliTouchOptions& options, palpate::SettingStore& felt, vtkTouchAlongPath& filter)
+{
+  std::vector<std::string> files = options.Files;
+  if (vtkHapticIsMechanismFile(files.front()))
   {
-    throw vtkHapticCliProblem("--radius: a field is felt by a point, and no surface is touched; leave it out");
+    AddMechanism(files.front(), filter);
+    return;
   }
-  for (const char* setting : { "ForceShading", "LineRadius", "LimitRadius" })
+  if (options.Field.Any())
   {
-    if (surfaces.empty() && options.Settings.IsGiven(setting))
+    vtkHapticCliTakeField(options.Field, options.Settings, felt, files, filter);
+  }
+  if (options.Field.Snap.empty())
+  {
+    files.insert(files.end(), options.Field.Surfaces.begin(), options.Field.Surfaces.end());
+  }
+  if (options.Soft.Young_Pa)
+  {
+    AddBody(options, files.front(), filter);
+    files.erase(files.begin());
+  }
+  CheckIso(options, files);
+  for (const std::string& file : files)
+  {
+    if (options.TwoD && vtkHapticIsImageFile(file))
     {
-      throw vtkHapticCliProblem("--" + std::string(palpate::sessionSetting(setting).at.option) +
-                                ": it says how surfaces are touched, and a field alone is; leave it out");
+      throw vtkHapticCliProblem(file + ": --two-d feels lines, not images; make curves of it first (Image Curves)");
     }
+    filter.AddNamed(0, file, vtkHapticCliReadData(file, vtkHapticIsImageFile(file) ? options.Iso : std::nullopt));
   }
-  if (surfaces.empty() && !options.Materials.Empty())
+  if (!options.Tool.empty())
   {
-    throw vtkHapticCliProblem("arrays of stiffness, friction and texture are those of surfaces, and a field alone is "
-                              "touched; leave them out");
+    filter.AddNamed(3, "--tool: " + options.Tool, vtkHapticCliReadData(options.Tool, {}));
   }
 }
 
-/// The surfaces among the files; null where there is a field alone.
-std::shared_ptr<const palpate::Scene> SceneOf(const vtkHapticCliTouchOptions& options,
-  const std::vector<std::string>& surfaces, palpate::HapticParameters& parameters)
+/// Names in the CSV for the values of an array that a tool or a mechanism adds; none: it has none.
+std::vector<std::string> NamesOf(const std::string& array)
 {
-  if (surfaces.empty())
+  const auto of = [&array](const char* head) { return array.substr(std::string_view(head).size()); };
+  if (array.starts_with("Force of "))
   {
-    return nullptr;
+    const std::string law = of("Force of ");
+    return { law + "_fx", law + "_fy", law + "_fz" };
   }
-  const bool image = std::ranges::any_of(surfaces, vtkHapticIsImageFile);
-  const std::optional<double> iso = options.Field.Any() && !image ? std::nullopt : options.Iso;
-  std::shared_ptr<const palpate::Scene> scene =
-    options.TwoD ? vtkHapticCliBuildPlane(surfaces, parameters.contact.radius_u)
-                 : vtkHapticCliBuildScene(surfaces, iso, options.Materials, options.Settings.Number("Scale"),
-                     options.Settings.Number("LineRadius"));
-  TellOfCoupling(options);
-  parameters.contact.radius_u =
-    ChooseRadius_u(*scene, parameters.contact, options.Settings.Number("LimitRadius") != 0.0);
-  return scene;
+  return array == "Turn"                   ? std::vector<std::string>{ "proxy_qw", "proxy_qx", "proxy_qy", "proxy_qz" }
+         : array == "Torque"               ? std::vector<std::string>{ "torque_x", "torque_y", "torque_z" }
+         : array == "Residual"             ? std::vector<std::string>{ "residual" }
+         : array.starts_with("Phase of ")  ? std::vector{ of("Phase of ") + "_phase" }
+         : array.starts_with("Inside of ") ? std::vector{ of("Inside of ") + "_inside" }
+                                           : std::vector<std::string>{};
+}
+
+void Write(vtkPolyData& touched, vtkHapticCliOutput& output)
+{
+  vtkPointData& data = *touched.GetPointData();
+  std::vector<vtkDataArray*> arrays{ data.GetArray("Time"), data.GetArray("Device"), touched.GetPoints()->GetData(),
+    data.GetArray("Force"), data.GetArray("Contacts"), data.GetArray("Cost") };
+  std::string header = vtkHapticCliOutput::TickColumns;
+  for (int i = 0; i < data.GetNumberOfArrays(); ++i)
+  {
+    const std::vector<std::string> names = NamesOf(data.GetArrayName(i));
+    std::ranges::for_each(names, [&header](const std::string& name) { header += "," + name; });
+    if (!names.empty())
+    {
+      arrays.push_back(data.GetArray(i));
+    }
+  }
+  output.Header(header);
+  for (vtkIdType row = 0; row < touched.GetNumberOfPoints(); ++row)
+  {
+    std::vector<double> values;
+    for (vtkDataArray* const array : arrays)
+    {
+      for (int component = 0; component < array->GetNumberOfComponents(); ++component)
+      {
+        values.push_back(array->GetComponent(row, component));
+      }
+    }
+    output.Row(values);
+  }
+}
+
+/// What the filter says is told by the program in its own names.
+void Run(const vtkHapticCliTouchOptions& options, vtkTouchAlongPath& filter)
+{
+  vtkObject::GlobalWarningDisplayOff();
+  filter.Update();
+  vtkObject::GlobalWarningDisplayOn();
+  const palpate::PathReport& report = filter.GetReport();
+  const std::string& problem = report.refusal;
+  if (!problem.empty() || !report.unfelt.empty())
+  {
+    throw vtkHapticCliProblem(
+      !problem.empty() ? options.Settings.Said(problem) : "nothing was felt of the field: " + report.unfelt);
+  }
+  for (const std::vector<std::string>* notes : { &report.remarks, &report.notes })
+  {
+    std::ranges::for_each(*notes, [&](const std::string& note) { vtkHapticCliNote("", options.Settings.Said(note)); });
+  }
 }
 } // namespace
 
 int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
 {
-  if (!options.Tool.File.empty())
-  {
-    return vtkHapticCliTouchWithTool(options);
-  }
-  palpate::HapticParameters parameters = ParametersOf(options);
-  const std::vector<vtkHapticCliPathRow> path = vtkHapticCliReadPath(options.Path);
+  CheckKinds(options, vtkHapticIsMechanismFile(options.Files.front()));
+  CheckPlaneAlone(options);
+  palpate::SettingStore felt = options.Settings.Store();
+  vtkNew<vtkTouchAlongPath> filter;
+  vtkHapticCliSetField(options.Field, options.Settings, options.Iso, felt, *filter);
+  felt.put("LinesAsWalls", static_cast<double>(options.TwoD ? palpate::AutoChoice::On : palpate::AutoChoice::Auto));
+  felt.put("ToolCoupling", options.VirtualCoupling ? 1.0 : 0.0);
+  const std::vector<palpate::PathSample> path = vtkHapticCliReadPath(options.Path, !options.Tool.empty());
   if (options.TwoD)
   {
     vtkHapticCliCheckPlanePath(options.Path, path);
   }
-  std::vector<std::string> surfaces = options.Files;
-  const auto field = vtkHapticCliTakeField(options.Field, options.Settings, parameters.field, surfaces);
-  if (options.Field.Snap.empty())
-  {
-    surfaces.insert(surfaces.end(), options.Field.Surfaces.begin(), options.Field.Surfaces.end());
-  }
-  if (!options.Soft.Young_Pa)
-  {
-    CheckSurfaceOptions(options, surfaces, parameters.field.isosurface);
-  }
-  auto body = vtkHapticCliBodyOf(options);
-  if (body)
-  {
-    surfaces.erase(surfaces.begin());
-  }
-  const auto scene = SceneOf(options, surfaces, parameters);
-  palpate::PathTouch touch(scene, parameters, path.size() > 1 ? path[1].Time_s - path[0].Time_s : OnlyTickSeconds);
-  touch.feel(field);
-  if (body)
-  {
-    touch.press(std::move(body), options.Soft.LowRate_Hz());
-  }
   std::vector<std::string> inputs = options.Files;
   inputs.insert(inputs.end(), options.Field.Surfaces.begin(), options.Field.Surfaces.end());
-  inputs.insert(inputs.end(), { options.Field.OtherFile, options.Path });
+  inputs.insert(inputs.end(), { options.Field.OtherFile, options.Path, options.Tool });
+  AddFiles(options, felt, *filter);
+  filter->SetSettings(felt);
+  filter->AddNamed(1, options.Path, DataOf(path));
+  filter->SetTimeArray("t");
+  filter->SetTurnArray("q");
+  filter->WithCostOn();
   vtkHapticCliOutput output(options.Output, inputs);
-  vtkHapticCliWriteHeader(output);
-  Render(path, touch, output);
-  if (const std::string nothing = touch.whyNothingOfField(); !nothing.empty())
-  {
-    throw vtkHapticCliProblem("nothing was felt of the field: " + nothing);
-  }
-  TellOfField(touch, parameters);
-  if (touch.body() != nullptr && touch.body()->wentThroughItself())
-  {
-    std::cerr << "palpate: " << options.Files.front() << ": " << palpate::throughItselfText << '\n';
-  }
+  Run(options, *filter);
+  Write(*filter->GetOutput(), output);
   output.Commit();
   return 0;
 }

@@ -95,10 +95,7 @@ void Turn(palpate::LineRun& run, const vtkHapticCliTurnOptions& options, bool si
     }
     if (output != nullptr)
     {
-      output->Value(static_cast<double>(row * RowEvery_ms) / 1000.0);
-      output->Value(run.state().s_m);
-      output->Value(run.state().force_N);
-      output->EndRow();
+      output->Row({ static_cast<double>(row * RowEvery_ms) / 1000.0, run.state().s_m, run.state().force_N });
     }
     if (run.state().engage == palpate::EngageState::Fault)
     {

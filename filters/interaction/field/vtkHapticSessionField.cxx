@@ -7,6 +7,7 @@
 
 #include "vtkHapticFieldShape.h"
 #include "vtkHapticHandPace.h"
+#include "vtkHapticPathData.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkPolyData.h"
 
@@ -104,13 +105,7 @@ bool vtkHapticSession::Internals::FollowField(bool wait)
 
 std::string vtkHapticSession::Internals::FollowFieldArrays()
 {
-  this->FieldArrays.Scalar = this->Settings.text("FieldArray");
-  this->FieldArrays.Vector = this->Settings.text("FieldVectors");
-  this->FieldArrays.Resistance = this->Settings.text("FieldResistance");
-  this->FieldArrays.Other = this->Settings.text("FieldOther");
-  this->FieldArrays.Component = this->Settings.whole("FieldComponent");
-  this->FieldArrays.Eigenvector = this->Settings.whole("FieldEigenvector");
-  this->FieldArrays.Smoothing = this->Settings.whole("FieldSmoothing");
+  this->FieldArrays = vtkHapticFieldArraysOf(this->Settings);
   this->FeelFieldAnew();
   return {};
 }

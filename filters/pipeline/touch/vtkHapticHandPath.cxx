@@ -16,13 +16,13 @@
 namespace
 {
 /// The order of the points, or what is wrong with the lines.
-std::string OrderOf(vtkPolyData* path, std::vector<vtkIdType>& order)
+std::string OrderOf(vtkPolyData& path, std::vector<vtkIdType>& order)
 {
-  if (std::string problem = vtkHapticCellChecks::CheckPolyData(path); !problem.empty())
+  if (std::string problem = vtkHapticCellChecks::CheckPolyData(&path); !problem.empty())
   {
     return problem;
   }
-  const vtkIdType lines = path->GetNumberOfLines();
+  const vtkIdType lines = path.GetNumberOfLines();
   if (lines > 1)
   {
     return "it has " + std::to_string(lines) + " lines; join them into one polyline";
@@ -30,97 +30,72 @@ std::string OrderOf(vtkPolyData* path, std::vector<vtkIdType>& order)
   if (lines == 1)
   {
     vtkNew<vtkIdList> ids;
-    path->GetLines()->GetCellAtId(0, ids);
+    path.GetLines()->GetCellAtId(0, ids);
     order.assign(ids->begin(), ids->end());
   }
   else
   {
-    order.resize(static_cast<std::size_t>(path->GetNumberOfPoints()));
+    order.resize(static_cast<std::size_t>(path.GetNumberOfPoints()));
     std::iota(order.begin(), order.end(), 0);
   }
   return order.empty() ? "it has no points" : "";
 }
 
-std::string ReadPoints(vtkPolyData* path, const std::vector<vtkIdType>& order, std::vector<palpate::Vec3>& points_W)
+/// An array of that many numbers a point; null with a problem where it is named and not there.
+vtkDataArray* ArrayOf(vtkPolyData& path, const char* name, int components, const char* what, std::string& problem)
 {
-  for (std::size_t i = 0; i < order.size(); ++i)
+  if (!name || !*name)
   {
-    palpate::Vec3 p_W;
-    path->GetPoint(order[i], p_W.data());
-    if (!p_W.allFinite())
-    {
-      return "its point " + std::to_string(i) + " is not finite";
-    }
-    points_W.push_back(p_W);
+    return nullptr;
   }
-  return {};
+  vtkDataArray* const array = path.GetPointData()->GetArray(name);
+  if (array && array->GetNumberOfComponents() == components)
+  {
+    return array;
+  }
+  problem = std::string("it has no point array '") + name + "' of " + what;
+  return nullptr;
 }
 
-std::string ReadTimes(
-  vtkPolyData* path, const std::string& name, const std::vector<vtkIdType>& order, std::vector<double>& times)
+/// One point of the path, or what is wrong with it.
+std::string Sample(
+  vtkPolyData& path, vtkIdType id, vtkDataArray* times, vtkDataArray* turns, palpate::PathSample& sample)
 {
-  vtkDataArray* array = path->GetPointData()->GetArray(name.c_str());
-  if (!array || array->GetNumberOfComponents() != 1)
-  {
-    return "it has no point array '" + name + "' of one number a point; name the one that holds the time [s]";
-  }
-  for (const vtkIdType id : order)
-  {
-    const double time = array->GetComponent(id, 0);
-    if (!std::isfinite(time) || (!times.empty() && !(time > times.back())))
-    {
-      return "its time '" + name + "' does not increase at point " + std::to_string(times.size());
-    }
-    times.push_back(time);
-  }
-  return {};
-}
-
-std::string ReadTurns(
-  vtkPolyData* path, const std::string& name, const std::vector<vtkIdType>& order, std::vector<palpate::Quat>& turns)
-{
-  vtkDataArray* array = path->GetPointData()->GetArray(name.c_str());
-  if (!array || array->GetNumberOfComponents() != 4)
-  {
-    return "it has no point array '" + name + "' of four numbers a point; name the one that holds quaternions w x y z";
-  }
   constexpr double tolerance = 1e-3; // what a file with few digits loses
-  for (const vtkIdType id : order)
+  path.GetPoint(id, sample.hand_W.p.data());
+  if (turns)
   {
     std::array<double, 4> q{};
-    array->GetTuple(id, q.data());
-    turns.emplace_back(q[0], q[1], q[2], q[3]);
-    if (!(std::abs(turns.back().norm() - 1.0) <= tolerance))
-    {
-      return "its turn '" + name + "' is no unit quaternion at point " + std::to_string(turns.size() - 1);
-    }
-    turns.back().normalize();
+    turns->GetTuple(id, q.data());
+    sample.hand_W.q = palpate::Quat(q[0], q[1], q[2], q[3]);
   }
-  return {};
+  const bool isTurn = std::abs(sample.hand_W.q.norm() - 1.0) <= tolerance;
+  sample.hand_W.q.normalize();
+  sample.time_s = times ? times->GetComponent(id, 0) : sample.time_s;
+  return !sample.hand_W.p.allFinite() ? "its place is not finite"
+         : !isTurn                    ? std::string("its turn '") + turns->GetName() + "' is no unit quaternion"
+                                      : "";
 }
 } // namespace
 
-vtkHapticHandPath vtkHapticReadHandPath(vtkPolyData* path, const vtkHapticPathArrays& arrays)
+std::vector<palpate::PathSample> vtkHapticReadHandPath(
+  vtkPolyData& path, const vtkHapticPathArrays& arrays, std::string& problem)
 {
-  const auto named = [](const char* array) { return array && *array; };
-  vtkHapticHandPath result;
   std::vector<vtkIdType> order;
-  result.Problem = OrderOf(path, order);
-  if (result.Problem.empty())
+  problem = OrderOf(path, order);
+  vtkDataArray* const turns =
+    ArrayOf(path, arrays.Turns, 4, "four numbers a point; name the one that holds quaternions w x y z", problem);
+  vtkDataArray* const times =
+    ArrayOf(path, arrays.Times, 1, "one number a point; name the one that holds the time [s]", problem);
+  std::vector<palpate::PathSample> samples;
+  for (std::size_t i = 0; i < order.size() && problem.empty(); ++i)
   {
-    result.Problem = ReadPoints(path, order, result.Points_W);
+    samples.push_back({ static_cast<double>(i) / arrays.Rate, {} });
+    palpate::PathSample& sample = samples.back();
+    problem = Sample(path, order[i], times, turns, sample);
+    const bool later = std::isfinite(sample.time_s) && (i == 0 || sample.time_s > samples[i - 1].time_s);
+    problem = problem.empty() && !later ? "its time does not increase" : problem;
+    problem += problem.empty() ? "" : " at point " + std::to_string(i);
   }
-  if (result.Problem.empty() && named(arrays.Turns))
-  {
-    result.Problem = ReadTurns(path, arrays.Turns, order, result.Turns);
-  }
-  if (result.Problem.empty() && named(arrays.Times))
-  {
-    result.Problem = ReadTimes(path, arrays.Times, order, result.Times);
-  }
-  for (std::size_t i = 0; i < order.size() && result.Problem.empty() && !named(arrays.Times); ++i)
-  {
-    result.Times.push_back(static_cast<double>(i) / arrays.Rate);
-  }
-  return result;
+  return problem.empty() ? samples : std::vector<palpate::PathSample>{};
 }

@@ -1,121 +1,143 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkTouchAlongPath.h"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "haptics/field/Smoothing.h"
-#include "haptics/session/path/PathTouch.h"
-#include "haptics/session/scene/TouchedData.h"
+#include "haptics/session/path/PathRunner.h"
+#include "haptics/session/settings/SessionSettings.h"
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticHandPath.h"
-#include "vtkHapticMaterialArrays.h"
 #include "vtkHapticMechanismData.h"
+#include "vtkHapticPathData.h"
 #include "vtkHapticSoftBodyData.h"
-#include "vtkHapticTickRows.h"
-#include "vtkHapticTouchedField.h"
 #include "vtkHapticWholeInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkTouchAlongPath);
 
 namespace
 {
-/// Ticks between two looks at progress and abort.
-constexpr std::size_t ReportEvery = 1000;
-
-/// Triangles, and lines if they have a radius, with their material; none with a problem.
-std::vector<palpate::SurfaceInput> ReadInputs(
-  vtkDataObject* surface, const vtkHapticMaterialSettings& settings, double lineRadius_u, std::string& problem)
+enum Port
 {
-  std::vector<palpate::SurfaceInput> inputs;
-  std::vector<std::string> ofArrays;
-  const auto fieldsOf = [&](const vtkHapticConversionResult& read)
+  Surfaces,
+  Path,
+  Field,
+  Tool,
+  Compared,
+  Snap,
+  PortCount
+};
+
+/// What sentences call the data of each port that has no name of its own.
+constexpr const char* PortNames[PortCount] = { "the surface", "the path", "the field", "the tool", "the compared data",
+  "the places to snap to" };
+
+/// What ParaView's property of a setting is called, where it has another name.
+std::string PropertyOf(std::string_view setting)
+{
+  return setting == "SoftRate"       ? "LowRate"
+         : setting == "ToolLever"    ? "Lever"
+         : setting == "ToolCoupling" ? "VirtualCoupling"
+                                     : std::string(setting);
+}
+
+/// The output while it grows: the way of the proxy as a polyline, one row a tick.
+class Rows
+{
+public:
+  Rows(std::size_t count, const std::vector<palpate::PathColumn>& columns, bool withCost)
+    : Count(static_cast<vtkIdType>(count)), Columns(columns)
   {
-    vtkHapticMaterialResult material = vtkHapticToMaterial(surface, read.PartPoints, settings);
-    ofArrays.push_back(material.Problem);
-    return material.Fields;
-  };
-  if (lineRadius_u > 0.0)
-  {
-    const vtkHapticConversionResult lines = vtkHapticToLines(surface);
-    if (lines.Mesh)
+    this->Points->SetDataTypeToDouble();
+    this->Points->SetNumberOfPoints(this->Count);
+    this->Add(this->Force, "Force", 3);
+    this->Add(this->Depth, "Depth", 1);
+    this->Add(this->Contacts, "Contacts", 1);
+    this->Add(this->Device, "Device", 3);
+    this->Add(this->Time, "Time", 1);
+    for (const palpate::PathColumn& column : columns)
     {
-      const palpate::LineSurface tubes = palpate::tubesOf({ "surface", lines.Mesh, fieldsOf(lines) }, lineRadius_u);
-      if (!tubes.input)
-      {
-        problem = tubes.problem;
-        return {};
-      }
-      inputs.push_back(*tubes.input);
+      this->More.emplace_back();
+      this->Add(this->More.back(), column.name.c_str(), column.components);
+    }
+    if (withCost)
+    {
+      this->Add(this->Cost, "Cost", 1);
     }
   }
-  const vtkHapticConversionResult faces = vtkHapticToMesh(surface);
-  problem = faces.Problem;
-  if (faces.Mesh)
-  {
-    inputs.push_back({ "surface", faces.Mesh, palpate::Material(), fieldsOf(faces) });
-  }
-  if (!inputs.empty()) // one of both may be without an array, as a block of composite data may
-  {
-    const bool any = std::any_of(ofArrays.begin(), ofArrays.end(), [](const auto& text) { return text.empty(); });
-    problem = any ? "" : ofArrays.front();
-  }
-  return inputs;
-}
 
-/// Of a path that lies on one rank, or a problem.
-vtkHapticHandPath PathOf(vtkDataObject* piece, const vtkHapticPathArrays& arrays)
-{
-  auto* const whole = vtkPolyData::SafeDownCast(piece);
-  vtkHapticHandPath path;
-  path.Problem = "it lies in pieces on several ranks; give it whole on one of them.";
-  return whole ? vtkHapticReadHandPath(whole, arrays) : path;
-}
-
-/// The surface as a scene; null with a problem.
-std::shared_ptr<const palpate::Scene> BuildScene(
-  vtkDataObject* surface, const vtkHapticMaterialSettings& settings, double lineRadius_u, std::string& problem)
-{
-  const std::vector<palpate::SurfaceInput> inputs = ReadInputs(surface, settings, lineRadius_u, problem);
-  if (!problem.empty())
+  void Set(std::size_t row, const palpate::PathSample& sample, const palpate::PathTick& tick)
   {
-    return nullptr;
-  }
-  const palpate::WholeScene whole = palpate::wholeScene(inputs);
-  problem = whole.refusal;
-  return whole.scene;
-}
-
-/// One tick a point; false if `goes` asked to stop. `fault` receives the first one. The orientation of the hand plays
-/// no part for a ball.
-template<class Goes>
-bool Touch(const vtkHapticHandPath& path, const palpate::WorkspaceMap& map, palpate::PathTouch& touch,
-  vtkHapticTickRows& rows, palpate::Fault& fault, Goes goes)
-{
-  for (std::size_t i = 0; i < path.Points_W.size(); ++i)
-  {
-    if (i % ReportEvery == 0 && !goes(static_cast<double>(i) / static_cast<double>(path.Points_W.size())))
+    const auto i = static_cast<vtkIdType>(row);
+    const palpate::Vec3 &proxy_W = tick.proxy_W.p, &hand_W = sample.hand_W.p;
+    this->Points->SetPoint(i, proxy_W.data());
+    this->Force->SetTuple(i, tick.wrench_W.force.data());
+    this->Depth->SetValue(i, (proxy_W - hand_W).norm());
+    this->Contacts->SetValue(i, tick.contacts);
+    this->Device->SetTuple(i, hand_W.data());
+    this->Time->SetValue(i, sample.time_s);
+    const double* values = tick.more.data();
+    for (std::size_t column = 0; column < this->More.size(); ++column)
     {
-      return false;
+      this->More[column]->SetTuple(i, values);
+      values += this->Columns[column].components;
     }
-    const palpate::HapticState state =
-      touch.next(path.Times[i], { map.toDevice(path.Points_W[i]), palpate::Quat::Identity() });
-    fault = fault == palpate::Fault::None ? state.fault : fault;
-    rows.Set(i, { state.proxy_W.p, path.Points_W[i], state.force_W, state.contacts, path.Times[i] });
+    if (this->Cost->GetNumberOfTuples() > 0)
+    {
+      this->Cost->SetValue(i, tick.cost_us);
+    }
   }
-  return true;
-}
+
+  void MoveTo(vtkPolyData& output)
+  {
+    vtkNew<vtkCellArray> lines;
+    lines->InsertNextCell(static_cast<int>(this->Count));
+    for (vtkIdType i = 0; i < this->Count; ++i)
+    {
+      lines->InsertCellPoint(i);
+    }
+    output.SetPoints(this->Points);
+    output.SetLines(lines);
+    for (vtkDataArray* const array : this->All)
+    {
+      output.GetPointData()->AddArray(array);
+    }
+  }
+
+private:
+  void Add(vtkDataArray* array, const char* name, int components)
+  {
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(this->Count);
+    this->All.push_back(array);
+  }
+
+  vtkIdType Count;
+  std::vector<palpate::PathColumn> Columns;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkDoubleArray> Force, Depth, Device, Time, Cost;
+  vtkNew<vtkIntArray> Contacts;
+  std::vector<vtkNew<vtkDoubleArray>> More; ///< of the columns
+  std::vector<vtkDataArray*> All;
+};
 } // namespace
 
 vtkTouchAlongPath::vtkTouchAlongPath()
-  : Materials(std::make_unique<vtkHapticMaterialSettings>()), Field(std::make_unique<vtkHapticTouchedField>())
+  : Settings(std::make_unique<palpate::SettingStore>(palpate::pathSettings())),
+    Report(std::make_unique<palpate::PathReport>())
 {
-  this->SetNumberOfInputPorts(6);
+  this->SetNumberOfInputPorts(PortCount);
 }
 
 vtkTouchAlongPath::~vtkTouchAlongPath()
@@ -127,200 +149,297 @@ vtkTouchAlongPath::~vtkTouchAlongPath()
 void vtkTouchAlongPath::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Stiffness: " << this->Stiffness << " N/m\n";
-  os << indent << "Radius: " << this->Radius << " u\n";
-  os << indent << "LineRadius: " << this->LineRadius << " u\n";
-  os << indent << "FrictionStatic: " << this->FrictionStatic << "\n";
-  os << indent << "FrictionKinetic: " << this->FrictionKinetic << "\n";
-  os << indent << "ForceShading: " << this->ForceShading << "\n";
-  os << indent << "StiffnessArray: " << this->GetStiffnessArray() << "\n";
-  os << indent << "FrictionArray: " << this->GetFrictionArray() << "\n";
-  os << indent << "TextureArray: " << this->GetTextureArray() << "\n";
-  os << indent << "FieldArray: " << this->GetFieldArray() << "\n";
-  os << indent << "FieldVectors: " << this->GetFieldVectors() << "\n";
-  os << indent << "Scale: " << this->Scale << " u/m\n";
+  for (const palpate::Setting& setting : palpate::sessionSettings())
+  {
+    const palpate::SettingValue& value = this->Settings->of(setting.name);
+    if (palpate::isOfPath(setting))
+    {
+      os << indent << setting.name << ": " << value.text;
+      for (const double number : value.numbers)
+      {
+        os << number << " ";
+      }
+      os << setting.unit << "\n";
+    }
+  }
   os << indent << "Rate: " << this->Rate << " Hz\n";
   os << indent << "TimeArray: " << (this->TimeArray ? this->TimeArray : "(none)") << "\n";
   os << indent << "TurnArray: " << (this->TurnArray ? this->TurnArray : "(none)") << "\n";
-  os << indent << "Lever: " << this->Lever << " u\n";
-  os << indent << "VirtualCoupling: " << this->VirtualCoupling << "\n";
-  os << indent << "LowRate: " << this->LowRate << " Hz\n";
+  os << indent << "NoSpeed: " << this->NoSpeed << "\n";
+  os << indent << "WithCost: " << this->WithCost << "\n";
 }
 
-void vtkTouchAlongPath::SetPathConnection(vtkAlgorithmOutput* path)
+/// Values that cannot be are an error when the filter runs.
+void vtkTouchAlongPath::Put(const char* name, const palpate::SettingValue& value)
 {
-  this->SetInputConnection(1, path);
+  const palpate::Setting* const setting = palpate::findSetting(name ? name : "");
+  if (!setting || !palpate::isOfPath(*setting) || setting->defaults.size() != value.numbers.size())
+  {
+    vtkErrorMacro(
+      "No setting " << (name ? name : "(none)") << " of a path has " << value.numbers.size() << " numbers.");
+  }
+  else if (this->Settings->of(name) != value)
+  {
+    this->Settings->put(name, value);
+    this->Modified();
+  }
 }
 
-void vtkTouchAlongPath::SetPathData(vtkDataObject* path)
+void vtkTouchAlongPath::SetSetting(const char* name, double value)
 {
-  this->SetInputDataObject(1, path);
+  this->Put(name, { { value }, {} });
+}
+
+void vtkTouchAlongPath::SetSetting(const char* name, int value)
+{
+  this->SetSetting(name, static_cast<double>(value));
+}
+
+void vtkTouchAlongPath::SetSetting(const char* name, double low, double high)
+{
+  this->Put(name, { { low, high }, {} });
+}
+
+void vtkTouchAlongPath::SetSetting(const char* name, double x, double y, double z)
+{
+  this->Put(name, { { x, y, z }, {} });
+}
+
+void vtkTouchAlongPath::SetSetting(const char* name, const char* text)
+{
+  this->Put(name, { {}, text ? text : "" });
+}
+
+void vtkTouchAlongPath::SetSettings(const palpate::SettingStore& settings)
+{
+  *this->Settings = settings;
+  this->Modified();
+}
+
+double vtkTouchAlongPath::GetSetting(const char* name) const
+{
+  return this->GetSettingSize(name) > 0 ? this->Settings->number(name) : std::numeric_limits<double>::quiet_NaN();
+}
+
+int vtkTouchAlongPath::GetSettingSize(const char* name) const
+{
+  const palpate::Setting* const setting = palpate::findSetting(name ? name : "");
+  return setting ? static_cast<int>(setting->defaults.size()) : 0;
+}
+
+std::string vtkTouchAlongPath::GetSettingNames()
+{
+  std::string names;
+  for (const palpate::Setting& setting : palpate::sessionSettings())
+  {
+    names += palpate::isOfPath(setting) ? std::string(setting.name) + " " : "";
+  }
+  return names;
+}
+
+void vtkTouchAlongPath::AddNamed(int port, const std::string& name, vtkDataObject* data)
+{
+  this->AddInputDataObject(port, data);
+  this->Names[port].push_back(name);
+}
+
+std::string vtkTouchAlongPath::NameOf(int port, std::size_t connection) const
+{
+  const auto names = this->Names.find(port);
+  return names != this->Names.end() && connection < names->second.size() ? names->second[connection] : PortNames[port];
 }
 
 int vtkTouchAlongPath::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkPolyData" : "vtkDataSet");
-  if (port != 1)
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == Port::Path ? "vtkPolyData" : "vtkDataSet");
+  if (port != Port::Path)
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   }
-  if (port > 1)
+  if (port == Surfaces)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
+  if (port > Port::Path)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
   return 1;
 }
 
-palpate::HapticParameters vtkTouchAlongPath::Parameters() const
+bool vtkTouchAlongPath::FeelsField() const
 {
-  palpate::HapticParameters parameters;
-  parameters.stiffness_N_per_m = this->Stiffness;
-  parameters.contact.radius_u = this->Radius;
-  parameters.contact.friction = { this->FrictionStatic, this->FrictionKinetic };
-  parameters.contact.shading = this->ForceShading;
-  parameters.map.scale_u_per_m = this->Scale;
-  parameters.field = this->Field->Plan();
-  return parameters;
+  return vtkHapticFieldArraysOf(*this->Settings).Any() || palpate::isOn(palpate::pathParameters(*this->Settings).field);
 }
 
-std::string vtkTouchAlongPath::CheckParameters() const
+void vtkTouchAlongPath::ReadTouched(
+  vtkDataObject& data, const std::string& name, palpate::PathInputs& inputs, std::string& problem) const
 {
-  std::string problem = this->Field->Check();
-  problem = problem.empty() ? this->Parameters().validate() : problem;
-  problem = problem.empty() ? this->Materials->Check() : problem;
+  if (auto body = vtkHapticToSoftBody(&data).Input)
+  {
+    problem =
+      inputs.body ? name + ": it gives way, and so does " + inputs.body->name + "; one body at a time does" : "";
+    inputs.body = palpate::PathBody{ name, std::move(body) };
+    return;
+  }
+  const bool curves = palpate::areWalls(*this->Settings) || this->Settings->number("LineRadius") > 0.0;
+  for (palpate::PathSurface& surface :
+    vtkHapticToPathSurfaces(data, name, vtkHapticMaterialsOf(*this->Settings), curves, problem))
+  {
+    inputs.surfaces.push_back(std::move(surface));
+  }
+  problem = problem.empty() ? "" : name + ": it cannot be touched: " + problem;
+}
+
+/// The data of all ports; null where there are none.
+struct vtkTouchAlongPath::WholeInputs
+{
+  explicit WholeInputs(vtkInformationVector** input)
+  {
+    for (int i = 0; i < input[Surfaces]->GetNumberOfInformationObjects(); ++i)
+    {
+      this->Touched.push_back(vtkHapticWholeSurface(vtkDataObject::GetData(input[Surfaces], i)));
+    }
+    vtkDataObject* const field = vtkDataObject::GetData(input[Port::Field]);
+    const bool same = field && field == vtkDataObject::GetData(input[Surfaces]);
+    this->Field = same ? this->Touched.front() : this->Whole(field);
+    this->Tool = this->Whole(vtkDataObject::GetData(input[Port::Tool]));
+    this->Compared = this->Whole(vtkDataObject::GetData(input[Port::Compared]));
+    this->Snap = this->Whole(vtkDataObject::GetData(input[Port::Snap]));
+    this->Path = vtkHapticOnePiece(vtkPolyData::GetData(input[Port::Path]));
+  }
+
+  static vtkSmartPointer<vtkDataObject> Whole(vtkDataObject* piece)
+  {
+    return piece ? vtkHapticWholeSurface(piece) : nullptr;
+  }
+
+  std::vector<vtkSmartPointer<vtkDataObject>> Touched;
+  vtkSmartPointer<vtkDataObject> Field, Tool, Compared, Snap, Path;
+};
+
+void vtkTouchAlongPath::ReadField(const WholeInputs& whole, palpate::PathInputs& inputs, std::string& problem) const
+{
+  if (!whole.Field && !this->FeelsField())
+  {
+    problem = whole.Compared || whole.Snap
+                ? "what is compared with and snapped to is beside a field, and none is felt: "
+                  "give {FieldArray} or Field"
+                : "";
+    return;
+  }
+  vtkDataObject* const data = whole.Field ? whole.Field : whole.Touched.front();
+  vtkHapticFieldResult felt =
+    vtkHapticToField(data, vtkHapticFieldArraysOf(*this->Settings), { whole.Compared, whole.Snap });
+  const std::string name = this->NameOf(whole.Field ? Port::Field : Surfaces, 0);
+  problem = felt.Source ? "" : name + ": it cannot be felt as a field: " + felt.Problem;
+  inputs.field = palpate::PathField{ name, std::move(felt.Source), felt.Ends, this->NoSpeed };
+}
+
+palpate::PathInputs vtkTouchAlongPath::Read(const WholeInputs& whole, vtkDataObject& given, std::string& problem) const
+{
+  palpate::PathInputs inputs;
+  inputs.settings = *this->Settings;
+  auto* const path = vtkPolyData::SafeDownCast(whole.Path);
+  problem = "it lies in pieces on several ranks; give it whole on one of them";
+  if (path)
+  {
+    inputs.path = vtkHapticReadHandPath(*path, { this->TimeArray, this->TurnArray, this->Rate }, problem);
+  }
+  problem = problem.empty() ? "" : this->NameOf(Port::Path, 0) + ": it cannot be followed: " + problem;
   const bool rate = this->Rate > 0.0 && std::isfinite(this->Rate);
-  const bool lines = this->LineRadius >= 0.0 && std::isfinite(this->LineRadius);
-  problem = problem.empty() && !lines ? "the radius of lines must be a finite number, 0 or above" : problem;
-  return problem.empty() && !rate ? "the rate must be a finite number of hertz above 0" : problem;
+  const bool speeds =
+    this->NoSpeed == 0.0 || (this->NoSpeed > 0.0 && this->NoSpeed < this->Settings->number("FieldFullSpeed"));
+  problem = !rate    ? "Rate: it has to be a finite number of hertz above 0"
+            : speeds ? problem
+                     : "NoSpeed: it has to be 0, or above 0 and below {FieldFullSpeed}";
+  problem = problem.empty() ? palpate::refusePathSettings(*this->Settings) : problem;
+  if (problem.empty() && vtkHapticIsMechanism(&given))
+  {
+    const vtkHapticMechanismResult read = vtkHapticToMechanism(given);
+    inputs.mechanism = palpate::PathMechanism{ this->NameOf(Surfaces, 0), read.Inputs };
+    problem = !read.Problem.empty() ? read.Problem
+              : !vtkHapticIsWhereMade(given)
+                ? "the mechanism is not where its scene file has it: take Haptic Mechanism "
+                  "itself, and move its bodies in that file"
+                : "";
+  }
+  else if (problem.empty())
+  {
+    this->ReadField(whole, inputs, problem);
+  }
+  const bool first = !inputs.mechanism && !(inputs.field && (!whole.Field || whole.Field == whole.Touched.front()));
+  for (std::size_t i = first ? 0 : 1; i < whole.Touched.size() && problem.empty(); ++i)
+  {
+    this->ReadTouched(*whole.Touched[i], this->NameOf(Surfaces, i), inputs, problem);
+  }
+  if (whole.Tool && problem.empty())
+  {
+    const vtkHapticConversionResult held = vtkHapticToMesh(whole.Tool);
+    inputs.tool = palpate::PathTool{ this->NameOf(Port::Tool, 0), held.Mesh };
+    problem = held.Mesh ? "" : inputs.tool->name + ": it cannot be held: " + held.Problem;
+  }
+  return inputs;
 }
 
-bool vtkTouchAlongPath::Goes(double progress)
+bool vtkTouchAlongPath::Follow(palpate::PathRunner& runner, std::size_t count, vtkPolyData& output)
 {
-  this->UpdateProgress(progress);
-  return !this->CheckAbort();
+  Rows rows(count, runner.columns(), this->WithCost);
+  const auto goes = [this](double progress)
+  {
+    this->UpdateProgress(progress);
+    return !this->CheckAbort();
+  };
+  const auto take = [&rows](std::size_t row, const palpate::PathSample& sample, const palpate::PathTick& tick)
+  { rows.Set(row, sample, tick); };
+  if (!runner.run(goes, take))
+  {
+    return false;
+  }
+  rows.MoveTo(output);
+  return true;
 }
 
-std::unique_ptr<palpate::PathTouch> vtkTouchAlongPath::Prepare(vtkDataObject* input, vtkDataObject* field,
-  const vtkHapticFieldBeside& beside, const vtkHapticHandPath& path, std::string& problem) const
+int vtkTouchAlongPath::Tell()
 {
-  std::shared_ptr<const palpate::Scene> scene;
-  const bool soft = vtkHapticToSoftBody(input).Input != nullptr;
-  if (input != field && !soft)
+  const auto said = [](const std::string& text) { return palpate::withNames(text, PropertyOf); };
+  if (!this->Report->refusal.empty())
   {
-    scene = BuildScene(input, *this->Materials, this->LineRadius, problem);
-    problem = scene ? "" : "The surface cannot be touched: " + problem;
+    vtkErrorMacro("Nothing was touched: " << said(this->Report->refusal));
+    return 0;
   }
-  vtkHapticFieldResult felt;
-  if (field && problem.empty())
+  if (!this->Report->unfelt.empty())
   {
-    felt = vtkHapticToField(field, this->Field->Arrays, beside);
-    problem = felt.Source ? palpate::levelProblem(this->Field->Plan(), felt.Ends) : felt.Problem;
-    problem = problem.empty() ? "" : "The field cannot be felt: " + problem;
+    vtkWarningMacro("Nothing was felt of the field: " << this->Report->unfelt);
   }
-  if (!field && problem.empty() && (beside.Compared || beside.Snap))
+  for (const std::string& note : this->Report->notes)
   {
-    problem = "What is compared with and snapped to is beside a field, and none is felt: give FieldArray or Field";
+    vtkWarningMacro(<< said(note));
   }
-  if (!problem.empty())
-  {
-    return nullptr;
-  }
-  auto touch = std::make_unique<palpate::PathTouch>(scene, this->Parameters(), path.FirstDuration());
-  touch->feel(felt.Source);
-  if (soft)
-  {
-    this->Press(input, *touch, problem);
-  }
-  return problem.empty() ? std::move(touch) : nullptr;
+  return 1;
 }
 
 int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (const std::string problem = this->CheckParameters(); !problem.empty())
-  {
-    vtkErrorMacro("Nothing was touched: " << problem);
-    return 0;
-  }
-  vtkDataObject* const given = vtkDataObject::GetData(input[0]);
-  vtkDataObject* const beside = vtkDataObject::GetData(input[2]);
-  const vtkSmartPointer<vtkDataObject> surface = vtkHapticWholeSurface(given);
-  const vtkSmartPointer<vtkDataObject> field = beside && beside != given             ? vtkHapticWholeSurface(beside)
-                                               : beside || this->Field->IsAskedFor() ? surface
-                                                                                     : nullptr;
-  vtkDataObject* const held = vtkDataObject::GetData(input[3]);
-  const vtkSmartPointer<vtkDataObject> tool = held ? vtkHapticWholeSurface(held) : nullptr;
-  vtkDataObject *const other = vtkDataObject::GetData(input[4]), *const places = vtkDataObject::GetData(input[5]);
-  const vtkSmartPointer<vtkDataObject> compared = other ? vtkHapticWholeSurface(other) : nullptr;
-  const vtkSmartPointer<vtkDataObject> snap = places ? vtkHapticWholeSurface(places) : nullptr;
-  const vtkSmartPointer<vtkDataObject> piece = vtkHapticOnePiece(vtkPolyData::GetData(input[1]));
+  const WholeInputs whole(input);
   if (vtkHapticRank() > 0)
   {
     return 1; // one hand: the first rank has what it feels
   }
-  const vtkHapticHandPath path = PathOf(piece, { this->TimeArray, this->TurnArray, this->Rate });
-  if (!path.Problem.empty())
+  *this->Report = {};
+  palpate::PathInputs inputs = this->Read(whole, *vtkDataObject::GetData(input[Surfaces]), this->Report->refusal);
+  if (!this->Report->refusal.empty())
   {
-    vtkErrorMacro("The path cannot be followed: " << path.Problem);
-    return 0;
+    return this->Tell();
   }
-  if (vtkHapticIsMechanism(given))
+  const std::size_t count = inputs.path.size();
+  palpate::PathRunner runner(std::move(inputs));
+  const bool done = runner.report().refusal.empty() && this->Follow(runner, count, *vtkPolyData::GetData(output));
+  *this->Report = runner.report();
+  if (done && runner.body() && runner.body()->shape().mostGradient > vtkHapticStrain::Small)
   {
-    return this->TouchMechanism(*given, path, *vtkPolyData::GetData(output)) ? 1 : 0;
+    this->Report->notes.push_back(
+      "at the end of the path the largest strain is " + vtkHapticStrainText(runner.body()->shape()));
   }
-  if (tool && vtkHapticToSoftBody(given).Input)
-  {
-    vtkErrorMacro("A tool does not feel what gives way: leave out the tool, or give the body's surface.");
-    return 0;
-  }
-  if (tool)
-  {
-    return this->TouchWithTool(*surface, *tool, path, *vtkPolyData::GetData(output)) ? 1 : 0;
-  }
-  std::string problem;
-  const auto touch = this->Prepare(surface, field, { compared, snap }, path, problem);
-  if (!touch)
-  {
-    vtkErrorMacro(<< problem);
-    return 0;
-  }
-  vtkHapticTickRows rows(path.Points_W.size());
-  palpate::Fault fault = palpate::Fault::None;
-  const auto goes = [this](double progress) { return this->Goes(progress); };
-  if (Touch(path, this->Parameters().map, *touch, rows, fault, goes))
-  {
-    rows.MoveTo(vtkPolyData::GetData(output));
-  }
-  this->TellOf(*touch, fault);
-  return 1;
-}
-
-void vtkTouchAlongPath::TellOf(const palpate::PathTouch& touch, palpate::Fault fault)
-{
-  if (const std::string nothing = touch.whyNothingOfField(); !nothing.empty())
-  {
-    vtkWarningMacro("Nothing was felt of the field: " << nothing);
-  }
-  if (const std::string lattice = touch.latticeSentence(); !lattice.empty())
-  {
-    vtkWarningMacro("Of the field: " << lattice);
-  }
-  if (const std::string detent = touch.detentSentence(); !detent.empty())
-  {
-    vtkWarningMacro("FieldDetent: " << detent);
-  }
-  const palpate::MadeBrick& made = touch.madeBrick();
-  const palpate::FieldSmoothness& smooth = made.smoothness;
-  if (smooth.noise > palpate::trappingNoise && !(made.brick && made.brick->cells()))
-  {
-    vtkWarningMacro("The field's noise of " << smooth.noise << " of a spacing traps a hand: it was smoothed once, and "
-                                            << "FieldSmoothing 0 leaves it as it is");
-  }
-  if (touch.body())
-  {
-    this->TellOfBody(*touch.body());
-  }
-  if (fault != palpate::Fault::None)
-  {
-    vtkWarningMacro("Without force from some point on: " << palpate::describe(fault));
-  }
+  return this->Tell();
 }

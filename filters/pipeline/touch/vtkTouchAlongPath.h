@@ -3,12 +3,12 @@
  * @class   vtkTouchAlongPath
  * @brief   the force along a given path of the hand over a surface, without a device
  *
- * Port 0: the surface (any data set or composite; W [u]). Port 1: the path of the hand, poly data with one polyline, or
- * points without lines that are taken in their order. Port 2, optional: numbers in space (any data set or composite)
- * that are felt as a field as well; where an array of a field is chosen and port 2 has no data of its own, port 0 is
- * felt as a field alone, whose proxy and contacts are those of the output. Each point of the path is one tick of the
- * same function that drives a device, without a device's limits: F = Stiffness (proxy - hand) / Scale. Output: the path
- * of the proxy as a polyline with the point arrays
+ * Port 0: the surfaces (any data set or composite, each connection one surface; W [u]). Port 1: the path of the hand,
+ * poly data with one polyline, or points without lines that are taken in their order. Port 2, optional: numbers in
+ * space (any data set or composite) that are felt as a field as well; where an array of a field is chosen and port 2
+ * has no data of its own, port 0 is felt as a field alone, whose proxy and contacts are those of the output. Each point
+ * of the path is one tick of the same function that drives a device, without a device's limits: F = Stiffness (proxy -
+ * hand) / Scale. Output: the path of the proxy as a polyline with the point arrays
  *
  *     Force     (n, 3) double  on the hand, in W [N]
  *     Depth     (n)    double  distance of hand and proxy [u]
@@ -16,7 +16,7 @@
  *     Device    (n, 3) double  the hand, i.e. the input path [u]
  *     Time      (n)    double  of the tick [s]
  *
- * Where port 0 is the output of vtkHapticSoftBody it gives way; see LowRate.
+ * A connection of port 0 with the output of vtkHapticSoftBody gives way; see SoftRate.
  *
  * Port 3, optional: a mesh that the hand holds at the origin of its frame, in place of a ball, and that turns as the
  * TurnArray of the path says. Each row is as far as the tool comes without meeting anything, in unlimited time, from
@@ -28,9 +28,9 @@
  *     Turn      (n, 4) double  of the tool, a unit quaternion w x y z
  *     Angle     (n)    double  between the turns of hand and tool [degrees]
  *
- * Where port 0 is the output of vtkHapticMechanism, its laws act on what the hand holds, held by Stiffness and, where
- * Lever is not 0, turned by Stiffness (Lever / Scale)^2; at 0 it turns freely. The points of the output are where its
- * origin is. Besides there are Torque and Turn as of a tool, and
+ * Where port 0 is the output of vtkHapticMechanism, its laws act on what the hand holds, held by Stiffness and turned
+ * by MechanismTurning, or without one by Stiffness (ToolLever / Scale)^2; without both it turns freely. The points of
+ * the output are where its origin is. Besides there are Torque and Turn as of a tool, and
  *
  *     Residual       (n)    double  by how much a law is not met [u]
  *     Force of NAME  (n, 3) double  of the law NAME on its first body, in W [N]
@@ -44,27 +44,20 @@
 
 #include "vtkHapticPipelineModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkTouchAlongPathDescribed.h" // for the settings of a field
 
-#include <cstdint>
-#include <functional> // for an argument
-#include <memory>     // for a member
-#include <string>     // for the return type
+#include <map>    // for a member
+#include <memory> // for a member
+#include <string> // for a member
+#include <vector> // for a member
 
 namespace palpate
 {
-class BodyMaker;
-class PathTouch;
-enum class Fault : std::uint8_t;
-struct HapticParameters;
-struct MechanismHold;
+struct PathInputs;
+struct PathReport;
+class PathRunner;
+class SettingStore;
+struct SettingValue;
 } // namespace palpate
-
-struct vtkHapticFieldArrays;
-struct vtkHapticFieldBeside;
-struct vtkHapticHandPath;
-struct vtkHapticMaterialSettings;
-struct vtkHapticTouchedField;
 
 class VTKHAPTICPIPELINE_EXPORT vtkTouchAlongPath : public vtkPolyDataAlgorithm
 {
@@ -73,119 +66,40 @@ public:
   vtkTypeMacro(vtkTouchAlongPath, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The path of the hand: the same as SetInputConnection(1, port).
-  void SetPathConnection(vtkAlgorithmOutput* path);
-  void SetPathData(vtkDataObject* path);
-
+  /// The same as SetInputConnection(port, ...) and SetInputDataObject(port, ...): the path of the hand (port 1), the
+  /// field (2), the tool (3), other data that the values of the field are compared with (4), and data to whose points
+  /// and lines the hand snaps in place of what is found in the values (5).
   ///@{
-  /// Spring between hand and proxy [N/m], >= 0. Default 1000.
-  vtkSetMacro(Stiffness, double);
-  vtkGetMacro(Stiffness, double);
+  void SetPathConnection(vtkAlgorithmOutput* path) { this->SetInputConnection(1, path); }
+  void SetPathData(vtkDataObject* path) { this->SetInputDataObject(1, path); }
+  void SetFieldConnection(vtkAlgorithmOutput* field) { this->SetInputConnection(2, field); }
+  void SetFieldData(vtkDataObject* field) { this->SetInputDataObject(2, field); }
+  void SetToolConnection(vtkAlgorithmOutput* tool) { this->SetInputConnection(3, tool); }
+  void SetToolData(vtkDataObject* tool) { this->SetInputDataObject(3, tool); }
+  void SetComparedConnection(vtkAlgorithmOutput* compared) { this->SetInputConnection(4, compared); }
+  void SetComparedData(vtkDataObject* compared) { this->SetInputDataObject(4, compared); }
+  void SetSnapConnection(vtkAlgorithmOutput* snap) { this->SetInputConnection(5, snap); }
+  void SetSnapData(vtkDataObject* snap) { this->SetInputDataObject(5, snap); }
   ///@}
 
-  ///@{
-  /// Radius of the ball that touches [u], >= 0. Default 0: a point.
-  vtkSetMacro(Radius, double);
-  vtkGetMacro(Radius, double);
-  ///@}
-
-  ///@{
-  /// Radius of the tubes as which lines are touched [u], >= 0. Default 0: they are not.
-  vtkSetMacro(LineRadius, double);
-  vtkGetMacro(LineRadius, double);
-  ///@}
-
-  ///@{
   /**
-   * Coulomb friction between ball and surface [1]: what holds at rest, 0 (none, default) to 10, and what brakes while
-   * it slides, 0 (default) to the static one; more is an error.
-   */
-  vtkSetMacro(FrictionStatic, double);
-  vtkGetMacro(FrictionStatic, double);
-  vtkSetMacro(FrictionKinetic, double);
-  vtkGetMacro(FrictionKinetic, double);
-  ///@}
-
-  ///@{
-  /// Smooth forces over facets, never across edges sharper than 30 degrees. Default off.
-  vtkSetMacro(ForceShading, bool);
-  vtkGetMacro(ForceShading, bool);
-  vtkBooleanMacro(ForceShading, bool);
-  ///@}
-
-  /** @name Material from data
-   * From an array of the points, or else the cells, of a surface (cells: the mean of those around a point): its name
-   * ("", default: none), its component (-1, default: the length of a vector, the value of a scalar), a data range
-   * (equal ends, default: the array's own) and what its two ends feel like: linear between, level beyond. Where a value
-   * is not finite the surface's own is felt. An array that is missing or cannot be used is an error.
+   * A setting of a session that is felt along a path too, by its name, with its unit and range (plugin/README.md):
+   * Stiffness (1000 N/m by default here), Radius, LimitRadius (off), LineRadius, LinesAsWalls, Scale (1 u/m),
+   * ForceShading, ConstantForce, friction, the arrays of a material, those whose names begin with Field, ToolLever and
+   * ToolCoupling of a tool, SoftRate of a soft body or a mechanism (from 0 on: at 0 the body is at rest in every tick,
+   * which is the reference) and MechanismTurning. What cannot be used is an error when the filter runs.
    */
   ///@{
-  /// [N/m], >= 0, default 100 to 1000: what is felt, up to the stiffness of the spring between hand and proxy.
-  void SetStiffnessArray(const char* name);
-  const char* GetStiffnessArray() const;
-  void SetStiffnessComponent(int component);
-  int GetStiffnessComponent() const;
-  void SetStiffnessDataRange(double low, double high);
-  double* GetStiffnessDataRange() VTK_SIZEHINT(2);
-  void SetStiffnessFeltRange(double atLow, double atHigh);
-  double* GetStiffnessFeltRange() VTK_SIZEHINT(2);
-  ///@}
-
-  ///@{
-  /// [1], 0 to 10, default 0 to 1: at rest and sliding alike.
-  void SetFrictionArray(const char* name);
-  const char* GetFrictionArray() const;
-  void SetFrictionComponent(int component);
-  int GetFrictionComponent() const;
-  void SetFrictionDataRange(double low, double high);
-  double* GetFrictionDataRange() VTK_SIZEHINT(2);
-  void SetFrictionFeltRange(double atLow, double atHigh);
-  double* GetFrictionFeltRange() VTK_SIZEHINT(2);
-  ///@}
-
-  ///@{
-  /// [u], default 0 to 1: heights, of which the highest is the surface and lower ones are hollows; their mean for a
-  /// hand too fast for them.
-  void SetTextureArray(const char* name);
-  const char* GetTextureArray() const;
-  void SetTextureComponent(int component);
-  int GetTextureComponent() const;
-  void SetTextureDataRange(double low, double high);
-  double* GetTextureDataRange() VTK_SIZEHINT(2);
-  void SetTextureFeltRange(double atLow, double atHigh);
-  double* GetTextureFeltRange() VTK_SIZEHINT(2);
-  ///@}
-
-  ///@{
-  /// The field: the same as SetInputConnection(2, port).
-  void SetFieldConnection(vtkAlgorithmOutput* field);
-  void SetFieldData(vtkDataObject* field);
-  ///@}
-
-  ///@{
-  /// Other data whose array FieldOther, or the one that is called as FieldArray, the values of the field are compared
-  /// with: the same as SetInputConnection(4, port).
-  void SetComparedConnection(vtkAlgorithmOutput* compared);
-  void SetComparedData(vtkDataObject* compared);
-  ///@}
-
-  ///@{
-  /// To whose points and lines the hand snaps, in place of what is found in the values: SetInputConnection(5, port).
-  void SetSnapConnection(vtkAlgorithmOutput* snap);
-  void SetSnapData(vtkDataObject* snap);
-  ///@}
-
-  /** @name Numbers in space
-   * Which arrays of the field are felt, and how: the settings of a session with these names, with their units, ranges
-   * and defaults (plugin/README.md). What is on and cannot be felt is an error. */
-  ///@{
-  vtkHapticTouchFieldSettingsMacro();
-  ///@}
-
-  ///@{
-  /// Scene units per metre of the hand, > 0. Default 1.
-  vtkSetMacro(Scale, double);
-  vtkGetMacro(Scale, double);
+  void SetSetting(const char* name, double value); ///< on and off are 1 and 0, choices count from 0 on
+  void SetSetting(const char* name, double low, double high);
+  void SetSetting(const char* name, double x, double y, double z);
+  void SetSetting(const char* name, const char* text);
+#ifndef __VTK_WRAP__
+  void SetSetting(const char* name, int value); ///< so that 0 is a number
+#endif
+  double GetSetting(const char* name) const;  ///< the first number; NaN where there is none
+  int GetSettingSize(const char* name) const; ///< of numbers; 0 for a text
+  static std::string GetSettingNames();       ///< of all, with spaces between them
   ///@}
 
   ///@{
@@ -201,37 +115,36 @@ public:
   ///@}
 
   ///@{
-  /// The tool: the same as SetInputConnection(3, port).
-  void SetToolConnection(vtkAlgorithmOutput* tool);
-  void SetToolData(vtkDataObject* tool);
-  ///@}
-
-  ///@{
   /// Point array of the path with the turn of the hand, a unit quaternion w x y z. Default none: it does not turn.
   vtkSetStringMacro(TurnArray);
   vtkGetStringMacro(TurnArray);
   ///@}
 
   ///@{
-  /// What a turn of the tool by 1 rad weighs as a way [u], >= 0: the stiffness of turning is Stiffness (Lever /
-  /// Scale)^2. Default 0: that of its mesh about the handle, sqrt(2/3 mean |p|^2).
-  vtkSetMacro(Lever, double);
-  vtkGetMacro(Lever, double);
+  /// Length of the directions of a field up to which they are not followed and do not push, >= 0 and, where it is not
+  /// 0, below FieldFullSpeed. Default 0.
+  vtkSetMacro(NoSpeed, double);
+  vtkGetMacro(NoSpeed, double);
   ///@}
 
   ///@{
-  /// Whether a spring leads from the hand to the tool, in place of what its contacts push with. Default off.
-  vtkSetMacro(VirtualCoupling, bool);
-  vtkGetMacro(VirtualCoupling, bool);
-  vtkBooleanMacro(VirtualCoupling, bool);
+  /// Whether the output has the array Cost (n) double: the time that each tick took [us]. Default off.
+  vtkSetMacro(WithCost, bool);
+  vtkGetMacro(WithCost, bool);
+  vtkBooleanMacro(WithCost, bool);
   ///@}
 
-  ///@{
-  /// How often a soft body is computed [Hz], >= 0: what is found arrives one period later. Default 30; 0: the body is
-  /// at rest in every tick, which is the reference.
-  vtkSetMacro(LowRate, double);
-  vtkGetMacro(LowRate, double);
-  ///@}
+#ifndef __VTK_WRAP__
+  /// Data of a port by the name that sentences have: of port 0 one surface more, of the others the only data.
+  void AddNamed(int port, const std::string& name, vtkDataObject* data);
+  /// All settings, as pathSettings() has them.
+  void SetSettings(const palpate::SettingStore& settings);
+  /// Of the last run, with settings by their names in braces.
+  const palpate::PathReport& GetReport() const
+  {
+    return *this->Report;
+  }
+#endif
 
 protected:
   vtkTouchAlongPath();
@@ -244,54 +157,29 @@ private:
   vtkTouchAlongPath(const vtkTouchAlongPath&) = delete;
   void operator=(const vtkTouchAlongPath&) = delete;
 
-  palpate::HapticParameters Parameters() const;
-  /// Empty, or what cannot be used.
-  std::string CheckParameters() const;
-  void ChangeMaterial(const std::function<void(vtkHapticMaterialSettings&)>& change);
-  void ChangeField(const std::function<void(vtkHapticFieldArrays&)>& change);
-  /// A setting of the field's plan, by its name.
-  void SetField(const char* name, double value);
-  double GetField(const char* name) const;
-  /// What the hand feels; null with a problem. `field`: null where no numbers are felt.
-  std::unique_ptr<palpate::PathTouch> Prepare(vtkDataObject* input, vtkDataObject* field,
-    const vtkHapticFieldBeside& beside, const vtkHapticHandPath& path, std::string& problem) const;
-  /// Warns of what of it gave no force, or another than was asked for.
-  void TellOf(const palpate::PathTouch& touch, palpate::Fault fault);
-  /// With a tool in place of a ball; false with an error.
-  bool TouchWithTool(vtkDataObject& surface, vtkDataObject& tool, const vtkHapticHandPath& path, vtkPolyData& output);
-  /// Why a tool does not feel what else is set; empty: nothing else is.
-  std::string BesideTool();
-  /// What is asked for that only surfaces have; "": nothing.
-  const char* OfSurfacesAlone();
-  /// With what a mechanism holds in the hand; false with an error.
-  bool TouchMechanism(vtkDataObject& mechanism, const vtkHapticHandPath& path, vtkPolyData& output);
-  palpate::MechanismHold Hold() const;
-  /// Why a mechanism does not feel what else is set; empty: nothing else is.
-  std::string BesideMechanism();
-  /// Why a soft body is not felt with what else is set; empty: it is.
-  std::string BesideBody() const;
-  /// Has a soft body give way; or a problem.
-  void Press(vtkDataObject* body, palpate::PathTouch& touch, std::string& problem) const;
-  /// Warns of what of it was left out, and of large strain.
-  void TellOfBody(const palpate::BodyMaker& body);
-  /// Reports progress; false when someone asked to stop.
-  bool Goes(double progress);
+  void Put(const char* name, const palpate::SettingValue& value);
+  /// What sentences call the data of a port.
+  std::string NameOf(int port, std::size_t connection) const;
+  bool FeelsField() const;
+  /// What is felt of the data of all ports, or a problem. `given`: of port 0, before its pieces were brought together.
+  struct WholeInputs;
+  palpate::PathInputs Read(const WholeInputs& whole, vtkDataObject& given, std::string& problem) const;
+  void ReadTouched(
+    vtkDataObject& data, const std::string& name, palpate::PathInputs& inputs, std::string& problem) const;
+  void ReadField(const WholeInputs& whole, palpate::PathInputs& inputs, std::string& problem) const;
+  /// Follows the path; false when someone asked to stop.
+  bool Follow(palpate::PathRunner& runner, std::size_t count, vtkPolyData& output);
+  /// Warns of what a person is to know, or errs.
+  int Tell();
 
-  double Stiffness = 1000.0;
-  double Radius = 0.0;
-  double LineRadius = 0.0;
-  double FrictionStatic = 0.0;
-  double FrictionKinetic = 0.0;
-  bool ForceShading = false;
-  double Scale = 1.0;
+  std::unique_ptr<palpate::SettingStore> Settings;
+  std::unique_ptr<palpate::PathReport> Report;
+  std::map<int, std::vector<std::string>> Names; ///< of the connections of each port
   double Rate = 1000.0;
   char* TimeArray = nullptr;
   char* TurnArray = nullptr;
-  double Lever = 0.0;
-  bool VirtualCoupling = false;
-  double LowRate = 30.0;
-  std::unique_ptr<vtkHapticMaterialSettings> Materials;
-  std::unique_ptr<vtkHapticTouchedField> Field;
+  double NoSpeed = 0.0;
+  bool WithCost = false;
 };
 
 #endif

@@ -45,6 +45,22 @@ MechanismGrip gripOf(const MechanismHold& hold) noexcept
   return { hold.stiffness_N_per_m / hold.scale_u_per_m, hold.turning_N_m_per_rad * hold.scale_u_per_m };
 }
 
+const char* wordsOf(LawChange change) noexcept
+{
+  switch (change)
+  {
+    case LawChange::Punctured:
+      return "punctured";
+    case LawChange::Withdrawn:
+      return "withdrawn";
+    case LawChange::Broken:
+      return "broken";
+    case LawChange::TornOut:
+      return "torn out";
+  }
+  return "";
+}
+
 std::string faultsOf(const MechanismCheck& check)
 {
   std::string all;

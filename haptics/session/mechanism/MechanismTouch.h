@@ -68,6 +68,9 @@ private:
 /// The spring of a hold in units of the scene.
 [[nodiscard]] MechanismGrip gripOf(const MechanismHold& hold) noexcept;
 
+/// What became of a law.
+[[nodiscard]] const char* wordsOf(LawChange change) noexcept;
+
 /// All faults of a check in one line; "": none.
 [[nodiscard]] std::string faultsOf(const MechanismCheck& check);
 

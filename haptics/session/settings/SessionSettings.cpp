@@ -71,6 +71,13 @@ Setting along(double path, Setting setting)
   return setting;
 }
 
+/// Along a path, in virtual time, every value from 0 on is possible.
+Setting anyAlongPath(Setting setting)
+{
+  setting.anyAlongPath = true;
+  return setting;
+}
+
 constexpr std::string_view ofComponent =
   "Component of the array; -1 is the length of a vector and the value of a scalar";
 
@@ -159,9 +166,10 @@ const Setting settings[] = {
       0.0, largestFriction)),
   text("SoftSource", "", "Soft body, made by the filter Soft Body, by its name in the pipeline browser; empty: none",
     NextScene),
-  at({ .group = "soft" }, { "SoftRate", Number, "Hz", "Computed at",
-                            "Largest rate of the soft-body and mechanism solver; the actual rate may be lower",
-                            NextScene, { 30.0 }, {}, 1.0, 1000.0 }),
+  anyAlongPath(at({ .group = "soft", .option = "low-rate" },
+    { "SoftRate", Number, "Hz", "Computed at",
+      "Largest rate of the soft-body and mechanism solver; the actual rate may be lower", NextScene, { 30.0 }, {}, 1.0,
+      1000.0 })),
   text("MechanismSource", "",
     "Mechanism, made by Haptic Mechanism, by its name in the pipeline browser; the hand holds one of the bodies. "
     "Empty: none",
@@ -170,11 +178,11 @@ const Setting settings[] = {
     "Constraints that replace those of the scene file, as a JSON list in the format of the key 'laws'; empty: "
     "constraints of the scene file",
     NextScene),
-  at({ .field = "mechanism.turning_N_m_per_rad", .group = "mechanism" },
+  anyAlongPath(at({ .field = "mechanism.turning_N_m_per_rad", .group = "mechanism", .option = "torque-stiffness" },
     { "MechanismTurning", Number, "N m/rad", "Turned with",
       "Rotational stiffness between hand and held body. 0, or a device without torque output: the body "
       "rotates freely",
-      NextTick, { 0.0 }, {}, 0.0, 1000.0 }),
+      NextTick, { 0.0 }, {}, 0.0, 1000.0 })),
   at({ .group = "soft" }, flag("ShowSoftHand", "Show its hand",
                             "Draw a grey ball at the hand position used by the last soft-body solve, next to the hand "
                             "and the proxy. For a mechanism: a ghost of the held body",
@@ -193,41 +201,54 @@ const Setting settings[] = {
                             "Tool tip, in the tool's own coordinates. Used when the tool is held at its handle; the "
                             "handle-to-tip distance is the lever arm",
                             NextScene, { 0.0, 0.0, 0.0 } }),
-  at({ .group = "tool" }, amount("ToolLever", "u", "Lever",
-                            "Lever arm that converts rotation to translation: rotational stiffness = Stiffness x "
-                            "(Lever / Scale)^2. 0: the tool's radius of gyration, or the distance from handle to tip",
-                            0.0, none, NextScene)),
+  at({ .group = "tool", .option = "lever" },
+    amount("ToolLever", "u", "Lever",
+      "Lever arm that converts rotation to translation: rotational stiffness = Stiffness x "
+      "(Lever / Scale)^2. 0: the tool's radius of gyration, or the distance from handle to tip",
+      0.0, none, NextScene)),
   at({ .field = "tool.coupling", .group = "tool" },
     choice("ToolCoupling", "Felt as",
       "Force on the hand: the contact forces of the tool, without drag while the tool lags, or a spring between hand "
       "and tool, which drags",
       0, { "Contacts", "Spring" })),
-  text("StiffnessArray", "Stiffn&ess from",
-    "Point or cell array mapped to stiffness; surfaces without the array keep their own stiffness", NextScene),
-  count("StiffnessComponent", "", "Component", ofComponent, -1, -1, none, NextScene),
-  pair("StiffnessDataRange", "", "Data range",
-    "Array values mapped to the ends of the stiffness range; equal ends: the array's own range", { 0.0, 0.0 }),
-  pair("StiffnessFeltRange", "N/m", "Feels like",
-    "Stiffness at the ends of the data range, linear between them; never above the session's stiffness",
-    { 100.0, 1000.0 }, 0.0),
-  text("FrictionArray", "Friction from",
-    "Point or cell array mapped to friction; surfaces without the array keep their own friction", NextScene),
-  count("FrictionComponent", "", "Component", ofComponent, -1, -1, none, NextScene),
-  pair("FrictionDataRange", "", "Data range",
-    "Array values mapped to the ends of the friction range; equal ends: the array's own range", { 0.0, 0.0 }),
-  pair("FrictionFeltRange", "1", "Feels like",
-    "Friction coefficient (static and kinetic alike) at the ends of the data range, linear between them", { 0.0, 1.0 },
-    0.0, largestFriction),
-  text("TextureArray", "Te&xture from",
-    "Point or cell array mapped to height (texture); surfaces without the array keep the shape of their triangles",
-    NextScene),
-  count("TextureComponent", "", "Component", ofComponent, -1, -1, none, NextScene),
-  pair("TextureDataRange", "", "Data range",
-    "Array values mapped to the ends of the height range; equal ends: the array's own range", { 0.0, 0.0 }),
-  pair("TextureFeltRange", "u", "Feels like",
-    "Heights at the ends of the data range. The highest point lies on the surface, lower points are hollows; a hand "
-    "too fast for the texture feels the mean height",
-    { 0.0, 1.0 }),
+  at({ .option = "stiffness-array" },
+    text("StiffnessArray", "Stiffn&ess from",
+      "Point or cell array mapped to stiffness; surfaces without the array keep their own stiffness", NextScene)),
+  at({ .option = "stiffness-component" },
+    count("StiffnessComponent", "", "Component", ofComponent, -1, -1, none, NextScene)),
+  at({ .option = "stiffness-range" },
+    pair("StiffnessDataRange", "", "Data range",
+      "Array values mapped to the ends of the stiffness range; equal ends: the array's own range", { 0.0, 0.0 })),
+  at({ .option = "stiffness-to" },
+    pair("StiffnessFeltRange", "N/m", "Feels like",
+      "Stiffness at the ends of the data range, linear between them; never above the session's stiffness",
+      { 100.0, 1000.0 }, 0.0)),
+  at({ .option = "friction-array" },
+    text("FrictionArray", "Friction from",
+      "Point or cell array mapped to friction; surfaces without the array keep their own friction", NextScene)),
+  at({ .option = "friction-component" },
+    count("FrictionComponent", "", "Component", ofComponent, -1, -1, none, NextScene)),
+  at({ .option = "friction-range" },
+    pair("FrictionDataRange", "", "Data range",
+      "Array values mapped to the ends of the friction range; equal ends: the array's own range", { 0.0, 0.0 })),
+  at({ .option = "friction-to" },
+    pair("FrictionFeltRange", "1", "Feels like",
+      "Friction coefficient (static and kinetic alike) at the ends of the data range, linear between them",
+      { 0.0, 1.0 }, 0.0, largestFriction)),
+  at({ .option = "texture-array" },
+    text("TextureArray", "Te&xture from",
+      "Point or cell array mapped to height (texture); surfaces without the array keep the shape of their triangles",
+      NextScene)),
+  at({ .option = "texture-component" },
+    count("TextureComponent", "", "Component", ofComponent, -1, -1, none, NextScene)),
+  at({ .option = "texture-range" },
+    pair("TextureDataRange", "", "Data range",
+      "Array values mapped to the ends of the height range; equal ends: the array's own range", { 0.0, 0.0 })),
+  at({ .option = "texture-to" },
+    pair("TextureFeltRange", "u", "Feels like",
+      "Heights at the ends of the data range. The highest point lies on the surface, lower points are hollows; a hand "
+      "too fast for the texture feels the mean height",
+      { 0.0, 1.0 })),
   at({ .group = "field" }, text("FeltSource", "Field of source",
                              "Name of the source whose values are rendered as a field, visible or hidden; empty: the "
                              "first visible source that has the values",
@@ -241,7 +262,8 @@ const Setting settings[] = {
       { "Largest", "Middle", "Least" }, NextScene)),
   text("FieldResistance", "Resistance",
     "Scalar array, 0 or more, that scales the drag at the hand; empty: the same drag everywhere", NextScene),
-  text("FieldOther", "Compared with", "Array compared with the values; empty: none", NextScene),
+  at({ .option = "compare-with" },
+    text("FieldOther", "Compared with", "Array compared with the values; empty: none", NextScene)),
   at({ .group = "field" },
     text("CompareSource", "Compared with source",
       "Name of the source that has the array FieldOther, visible or hidden; empty: the source of the values",
@@ -279,10 +301,11 @@ const Setting settings[] = {
   at({ .field = "field.detent.spacing", .group = "field", .option = "between-levels" },
     { "FieldDetentSpacing", Number, "", "Between levels", "Difference between the values of neighbouring detent levels",
       NextTick, { 1.0 }, {}, 0.0, none, true }),
-  at({ .group = "field" }, text("FieldDetentLevels", "Chosen levels",
-                             "Values of up to 16 detent levels, separated by commas, in place of equal distances. Each "
-                             "level reaches as far as half of 'Between levels'; empty: equal distances",
-                             NextTick)),
+  at({ .group = "field", .option = "levels" },
+    text("FieldDetentLevels", "Chosen levels",
+      "Values of up to 16 detent levels, separated by commas, in place of equal distances. Each "
+      "level reaches as far as half of 'Between levels'; empty: equal distances",
+      NextTick)),
   at({ .field = "field.detent.click", .group = "field", .option = "levels-click" },
     flag("FieldDetentClick", "Levels click",
       "The hand snaps over each level and loses energy. Off: the force is smooth, dissipates nothing, and stays below "

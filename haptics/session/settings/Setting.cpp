@@ -74,7 +74,7 @@ bool isUsable(const Setting& setting, double value)
     case SettingKind::Choice:
       return value >= 0.0 && value < static_cast<double>(setting.choices.size()) && value == std::floor(value);
     case SettingKind::Count:
-      return within && value == std::floor(value);
+      return std::isfinite(value) && within && value == std::floor(value);
     default:
       return std::isfinite(value) && within;
   }
@@ -157,6 +157,11 @@ Setting ofPath(Setting setting)
   if (setting.alongPath)
   {
     setting.defaults = { *setting.alongPath };
+  }
+  if (setting.anyAlongPath)
+  {
+    setting.low = 0.0;
+    setting.high = Setting::infinity;
   }
   return setting;
 }

@@ -58,6 +58,7 @@ struct Setting
   bool saved = true; ///< in a state file
   SettingPlaces at{};
   std::optional<double> alongPath{}; ///< default of one who feels along a path in the scene, where it is another
+  bool anyAlongPath = false;         ///< who feels along a path may have any value from 0 on
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 };
@@ -93,7 +94,7 @@ struct Readout
 /// The default in words with its unit.
 [[nodiscard]] std::string defaultWords(const Setting& setting);
 
-/// The setting as one who feels along a path in the scene has it: with that default.
+/// The setting as one who feels along a path in the scene has it: with that default and range.
 [[nodiscard]] Setting ofPath(Setting setting);
 
 /// Its title as a sentence has it: in small letters, without the mark of a letter; its name where it has no title.

@@ -69,7 +69,8 @@ std::string object(const Setting& setting)
          field("allowed", quoted(allowed(setting))) + field("choices", array(setting.choices, quoted)) +
          field("saved", setting.saved ? "true" : "false") + field("field", quoted(setting.at.field)) +
          field("option", quoted(setting.at.option)) +
-         field("path_default_words", quoted(defaultWords(ofPath(setting)))) + "}";
+         field("path_default_words", quoted(defaultWords(ofPath(setting)))) +
+         field("path_allowed", quoted(allowed(ofPath(setting)))) + "}";
 }
 
 std::string object(const Readout& readout)

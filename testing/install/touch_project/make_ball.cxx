@@ -17,7 +17,7 @@ int main(int, char** words)
 {
   const double moved_mm = std::atof(words[2]);
   vtkNew<vtkSphereSource> ball;
-  ball->SetRadius(50.0);
+  ball->SetSetting("Radius", 50.0);
   ball->SetCenter(moved_mm, 0.0, 0.0);
   ball->SetThetaResolution(60);
   ball->SetPhiResolution(61);
@@ -32,8 +32,8 @@ int main(int, char** words)
   vtkNew<vtkTouchAlongPath> touch;
   touch->SetInputConnection(0, ball->GetOutputPort());
   touch->SetInputConnection(1, way->GetOutputPort());
-  touch->SetStiffness(500.0);
-  touch->SetScale(1000.0);
+  touch->SetSetting("Stiffness", 500.0);
+  touch->SetSetting("Scale", 1000.0);
   touch->Update();
   vtkDataArray* force = touch->GetOutput()->GetPointData()->GetArray("Force");
   std::printf("%.17g\n", force->GetComponent(force->GetNumberOfTuples() - 1, 0));

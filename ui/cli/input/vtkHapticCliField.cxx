@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
 #include <iterator>
 #include <optional>
 #include <string_view>
@@ -14,33 +13,32 @@
 #include "vtkCellArray.h"
 #include "vtkDataObject.h"
 #include "vtkHapticCliProblem.h"
+#include "vtkHapticFieldData.h"
 #include "vtkHapticReaders.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTouchAlongPath.h"
 
 namespace
 {
-using FieldArrayName = std::string vtkHapticFieldArrays::*;
-
 struct Mode
 {
   std::string_view Name;
-  FieldArrayName Array;                       ///< what of the field it is felt from
-  const char* Setting;                        ///< whose range its strength has
-  double& (*Strength_N)(palpate::FieldPlan&); ///< that it is at most as strong as
+  const char* Array;    ///< the setting of the array that it is felt from
+  const char* Strength; ///< and of the force that it is at most as strong as
 };
 
 constexpr std::array<Mode, 7> Modes = { {
-  { "isosurface", &vtkHapticFieldArrays::Scalar, "FieldYield", [](auto& p) -> double& { return p.yield_N; } },
-  { "detent", &vtkHapticFieldArrays::Scalar, "FieldDetent", [](auto& p) -> double& { return p.detent.strength_N; } },
-  { "snap", &vtkHapticFieldArrays::Scalar, "FieldSnap", [](auto& p) -> double& { return p.snap_N; } },
-  { "compare", &vtkHapticFieldArrays::Scalar, "FieldCompare", [](auto& p) -> double& { return p.compare_N; } },
-  { "follow", &vtkHapticFieldArrays::Vector, "FieldFollow", [](auto& p) -> double& { return p.follow_N; } },
-  { "push", &vtkHapticFieldArrays::Vector, "FieldPush", [](auto& p) -> double& { return p.push_N; } },
-  { "drag", &vtkHapticFieldArrays::Resistance, "FieldDrag", [](auto& p) -> double& { return p.drag_N; } },
+  { "isosurface", "FieldArray", "FieldYield" },
+  { "detent", "FieldArray", "FieldDetent" },
+  { "snap", "FieldArray", "FieldSnap" },
+  { "compare", "FieldArray", "FieldCompare" },
+  { "follow", "FieldVectors", "FieldFollow" },
+  { "push", "FieldVectors", "FieldPush" },
+  { "drag", "FieldResistance", "FieldDrag" },
 } };
 constexpr std::string_view Isosurface = "isosurface", Compare = "compare", SnapPoints = "points", SnapLines = "lines";
 
@@ -52,16 +50,16 @@ struct OfModes
   std::string_view Modes; ///< as a sentence names them; empty: all
 };
 
-const std::array<OfModes, 6> OwnOptions = { {
+const std::array<OfModes, 4> OwnOptions = { {
   { "--strength", [](const auto& o) { return !o.Strengths_N.empty(); }, "" },
-  { "--compare-with,--with", [](const auto& o) { return !o.Other.empty(); }, "compare" },
   { "--with-data", [](const auto& o) { return !o.OtherFile.empty(); }, "compare" },
-  { "--levels,--values", [](const auto& o) { return !o.Levels.empty(); }, "detent" },
   { "--range", [](const auto& o) { return !o.Range.empty(); }, "follow, push or drag" },
   { "--snap", [](const auto& o) { return !o.Snap.empty(); }, "snap" },
 } };
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> SettingsOfModes = { {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> SettingsOfModes = { {
+  { "FieldOther", "compare" },
+  { "FieldDetentLevels", "detent" },
   { "FieldComponent", "isosurface, detent, snap or compare" },
   { "FieldSmoothing", "isosurface, detent, snap or compare" },
   { "FieldDetentOrigin", "detent" },
@@ -139,12 +137,13 @@ void CheckModesOfOptions(const vtkHapticCliFieldOptions& options, const vtkHapti
 /// What a mode cannot do without, and what says the same twice.
 void CheckCompanions(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings)
 {
-  if (Has(options, Compare) && options.Other.empty() && options.OtherFile.empty())
+  if (Has(options, Compare) && !settings.IsGiven("FieldOther") && options.OtherFile.empty())
   {
     throw vtkHapticCliProblem(
       "--mode compare: give the other array with --compare-with, or other data with --with-data");
   }
-  if (!options.Levels.empty() && (settings.IsGiven("FieldDetentSpacing") || settings.IsGiven("FieldDetentOrigin")))
+  if (settings.IsGiven("FieldDetentLevels") &&
+      (settings.IsGiven("FieldDetentSpacing") || settings.IsGiven("FieldDetentOrigin")))
   {
     throw vtkHapticCliProblem(
       "--levels: they are in place of those of --between-levels and --first-level; leave out one of both");
@@ -160,7 +159,8 @@ void CheckCompanions(const vtkHapticCliFieldOptions& options, const vtkHapticCli
 }
 
 /// From where to where the strengths of drag, follow and push rise.
-void SetRange(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings, palpate::FieldPlan& plan)
+void SetRange(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings,
+  palpate::SettingStore& felt, vtkTouchAlongPath& filter)
 {
   if (options.Range.empty())
   {
@@ -173,8 +173,8 @@ void SetRange(const vtkHapticCliFieldOptions& options, const vtkHapticCliSetting
   }
   if (Has(options, "drag"))
   {
-    plan.dragNone = low;
-    plan.dragFull = high;
+    felt.put("FieldDragNone", low);
+    felt.put("FieldDragFull", high);
   }
   if (!Has(options, "follow") && !Has(options, "push"))
   {
@@ -188,48 +188,29 @@ void SetRange(const vtkHapticCliFieldOptions& options, const vtkHapticCliSetting
   {
     throw vtkHapticCliProblem("--range and --full-length say the same of follow and push; leave out one of both");
   }
-  plan.noSpeed = low;
-  plan.fullSpeed = high;
+  filter.SetNoSpeed(low);
+  felt.put("FieldFullSpeed", high);
 }
 
-double StrengthOf(const vtkHapticCliFieldOptions& options, std::size_t mode)
+/// A mode's array and strength.
+void SetMode(const vtkHapticCliFieldOptions& options, std::size_t i, palpate::SettingStore& felt)
 {
-  const double strength_N = options.Strengths_N.empty() ? 0.0 : options.Strengths_N[mode];
-  const palpate::Setting& setting = palpate::sessionSetting(ModeOf(options.Modes[mode]).Setting);
+  const Mode& mode = ModeOf(options.Modes[i]);
+  const std::string& name = options.Arrays[std::min(i, options.Arrays.size() - 1)];
+  const std::string& array = felt.text(mode.Array);
+  if (!array.empty() && array != name)
+  {
+    throw vtkHapticCliProblem(
+      "--field: \"" + array + "\" and \"" + name + "\" are felt from the same numbers in space; choose one");
+  }
+  felt.put(mode.Array, name);
+  const double strength_N = options.Strengths_N.empty() ? 0.0 : options.Strengths_N[i];
+  const palpate::Setting& setting = palpate::sessionSetting(mode.Strength);
   if (const std::string problem = palpate::refuse(setting, { &strength_N, 1 }, "--strength"); !problem.empty())
   {
     throw vtkHapticCliProblem(problem);
   }
-  return strength_N;
-}
-
-vtkHapticFieldArrays ArraysOf(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings)
-{
-  vtkHapticFieldArrays arrays;
-  for (std::size_t i = 0; i < options.Modes.size(); ++i)
-  {
-    const std::string& name = options.Arrays[std::min(i, options.Arrays.size() - 1)];
-    std::string& array = arrays.*ModeOf(options.Modes[i]).Array;
-    if (!array.empty() && array != name)
-    {
-      throw vtkHapticCliProblem(
-        "--field: \"" + array + "\" and \"" + name + "\" are felt from the same numbers in space; choose one");
-    }
-    array = name;
-  }
-  arrays.Other = options.Other;
-  arrays.Component = static_cast<int>(settings.Number("FieldComponent"));
-  arrays.Smoothing = static_cast<int>(settings.Number("FieldSmoothing"));
-  arrays.Eigenvector = static_cast<int>(settings.Number("FieldEigenvector"));
-  return arrays;
-}
-
-void NoteOf(const std::string& file, const std::string& note)
-{
-  if (!note.empty())
-  {
-    std::cerr << "palpate: " << file << ": " << note << '\n';
-  }
+  felt.put(mode.Strength, strength_N);
 }
 
 vtkSmartPointer<vtkDataObject> VolumeOf(const std::string& file)
@@ -239,26 +220,29 @@ vtkSmartPointer<vtkDataObject> VolumeOf(const std::string& file)
   {
     throw vtkHapticCliProblem(read.Problem);
   }
-  NoteOf(file, read.Note);
+  vtkHapticCliNote(file, read.Note);
   return read.Volume;
 }
 
 /// Without --range strengths rise over all values of the array; one that is the same everywhere has all of it.
 void SetUsualRange(vtkDataObject& volume, const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings,
-  palpate::FieldPlan& plan)
+  palpate::SettingStore& felt, vtkTouchAlongPath& filter)
 {
-  const vtkHapticFieldArrays arrays = ArraysOf(options, settings);
-  const palpate::FieldEnds resistances = vtkHapticFieldEnds(&volume, arrays.Resistance);
-  if (options.Range.empty() && resistances[0] <= resistances[1])
+  if (!options.Range.empty())
   {
-    plan.dragNone = resistances[0] < resistances[1] ? resistances[0] : resistances[0] - 1.0;
-    plan.dragFull = resistances[1];
+    return;
   }
-  const palpate::FieldEnds lengths = vtkHapticFieldEnds(&volume, arrays.Vector);
-  if (options.Range.empty() && !settings.IsGiven("FieldFullSpeed") && lengths[0] < lengths[1])
+  const palpate::FieldEnds resistances = vtkHapticFieldEnds(&volume, felt.text("FieldResistance"));
+  if (resistances[0] <= resistances[1])
   {
-    plan.noSpeed = lengths[0];
-    plan.fullSpeed = lengths[1];
+    felt.put("FieldDragNone", resistances[0] < resistances[1] ? resistances[0] : resistances[0] - 1.0);
+    felt.put("FieldDragFull", resistances[1]);
+  }
+  const palpate::FieldEnds lengths = vtkHapticFieldEnds(&volume, felt.text("FieldVectors"));
+  if (!settings.IsGiven("FieldFullSpeed") && lengths[0] < lengths[1])
+  {
+    filter.SetNoSpeed(lengths[0]);
+    felt.put("FieldFullSpeed", lengths[1]);
   }
 }
 
@@ -276,7 +260,7 @@ vtkSmartPointer<vtkPolyData> PlacesOf(const vtkHapticCliFieldOptions& options)
     {
       throw vtkHapticCliProblem(read.Problem);
     }
-    NoteOf(file, read.Note);
+    vtkHapticCliNote(file, read.Note);
     if ((options.Snap == SnapLines ? read.Surface->GetNumberOfLines() : read.Surface->GetNumberOfPoints()) == 0)
     {
       throw vtkHapticCliProblem(file + ": it has no " + options.Snap + " that --snap could snap to");
@@ -334,11 +318,8 @@ void vtkHapticCliAddField(CLI::App& command, vtkHapticCliFieldOptions& options)
     .add_option("--strength", options.Strengths_N, "Largest force of each --mode [N]; 0 with isosurface: a solid wall")
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--compare-with,--with", options.Other, "Array compared with --field in --mode compare");
   command.add_option(
     "--with-data", options.OtherFile, "Volume with the compared array (the same name, or --with) in --mode compare");
-  command.add_option(
-    "--levels,--values", options.Levels, "Detent levels V,V,... of --mode detent, in place of equal distances");
   command
     .add_option("--range", options.Range, "Resistance (drag) or vector length (follow, push) at zero and at full force")
     ->delimiter(',')
@@ -356,13 +337,9 @@ std::string vtkHapticCliGivenOfField(const vtkHapticCliFieldOptions& options)
   return given == OwnOptions.end() ? "" : given->Options;
 }
 
-std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(const vtkHapticCliFieldOptions& options,
-  const vtkHapticCliSettings& settings, palpate::FieldPlan& plan, std::vector<std::string>& files)
+void vtkHapticCliTakeField(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings,
+  palpate::SettingStore& felt, std::vector<std::string>& files, vtkTouchAlongPath& filter)
 {
-  if (!options.Any())
-  {
-    return nullptr;
-  }
   const auto file = std::ranges::find_if(files, vtkHapticIsVolumeFile);
   if (file == files.end())
   {
@@ -371,26 +348,23 @@ std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(const vtkHapti
       ": it is no volume that --field could be felt of; known are vti, vtr, vts, vtu, vtm, nii and nii.gz");
   }
   const std::string name = *file;
-  const vtkSmartPointer<vtkDataObject> volume = VolumeOf(name);
-  const vtkSmartPointer<vtkDataObject> compared = options.OtherFile.empty() ? nullptr : VolumeOf(options.OtherFile);
-  const vtkSmartPointer<vtkPolyData> places = options.Snap.empty() ? nullptr : PlacesOf(options);
-  const vtkHapticFieldResult field = vtkHapticToField(volume, ArraysOf(options, settings), { compared, places });
-  const std::string problem = field.Source ? palpate::levelProblem(plan, field.Ends) : field.Problem;
-  if (!problem.empty())
-  {
-    throw vtkHapticCliProblem(name + ": " + problem);
-  }
-  if (const std::string missing = palpate::levelSentence(plan, field.Ends); !missing.empty())
-  {
-    std::cerr << "palpate: " << name << ": " << missing << '\n';
-  }
-  SetUsualRange(*volume, options, settings, plan);
   files.erase(file);
-  return field.Source;
+  const vtkSmartPointer<vtkDataObject> volume = VolumeOf(name);
+  SetUsualRange(*volume, options, settings, felt, filter);
+  const bool alone = files.empty() && (!options.Snap.empty() || options.Surfaces.empty());
+  filter.AddNamed(alone ? 0 : 2, name, volume);
+  if (!options.OtherFile.empty())
+  {
+    filter.AddNamed(4, options.OtherFile, VolumeOf(options.OtherFile));
+  }
+  if (!options.Snap.empty())
+  {
+    filter.AddNamed(5, options.Surfaces.front(), PlacesOf(options));
+  }
 }
 
 void vtkHapticCliSetField(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings,
-  std::optional<double> iso, palpate::FieldPlan& plan)
+  std::optional<double> iso, palpate::SettingStore& felt, vtkTouchAlongPath& filter)
 {
   if (!options.Any())
   {
@@ -402,17 +376,13 @@ void vtkHapticCliSetField(const vtkHapticCliFieldOptions& options, const vtkHapt
   CheckCompanions(options, settings);
   for (std::size_t i = 0; i < options.Modes.size(); ++i)
   {
-    ModeOf(options.Modes[i]).Strength_N(plan) = StrengthOf(options, i);
+    SetMode(options, i, felt);
   }
-  plan.isosurface = std::ranges::count(options.Modes, Isosurface) > 0;
-  if (plan.isosurface && !(iso && std::isfinite(*iso)))
+  if (Has(options, Isosurface) && !(iso && std::isfinite(*iso)))
   {
     throw vtkHapticCliProblem("--mode isosurface: give the value of the surface with --iso");
   }
-  plan.isovalue = iso.value_or(0.0);
-  SetRange(options, settings, plan);
-  if (const std::string problem = palpate::setLevels(plan.detent, options.Levels); !problem.empty())
-  {
-    throw vtkHapticCliProblem("--" + problem);
-  }
+  felt.put("FieldIsosurface", Has(options, Isosurface) ? 1.0 : 0.0);
+  felt.put("FieldIsovalue", Has(options, Isosurface) ? *iso : 0.0);
+  SetRange(options, settings, felt, filter);
 }

@@ -2,15 +2,13 @@
 #ifndef vtkHapticCliField_h
 #define vtkHapticCliField_h
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "haptics/field/proxy/FieldPlan.h"
-#include "haptics/session/scene/FieldSource.h"
 #include "vtkHapticCliSettings.h"
-#include "vtkHapticFieldData.h"
+
+class vtkTouchAlongPath;
 
 /// Numbers in space as a command line has them: a mode, its array and its strength in the same place of each list.
 struct vtkHapticCliFieldOptions
@@ -18,9 +16,7 @@ struct vtkHapticCliFieldOptions
   std::vector<std::string> Arrays; ///< one a mode, or one for all
   std::vector<std::string> Modes;
   std::vector<double> Strengths_N;   ///< one a mode; an isosurface alone needs none: then it is a wall
-  std::string Other;                 ///< what the scalar is compared with
-  std::string OtherFile;             ///< volume whose array that is; empty: it is one of the same
-  std::string Levels;                ///< chosen ones of a detent
+  std::string OtherFile;             ///< volume that the scalar is compared with; empty: the same
   std::vector<double> Range;         ///< what drag, follow and push begin at and are full at; empty: as settings say
   std::string Snap;                  ///< what of the surfaces is snapped to: "points" or "lines"; empty: nothing
   std::vector<std::string> Surfaces; ///< files beside the field: touched, or snapped to
@@ -34,15 +30,15 @@ void vtkHapticCliAddField(CLI::App& command, vtkHapticCliFieldOptions& options);
 /// The option that says how a field is felt and was given, with its dashes; empty: there is none.
 [[nodiscard]] std::string vtkHapticCliGivenOfField(const vtkHapticCliFieldOptions& options);
 
-/// Takes the file that is felt as a field, the first volume among them, out of `files`. Null where no field is asked
-/// for. Throws vtkHapticCliProblem, also where nothing of the plan can be felt of its values; says what else cannot.
-/// Without --range the plan gets that of the arrays.
-[[nodiscard]] std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(const vtkHapticCliFieldOptions& options,
-  const vtkHapticCliSettings& settings, palpate::FieldPlan& plan, std::vector<std::string>& files);
-
-/// What the modes are to the tick. `iso`: the value of an isosurface. Throws vtkHapticCliProblem, also for settings of
-/// a field where none is asked for.
+/// What the modes are to the filter. `iso`: the value of an isosurface. Throws vtkHapticCliProblem, also for settings
+/// of a field where none is asked for.
 void vtkHapticCliSetField(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings,
-  std::optional<double> iso, palpate::FieldPlan& plan);
+  std::optional<double> iso, palpate::SettingStore& felt, vtkTouchAlongPath& filter);
+
+/// Takes the file that is felt as a field, the first volume among them, out of `files` and gives it to the filter, with
+/// what it is compared with and what is snapped to; as port 0 where nothing else is touched. Without --range
+/// settings get that of the arrays. Throws vtkHapticCliProblem.
+void vtkHapticCliTakeField(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings,
+  palpate::SettingStore& felt, std::vector<std::string>& files, vtkTouchAlongPath& filter);
 
 #endif

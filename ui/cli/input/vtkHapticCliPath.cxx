@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 #include "haptics/core/Text.h"
@@ -118,7 +119,7 @@ Row ParseRow(std::string_view line, const std::vector<Column>& columns, const Pl
   return row;
 }
 
-vtkHapticCliPathRow ToPathRow(const Row& row, const Place& place)
+palpate::PathSample ToPathRow(const Row& row, const Place& place)
 {
   constexpr double tolerance = 1e-3; // what a file with few digits loses
   const palpate::Quat q(row[QW], row[QX], row[QY], row[QZ]);
@@ -126,10 +127,10 @@ vtkHapticCliPathRow ToPathRow(const Row& row, const Place& place)
   {
     throw place.Problem("qw,qx,qy,qz is not a unit quaternion");
   }
-  vtkHapticCliPathRow result;
-  result.Time_s = row[T];
-  result.Pose_W.p = palpate::Vec3(row[X], row[Y], row[Z]);
-  result.Pose_W.q = q.normalized();
+  palpate::PathSample result;
+  result.time_s = row[T];
+  result.hand_W.p = palpate::Vec3(row[X], row[Y], row[Z]);
+  result.hand_W.q = q.normalized();
   return result;
 }
 
@@ -146,9 +147,9 @@ void CheckRestIsBlank(std::ifstream& file, const Place& place)
   }
 }
 
-std::vector<vtkHapticCliPathRow> ReadRows(std::ifstream& file, const std::vector<Column>& columns, Place& place)
+std::vector<palpate::PathSample> ReadRows(std::ifstream& file, const std::vector<Column>& columns, Place& place)
 {
-  std::vector<vtkHapticCliPathRow> rows;
+  std::vector<palpate::PathSample> rows;
   std::string line;
   while (std::getline(file, line))
   {
@@ -159,7 +160,7 @@ std::vector<vtkHapticCliPathRow> ReadRows(std::ifstream& file, const std::vector
       break;
     }
     rows.push_back(ToPathRow(ParseRow(line, columns, place), place));
-    if (rows.size() > 1 && !(rows.back().Time_s > rows[rows.size() - 2].Time_s))
+    if (rows.size() > 1 && !(rows.back().time_s > rows[rows.size() - 2].time_s))
     {
       throw place.Problem("t does not increase; every row is one tick later than the one before");
     }
@@ -168,7 +169,7 @@ std::vector<vtkHapticCliPathRow> ReadRows(std::ifstream& file, const std::vector
 }
 } // namespace
 
-std::vector<vtkHapticCliPathRow> vtkHapticCliReadPath(const std::string& name, bool turned)
+std::vector<palpate::PathSample> vtkHapticCliReadPath(const std::string& name, bool turned)
 {
   if (const std::string problem = vtkHapticFileGuards::CheckFile(name); !problem.empty())
   {
@@ -183,10 +184,24 @@ std::vector<vtkHapticCliPathRow> vtkHapticCliReadPath(const std::string& name, b
   {
     throw place.Problem("a tool turns: give the columns qw,qx,qy,qz too, as a unit quaternion");
   }
-  std::vector<vtkHapticCliPathRow> rows = ReadRows(file, columns, place);
+  std::vector<palpate::PathSample> rows = ReadRows(file, columns, place);
   if (rows.empty())
   {
     throw vtkHapticCliProblem(name + ": it has a header but no rows; give at least one");
   }
   return rows;
+}
+
+void vtkHapticCliCheckPlanePath(const std::string& file, const std::vector<palpate::PathSample>& path)
+{
+  for (std::size_t i = 0; i < path.size(); ++i)
+  {
+    if (path[i].hand_W.p.z() != 0.0)
+    {
+      std::ostringstream text;
+      text << file << ": row " << i + 1 << " has z = " << path[i].hand_W.p.z()
+           << "; the hand must be in the plane z = 0";
+      throw vtkHapticCliProblem(text.str());
+    }
+  }
 }

@@ -2,7 +2,9 @@
 #ifndef vtkHapticCliProblem_h
 #define vtkHapticCliProblem_h
 
+#include <iostream>
 #include <stdexcept>
+#include <string>
 
 /// What a person has to change before the program can do its work: one line, exit code 2.
 class vtkHapticCliProblem : public std::runtime_error
@@ -10,5 +12,14 @@ class vtkHapticCliProblem : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+/// A line for a person to know of, on stderr; nothing for "". `file`: what it is said of; "": nothing by a name.
+inline void vtkHapticCliNote(const std::string& file, const std::string& note)
+{
+  if (!note.empty())
+  {
+    std::cerr << "palpate: " << file << (file.empty() ? "" : ": ") << note << '\n';
+  }
+}
 
 #endif

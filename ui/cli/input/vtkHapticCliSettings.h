@@ -10,24 +10,19 @@
 #include <vector>
 
 #include "haptics/contact/view/ContactPlan.h"
-#include "haptics/session/settings/Setting.h"
-#include "haptics/tick/HapticParameters.h"
-
-namespace CLI
-{
-class App;
-class Option;
-} // namespace CLI
+#include "haptics/session/settings/SettingStore.h"
 
 /// Settings of a session as options of a command: option, sentence, unit, range and default are those of the table
 /// (haptics/session/settings/), with the default of one who feels along a path.
 class vtkHapticCliSettings
 {
 public:
-  /// Every setting that has an option.
+  /// Every setting that has an option, but for those of a tool, a soft body and a mechanism.
   void AddAll(CLI::App& command);
   /// One of them by its name; `also` is what else it means to this command.
-  void Add(CLI::App& command, const char* setting, const char* also = "");
+  CLI::Option& Add(CLI::App& command, const char* setting, const char* also = "");
+  /// Arrays of surfaces.
+  void AddMaterials(CLI::App& command);
 
   /// What a setting that was added is, by its name: as given, else the default.
   double Number(std::string_view setting) const;
@@ -41,8 +36,10 @@ public:
 
   /// Throws vtkHapticCliProblem that names the option with a value that the setting does not allow.
   void Check() const;
-  /// Those that are fields of the tick's parameters.
-  void SetFields(palpate::HapticParameters& parameters) const;
+  /// All settings of a path, as given or by default.
+  palpate::SettingStore Store() const;
+  /// A sentence with an option in place of each setting in braces.
+  std::string Said(const std::string& sentence) const;
 
 private:
   struct Entry
@@ -50,9 +47,11 @@ private:
     palpate::Setting Described;
     std::string Options; ///< with their dashes
     std::vector<double> Values;
+    std::string Text;
     bool On = false; ///< of a switch
     CLI::Option* Option = nullptr;
   };
+  const Entry* FindOrNull(std::string_view setting) const;
   const Entry& Find(std::string_view setting) const;
 
   std::deque<Entry> Entries; ///< options point at their values

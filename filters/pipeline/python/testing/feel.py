@@ -97,16 +97,16 @@ class Touch:
 
     def _filter(self):
         touch = vtkTouchAlongPath()
+        there = touch.GetSettingNames().split()
         for name, value in self.settings.items():
-            setter = getattr(touch, f"Set{name}", None)
-            if not setter or not hasattr(touch, f"Get{name}"):
-                there = [entry[3:] for entry in dir(touch) if entry.startswith("Set") and hasattr(touch, f"Get{entry[3:]}")]
+            values = value if isinstance(value, list) else [value]
+            if name not in there:
                 near = difflib.get_close_matches(name, there, 1)
                 raise Refused(f"Touch Along Path has no setting {name}{f'; is {near[0]} meant?' if near else '.'}")
-            try:
-                setter(*value) if isinstance(value, list) else setter(value)
-            except (TypeError, ValueError) as problem:
-                raise Refused(f"{name}={value!r} cannot be set: {problem}.") from None
+            size = touch.GetSettingSize(name)
+            if len(values) != max(1, size) or any(isinstance(each, str) != (size == 0) for each in values):
+                raise Refused(f"{name}={value!r} cannot be set: it is {f'{size} number(s)' if size else 'a text'}.")
+            touch.SetSetting(name, *(each if size == 0 else float(each) for each in values))
         return touch
 
 

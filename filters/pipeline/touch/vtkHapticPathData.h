@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticPathData_h
+#define vtkHapticPathData_h
+
+#include <string>
+#include <vector>
+
+#include "haptics/session/path/PathInputs.h"
+#include "vtkHapticFieldData.h"
+#include "vtkHapticMaterialArrays.h"
+
+class vtkDataObject;
+
+/// Which arrays of surfaces and of a field settings name, and how.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticMaterialSettings vtkHapticMaterialsOf(
+  const palpate::SettingStore& settings);
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticFieldArrays vtkHapticFieldArraysOf(
+  const palpate::SettingStore& settings);
+
+/// The faces of data and, where they are wanted, their curves, with what their arrays give; none with a problem.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<palpate::PathSurface> vtkHapticToPathSurfaces(vtkDataObject& data,
+  const std::string& name, const vtkHapticMaterialSettings& materials, bool curves, std::string& problem);
+
+#endif

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <sstream>
+
+#include "haptics/session/mechanism/MechanismTouch.h"
+#include "haptics/session/path/PathKind.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// Without a stiffness of turning a lever gives one; without both what is held turns freely.
+MechanismHold mechanismHoldOf(const SettingStore& settings)
+{
+  const double stiffness_N_per_m = settings.number("Stiffness"), scale_u_per_m = settings.number("Scale");
+  const double turning_N_m_per_rad = settings.number("MechanismTurning");
+  const double arm_m = settings.number("ToolLever") / scale_u_per_m;
+  return { stiffness_N_per_m, turning_N_m_per_rad > 0.0 ? turning_N_m_per_rad : stiffness_N_per_m * arm_m * arm_m,
+    scale_u_per_m, settings.number("SoftRate") };
+}
+
+/// A mechanism is felt as its laws say: what else was asked for would be lost.
+std::string lostBesideMechanism(const PathInputs& inputs)
+{
+  const std::string lost =
+    setBeside(inputs.settings, { "Stiffness", "Scale", "ToolLever", "MechanismTurning", "SoftRate" });
+  const std::string beside = !lost.empty()              ? lost
+                             : inputs.tool              ? inputs.tool->name
+                             : inputs.field             ? inputs.field->name
+                             : inputs.body              ? inputs.body->name
+                             : !inputs.surfaces.empty() ? inputs.surfaces.front().name
+                                                        : "";
+  return beside.empty() ? "" : beside + ": a mechanism does not feel it; leave it out";
+}
+
+class MechanismAlongPath final : public PathKind
+{
+public:
+  MechanismAlongPath(std::unique_ptr<MechanismTouch> touch, const Mechanism& mechanism)
+    : touch_(std::move(touch)), mechanism_(mechanism)
+  {
+  }
+
+  [[nodiscard]] std::vector<PathColumn> columns() const override
+  {
+    std::vector<PathColumn> columns{ { "Turn", 4 }, { "Torque", 3 }, { "Residual", 1 } };
+    for (const MechanismLaw& law : this->mechanism_.laws)
+    {
+      columns.insert(columns.end(),
+        { { "Force of " + law.name, 3 }, { "Phase of " + law.name, 1 }, { "Inside of " + law.name, 1 } });
+    }
+    return columns;
+  }
+
+  void next(const PathSample& sample, PathTick& tick) override
+  {
+    const MechanismPlan& plan = this->touch_->plan();
+    const MechanismResult result = this->touch_->next(sample.time_s, sample.hand_W);
+    tick.proxy_W = result.pose_W[plan.held];
+    tick.wrench_W = result.wrench_W;
+    tick.contacts = 0;
+    const Quat& q = tick.proxy_W.q;
+    const Vec3& torque = tick.wrench_W.torque;
+    tick.more = { q.w(), q.x(), q.y(), q.z(), torque.x(), torque.y(), torque.z(), result.residual_u };
+    for (int i = 0; i < plan.lawCount; ++i)
+    {
+      const LawNow& law = result.laws[i];
+      const Vec3& force = law.force_W;
+      tick.contacts += force.squaredNorm() > 0.0 ? 1 : 0;
+      tick.more.insert(
+        tick.more.end(), { force.x(), force.y(), force.z(), static_cast<double>(law.phase), law.inside_u });
+    }
+    this->capped_ += result.capped ? 1 : 0;
+    this->tellEvents(result, sample.time_s);
+    this->tellOverlaps(sample.time_s);
+  }
+
+  void finish(PathReport& report) const override
+  {
+    noteTicks(report, this->capped_, "the laws were not met within a tick's work");
+    report.notes.insert(report.notes.end(), this->overlaps_.begin(), this->overlaps_.end());
+    report.remarks.insert(report.remarks.end(), this->events_.begin(), this->events_.end());
+  }
+
+private:
+  void tellEvents(const MechanismResult& result, double time_s)
+  {
+    for (int i = 0; i < result.eventCount; ++i)
+    {
+      const MechanismEvent& event = result.events[i];
+      std::ostringstream text;
+      text << time_s << " s: " << this->mechanism_.laws[event.law].name << ' ' << wordsOf(event.change) << " at "
+           << event.force_N << " N";
+      this->events_.push_back(text.str());
+    }
+  }
+
+  /// Each pair when it begins to overlap.
+  void tellOverlaps(double time_s)
+  {
+    const std::vector<BodyPair>& now = this->touch_->overlaps();
+    for (const BodyPair& pair : now)
+    {
+      if (std::ranges::find(this->before_, pair) == this->before_.end())
+      {
+        std::ostringstream text;
+        text << time_s << " s: " << overlapText(pair);
+        this->overlaps_.push_back(text.str());
+      }
+    }
+    this->before_ = now;
+  }
+
+  std::unique_ptr<MechanismTouch> touch_;
+  Mechanism mechanism_;
+  std::vector<BodyPair> before_;
+  std::vector<std::string> events_;
+  std::vector<std::string> overlaps_;
+  int capped_ = 0; ///< ticks
+};
+
+} // namespace
+
+std::unique_ptr<PathKind> mechanismAlongPath(const PathInputs& inputs, PathReport& report)
+{
+  report.refusal = lostBesideMechanism(inputs);
+  if (!report.refusal.empty())
+  {
+    return nullptr;
+  }
+  const PathMechanism& mechanism = *inputs.mechanism;
+  auto touch = MechanismTouch::make(*mechanism.inputs, mechanismHoldOf(inputs.settings), report.refusal);
+  if (!touch)
+  {
+    report.refusal = mechanism.name + ": " + report.refusal;
+    return nullptr;
+  }
+  return std::make_unique<MechanismAlongPath>(std::move(touch), mechanism.inputs->mechanism);
+}
+
+} // namespace palpate

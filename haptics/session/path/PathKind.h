@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "haptics/session/path/PathRunner.h"
+
+namespace palpate
+{
+
+/// What moves along a path. Nothing is given to next() twice, and finish() comes after the last sample.
+class PathKind
+{
+public:
+  PathKind() = default;
+  PathKind(const PathKind&) = delete;
+  PathKind& operator=(const PathKind&) = delete;
+  virtual ~PathKind() = default;
+
+  [[nodiscard]] virtual std::vector<PathColumn> columns() const { return {}; }
+  [[nodiscard]] virtual const BodyMaker* body() const { return nullptr; }
+  virtual void next(const PathSample& sample, PathTick& tick) = 0;
+  virtual void finish(PathReport& report) const = 0;
+};
+
+/// Each gives null with a refusal in the report.
+[[nodiscard]] std::unique_ptr<PathKind> ballAlongPath(const PathInputs& inputs, PathReport& report);
+[[nodiscard]] std::unique_ptr<PathKind> toolAlongPath(const PathInputs& inputs, PathReport& report);
+[[nodiscard]] std::unique_ptr<PathKind> mechanismAlongPath(const PathInputs& inputs, PathReport& report);
+
+/// The surfaces and curves as one scene, with what cleaning left out in the notes; null with a refusal.
+[[nodiscard]] std::shared_ptr<const Scene> pathScene(const PathInputs& inputs, PathReport& report);
+
+/// "In N ticks WHAT", as a note, where there are any.
+void noteTicks(PathReport& report, int ticks, const std::string& what);
+
+} // namespace palpate
