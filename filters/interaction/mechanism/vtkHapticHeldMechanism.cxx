@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticHeldMechanism.h"
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/session/HapticSession.h"
 #include <algorithm>
 #include <array>
@@ -322,7 +323,7 @@ bool vtkHapticHeldMechanism::Move(vtkPolyData& shapes) const
     const Way way = body < ways.size() ? ways[body] : Way{};
     const palpate::Vec3 gone_u = Of(way.Soft.Displacement, vertices->GetComponent(point, 0));
     const palpate::Vec3 dent_u = Of(way.Soft.Dent, vertices->GetComponent(point, 0));
-    const palpate::Vec3 to_W = way.Rigid.p + way.Rigid.q * palpate::Vec3(shapes.GetPoint(point)) + gone_u + dent_u;
+    const palpate::Vec3 to_W = way.Rigid * palpate::Vec3(shapes.GetPoint(point)) + gone_u + dent_u;
     moved->SetPoint(point, to_W.data());
     gone->SetTuple(point, gone_u.data());
     dented->SetTuple(point, dent_u.data());

@@ -61,13 +61,13 @@ std::string vtkHapticHeldTool::MakeTool()
   {
     handle_T = atHandle ? this->HandlePoint_T : palpate::Vec3::Zero();
   }
-  const palpate::ToolResult made = palpate::makeTool(*this->Mesh, handle_T);
+  const auto made = palpate::makeTool(*this->Mesh, handle_T);
   if (made.ok())
   {
-    this->Choice_.tool = std::make_shared<const palpate::ToolMesh>(made.tool);
+    this->Choice_.tool = std::make_shared<const palpate::ToolMesh>(made.value);
     this->Choice_.lever_u = this->LeverNow_u();
   }
-  return made.refusal;
+  return made.problem;
 }
 
 void vtkHapticHeldTool::GetShape(vtkPolyData* shape) const

@@ -46,26 +46,26 @@ std::unique_ptr<ToolTouch> ToolTouch::make(const TriangleMesh& tool, const Trian
   {
     return nullptr;
   }
-  const ToolResult held = makeTool(tool, Vec3(Vec3::Zero()));
+  const Outcome<ToolMesh> held = makeTool(tool, Vec3(Vec3::Zero()));
   CleanResult scene = held.ok() ? cleanMesh(scene_W) : CleanResult{};
-  refusal = !held.ok() ? held.refusal : scene.ok() ? "" : "the scene cannot be touched: " + scene.refusal;
+  refusal = !held.ok() ? held.problem : scene.ok() ? "" : "the scene cannot be touched: " + scene.refusal;
   if (!refusal.empty())
   {
     return nullptr;
   }
-  auto boxes = makeToolScene(std::move(scene.mesh), held.tool);
-  refusal = refuseScene(held.tool, *boxes);
+  auto boxes = makeToolScene(std::move(scene.mesh), held.value);
+  refusal = refuseScene(held.value, *boxes);
   if (!refusal.empty())
   {
     return nullptr;
   }
-  std::unique_ptr<ToolTouch> touch(new ToolTouch(held.tool, boxes, hold));
+  std::unique_ptr<ToolTouch> touch(new ToolTouch(held.value, boxes, hold));
   refusal = touch->move_.place(first_W);
   if (!refusal.empty())
   {
     return nullptr;
   }
-  touch->noWayOut_ = palpate::noWayOut(SurfaceTree(boxes->mesh()), Pose{}, held.tool, first_W);
+  touch->noWayOut_ = palpate::noWayOut(SurfaceTree(boxes->mesh()), Pose{}, held.value, first_W);
   return touch;
 }
 

@@ -22,7 +22,7 @@ constexpr double ballTool_m = 0.01, slant_rad = 0.7;
 
 ToolMesh ballTool(const std::optional<Vec3>& handle = std::nullopt)
 {
-  return makeTool(makeIcosphere(4, ballTool_m), handle).tool;
+  return makeTool(makeIcosphere(4, ballTool_m), handle).value;
 }
 
 /// The same mesh, of which nothing is known.

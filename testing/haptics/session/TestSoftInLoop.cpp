@@ -135,7 +135,7 @@ TEST_F(SoftInLoop, ATicksForceIsThatOfTheBallItShowsBesideWhatTheEnergyBalanceAd
 TEST_F(SoftInLoop, AToolBesideItIsNotHeldAndSaysSoAndTheBallPressesAsWithoutIt)
 {
   const ToolChoice cube{
-    std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-0.01), Vec3::Constant(0.01))).tool), 0.0
+    std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-0.01), Vec3::Constant(0.01))).value), 0.0
   };
   this->begin(blockOf20kPa());
   (void)this->hold(Vec3(0, 0, 0.001), 200);

@@ -25,7 +25,7 @@ constexpr double halfTool = 0.02;
 ToolChoice cubeTool()
 {
   return {
-    std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-halfTool), Vec3::Constant(halfTool))).tool), 0.0
+    std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-halfTool), Vec3::Constant(halfTool))).value), 0.0
   };
 }
 
@@ -214,7 +214,7 @@ TEST_F(ToolInLoop, ThatIsClosedAllAroundWhatIsShownSaysSo)
   TriangleMesh shell = makeBox(Vec3::Constant(-0.1), Vec3::Constant(0.1));
   const TriangleMesh part = makeBox(Vec3::Constant(-0.01), Vec3::Constant(0.01));
   const auto take = [&](const TriangleMesh& tool) {
-    this->session.setTool({ std::make_shared<const ToolMesh>(makeTool(tool).tool), 0.0 });
+    this->session.setTool({ std::make_shared<const ToolMesh>(makeTool(tool).value), 0.0 });
   };
   this->begin(sceneOf(part), {});
   take(shell);

@@ -111,7 +111,7 @@ Seen play(const Deed& deed, const HandModel& hand)
   HapticSession session;
   EXPECT_EQ(session.setParameters(parameters), "");
   session.setScene(sceneOf(deed.scene));
-  session.setTool({ std::make_shared<const ToolMesh>(makeTool(deed.tool, Vec3(Vec3::Zero())).tool), 0.0 });
+  session.setTool({ std::make_shared<const ToolMesh>(makeTool(deed.tool, Vec3(Vec3::Zero())).value), 0.0 });
   SessionOptions options;
   options.virtualTime = true;
   auto made = std::make_unique<SimulatedDevice>(*deviceModel("simulated-6d"), hand, HandPath{ { deed.hand_W(0.0).p } });
@@ -186,7 +186,7 @@ TEST(TurningHand, WithALongLeverIsGivenTheStiffnessThatItsTurnsHold)
     "");
   session.step(2);
   const double ofWays_N_per_m = session.state().stiffness_N_per_m;
-  const auto tool = std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-0.1), Vec3::Constant(0.1))).tool);
+  const auto tool = std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-0.1), Vec3::Constant(0.1))).value);
   session.setTool({ tool, 3.0 });
   session.step(2);
   EXPECT_LT(session.state().stiffness_N_per_m, 0.5 * ofWays_N_per_m);

@@ -57,7 +57,7 @@ class ImplantPlay
 {
 public:
   explicit ImplantPlay(const ImplantTask& task)
-    : task_(task), tool_(std::make_shared<const ToolMesh>(makeTool(task.implant, middleOf(task.implant)).tool)),
+    : task_(task), tool_(std::make_shared<const ToolMesh>(makeTool(task.implant, middleOf(task.implant)).value)),
       path_(this->folder_.file("implant.palpate"))
   {
   }

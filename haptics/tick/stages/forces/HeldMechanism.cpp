@@ -159,7 +159,7 @@ void tellWorker(TickContext& tick, const MechanismResult& result) noexcept
   hand.tick = tick.input.tick;
   hand.plan = plan.revision;
   hand.hand_W = tick.out.state.device_W.p;
-  hand.tip_W = held_W.p + held_W.q * (plan.bodies[plan.held].length_u * Vec3::UnitZ());
+  hand.tip_W = held_W * (plan.bodies[plan.held].length_u * Vec3::UnitZ());
   hand.press(result);
 }
 
