@@ -241,9 +241,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  vtkTouchAlongPath(const vtkTouchAlongPath&) = delete;
-  void operator=(const vtkTouchAlongPath&) = delete;
-
   palpate::HapticParameters Parameters() const;
   /// Empty, or what cannot be used.
   std::string CheckParameters() const;
