@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/tick/TickContext.h"
 
 namespace palpate::stage
@@ -174,6 +175,11 @@ void letGo(TickContext& tick) noexcept
 }
 
 } // namespace
+
+bool HeldMechanism::feels(const TickContext& tick) noexcept
+{
+  return tick.input.mechanism != nullptr;
+}
 
 void HeldMechanism::step(TickContext& tick) noexcept
 {
