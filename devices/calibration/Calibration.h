@@ -59,7 +59,7 @@ struct Calibration
 /// Version 1 was written while effects pointed where their force came from: its signs mean something else.
 [[nodiscard]] std::string writeCalibration(const Calibration& calibration);
 
-/// The reverse, strict: everything is there, in this order, and nothing else; or one phrase with the number of the line.
+/// The reverse, strict: everything is there, in this order, and nothing else. Or one phrase with the number of the line.
 [[nodiscard]] Outcome<std::optional<Calibration>> parseCalibration(std::string_view text);
 
 } // namespace palpate
