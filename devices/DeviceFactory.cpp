@@ -139,9 +139,9 @@ constexpr const char* toDo = "; remove the file, or check the device again";
 KeptCalibration knownOf(const DeviceInfo& info, const std::string& folder, const std::optional<Calibration>& felt)
 {
   KeptCalibration kept = loadCalibration(folder, info.name, info.serial);
-  if (kept.calibration && felt && info.serial.empty() && felt->serial.empty() && felt->device == info.name)
+  if (kept.value && felt && info.serial.empty() && felt->serial.empty() && felt->device == info.name)
   {
-    kept.calibration->held = felt->held;
+    kept.value->held = felt->held;
   }
   return kept;
 }
@@ -164,24 +164,24 @@ MadeDevice calibrated(MadeDevice made, const DeviceOptions& options)
   }
   const DeviceInfo& info = made.device->info();
   KeptCalibration kept = knownOf(info, options.calibrationFolder, options.felt);
-  if (made.hasTwin && (kept.calibration || !kept.problem.empty()))
+  if (made.hasTwin && (kept.value || !kept.problem.empty()))
   {
     made.warning = twinNote;
     return wheelIfSaid(std::move(made), options.wheel);
   }
-  if (!kept.calibration && !kept.problem.empty())
+  if (!kept.value && !kept.problem.empty())
   {
     return { nullptr, kept.problem + toDo };
   }
-  if (!kept.calibration)
+  if (!kept.value)
   {
     return wheelIfSaid(std::move(made), options.wheel);
   }
   if (options.wheel && info.deviceClass == DeviceClass::Joystick2D)
   {
-    kept.calibration->axisCount = 1;
+    kept.value->axisCount = 1;
   }
-  made.device = std::make_unique<CalibratedDevice>(std::move(made.device), *kept.calibration);
+  made.device = std::make_unique<CalibratedDevice>(std::move(made.device), *kept.value);
   made.warning = std::move(kept.problem);
   return made;
 }
@@ -218,9 +218,9 @@ void applyCalibrations(
   {
     const KeptCalibration kept =
       device.info.rendersForce && !device.hasTwin ? knownOf(device.info, calibrationFolder, felt) : KeptCalibration{};
-    if (kept.calibration)
+    if (kept.value)
     {
-      device.info = calibratedInfo(device.info, *kept.calibration);
+      device.info = calibratedInfo(device.info, *kept.value);
     }
     else if (!kept.problem.empty() && device.problem.empty())
     {

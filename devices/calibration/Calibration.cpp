@@ -5,6 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <vector>
+
+#include "haptics/core/Text.h"
 
 namespace palpate
 {
@@ -74,136 +77,98 @@ std::string refusalOf(const AxisCalibration& axis, int count)
   return {};
 }
 
-/// Takes a text apart: each method takes what it names from the front, or notes that it is not there.
-class Reader
+/// Takes a text apart line by line. The first line that is not as expected is the last that is taken.
+class Lines
 {
 public:
-  explicit Reader(std::string_view text) : rest_(text) {}
+  explicit Lines(std::string_view text) : rest_(text) {}
 
   [[nodiscard]] bool ok() const { return this->ok_; }
-  [[nodiscard]] bool atEnd() const { return this->rest_.empty(); }
+  [[nodiscard]] int number() const { return this->number_; }
   [[nodiscard]] bool startsWith(std::string_view text) const { return this->rest_.starts_with(text); }
-  [[nodiscard]] int line() const { return this->line_; }
-
-  void literal(std::string_view text)
-  {
-    this->require(this->rest_.starts_with(text));
-    this->skip(text.size());
-  }
-
-  std::string restOfLine()
-  {
-    const std::size_t end = this->rest_.find('\n');
-    this->require(end != std::string_view::npos);
-    const std::string_view text = this->rest_.substr(0, this->ok_ ? end : 0);
-    this->require(isPlain(text));
-    this->skip(text.size());
-    this->newLine();
-    return std::string(this->ok_ ? text : std::string_view());
-  }
-
-  void newLine()
-  {
-    this->literal("\n");
-    this->line_ += this->ok_;
-  }
-
-  double finite()
-  {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(this->rest_.data(), this->rest_.data() + this->rest_.size(), value);
-    this->require(error == std::errc() && std::isfinite(value));
-    this->skip(static_cast<std::size_t>(end - this->rest_.data()));
-    return value;
-  }
-
-  int axis()
-  {
-    const std::size_t at = this->rest_.empty() ? std::string_view::npos : axisNames.find(this->rest_.front());
-    this->require(at != std::string_view::npos);
-    this->skip(1);
-    return this->ok_ ? static_cast<int>(at) : 0;
-  }
-
-  int sign()
-  {
-    const bool minus = this->rest_.starts_with('-');
-    this->require(minus || this->rest_.starts_with('+'));
-    this->skip(1);
-    return minus ? -1 : 1;
-  }
-
-  HeldProof held()
-  {
-    const std::string_view word = this->rest_.substr(0, this->rest_.find('\n'));
-    const auto found = std::find(heldWords.begin(), heldWords.end(), word);
-    this->require(found != heldWords.end());
-    this->skip(word.size());
-    return this->ok_ ? static_cast<HeldProof>(found - heldWords.begin()) : HeldProof::Unfelt;
-  }
-
   void require(bool holds) { this->ok_ = this->ok_ && holds; }
 
-private:
-  void skip(std::size_t count)
+  /// The rest of a line that begins so.
+  std::string_view after(std::string_view begin)
   {
-    if (this->ok_)
-    {
-      this->rest_.remove_prefix(count);
-    }
+    this->number_ += this->ok_ ? 1 : 0;
+    this->require(this->rest_.starts_with(begin) && this->rest_.find('\n') != std::string_view::npos);
+    return this->ok_ ? takeUntil(this->rest_, '\n').substr(begin.size()) : std::string_view();
+  }
+  std::string textAfter(std::string_view begin)
+  {
+    const std::string_view text = this->after(begin);
+    this->require(isPlain(text));
+    return std::string(text);
+  }
+  /// A line, and no more.
+  void whole(std::string_view line) { this->require(this->after(line).empty()); }
+  void end()
+  {
+    this->number_ += this->ok_ ? 1 : 0;
+    this->require(this->rest_.empty());
   }
 
+private:
   std::string_view rest_;
-  int line_ = 1;
+  int number_ = 0;
   bool ok_ = true;
 };
 
-AxisCalibration readAxis(Reader& reader, int expected)
+double finite(Lines& lines, std::string_view word)
 {
+  const std::optional<double> value = numberIn<double>(word);
+  lines.require(value && std::isfinite(*value));
+  return value.value_or(0.0);
+}
+
+void takeAxis(Lines& lines, std::string_view word, int& axis, int& sign)
+{
+  const std::size_t at = word.size() == 2 ? axisNames.find(word[0]) : std::string_view::npos;
+  lines.require(at != std::string_view::npos && (word[1] == '+' || word[1] == '-'));
+  axis = lines.ok() ? static_cast<int>(at) : 0;
+  sign = word.ends_with('-') ? -1 : 1;
+}
+
+AxisCalibration readAxis(Lines& lines, int expected)
+{
+  constexpr std::array<std::string_view, 7> names{ "", "sensor", "low", "high", "motor", "response", "strength" };
+  const std::string_view rest = lines.after("axis ");
+  std::vector<std::string> words = partsOf(rest, ' '); // a name and its value in turn, behind the axis
+  lines.require(words.size() == 2 * names.size() - 1 && !rest.ends_with(' '));
+  words.resize(2 * names.size() - 1);
+  lines.require(words[0] == axisNames.substr(static_cast<std::size_t>(expected), 1));
+  for (std::size_t i = 1; i < names.size(); ++i)
+  {
+    lines.require(words[2 * i - 1] == names[i]);
+  }
   AxisCalibration axis;
-  reader.literal("axis ");
-  reader.require(reader.axis() == expected);
-  reader.literal(" sensor ");
-  axis.sensor = reader.axis();
-  axis.sensorSign = reader.sign();
-  reader.literal(" low ");
-  axis.low_m = reader.finite();
-  reader.literal(" high ");
-  axis.high_m = reader.finite();
-  reader.literal(" motor ");
-  axis.motor = reader.axis();
-  axis.motorSign = reader.sign();
-  reader.literal(" response ");
-  axis.response_m_per_N = reader.finite();
-  reader.literal(" strength ");
-  axis.strength = reader.finite();
-  reader.newLine();
+  takeAxis(lines, words[2], axis.sensor, axis.sensorSign);
+  axis.low_m = finite(lines, words[4]);
+  axis.high_m = finite(lines, words[6]);
+  takeAxis(lines, words[8], axis.motor, axis.motorSign);
+  axis.response_m_per_N = finite(lines, words[10]);
+  axis.strength = finite(lines, words[12]);
   return axis;
 }
 
-Calibration readAll(Reader& reader)
+Calibration readAll(Lines& lines)
 {
   Calibration calibration;
-  reader.literal(firstLine);
-  reader.literal(version);
-  reader.newLine();
-  reader.literal("device ");
-  calibration.device = reader.restOfLine();
-  reader.literal("serial ");
-  calibration.serial = reader.restOfLine();
-  reader.literal("date ");
-  calibration.date = reader.restOfLine();
-  while (reader.ok() && calibration.axisCount < Calibration::mostAxes && reader.startsWith("axis "))
+  lines.whole(std::string(firstLine) + std::string(version));
+  calibration.device = lines.textAfter("device ");
+  calibration.serial = lines.textAfter("serial ");
+  calibration.date = lines.textAfter("date ");
+  while (lines.ok() && calibration.axisCount < Calibration::mostAxes && lines.startsWith("axis "))
   {
-    calibration.axes[static_cast<std::size_t>(calibration.axisCount)] = readAxis(reader, calibration.axisCount);
+    calibration.axes[static_cast<std::size_t>(calibration.axisCount)] = readAxis(lines, calibration.axisCount);
     ++calibration.axisCount;
   }
-  reader.literal("held ");
-  calibration.held = reader.held();
-  reader.newLine();
-  reader.literal("end");
-  reader.newLine();
-  reader.require(reader.atEnd());
+  const auto held = std::find(heldWords.begin(), heldWords.end(), lines.after("held "));
+  lines.require(held != heldWords.end());
+  calibration.held = lines.ok() ? static_cast<HeldProof>(held - heldWords.begin()) : HeldProof::Unfelt;
+  lines.whole("end");
+  lines.end();
   return calibration;
 }
 
@@ -255,7 +220,7 @@ std::string writeCalibration(const Calibration& calibration)
   return text + "held " + std::string(heldWords[static_cast<std::size_t>(calibration.held)]) + "\nend\n";
 }
 
-ParsedCalibration parseCalibration(std::string_view text)
+Outcome<std::optional<Calibration>> parseCalibration(std::string_view text)
 {
   if (text.size() > longestText)
   {
@@ -273,11 +238,11 @@ ParsedCalibration parseCalibration(std::string_view text)
   {
     return { std::nullopt, "the version of the file is unknown to this program" };
   }
-  Reader reader(text);
-  Calibration calibration = readAll(reader);
-  if (!reader.ok())
+  Lines lines(text);
+  Calibration calibration = readAll(lines);
+  if (!lines.ok())
   {
-    return { std::nullopt, "line " + std::to_string(reader.line()) + " is damaged or not as expected" };
+    return { std::nullopt, "line " + std::to_string(lines.number()) + " is damaged or not as expected" };
   }
   std::string problem = calibration.refusal();
   if (!problem.empty())

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "haptics/core/DeviceInfo.h"
+#include "haptics/core/Outcome.h"
 
 namespace palpate
 {
@@ -58,12 +59,7 @@ struct Calibration
 /// Version 1 was written while effects pointed where their force came from: its signs mean something else.
 [[nodiscard]] std::string writeCalibration(const Calibration& calibration);
 
-/// The reverse, strict: everything is there, in this order, and nothing else.
-struct ParsedCalibration
-{
-  std::optional<Calibration> calibration;
-  std::string problem; ///< empty, or one phrase with the number of the line
-};
-[[nodiscard]] ParsedCalibration parseCalibration(std::string_view text);
+/// The reverse, strict: everything is there, in this order, and nothing else. Or one phrase with the number of the line.
+[[nodiscard]] Outcome<std::optional<Calibration>> parseCalibration(std::string_view text);
 
 } // namespace palpate

@@ -66,13 +66,13 @@ KeptCalibration readFile(const std::string& path, const std::string& device, con
     return { std::nullopt, path + ": cannot be read" };
   }
   text.resize(static_cast<std::size_t>(file.gcount()));
-  ParsedCalibration parsed = parseCalibration(text);
-  if (parsed.calibration && (parsed.calibration->serial != serial || parsed.calibration->device != device))
+  auto parsed = parseCalibration(text);
+  if (parsed.value && (parsed.value->serial != serial || parsed.value->device != device))
   {
-    return { std::nullopt, path + ": the calibration belongs to another device (" + parsed.calibration->device +
-                             ", serial number \"" + parsed.calibration->serial + "\")" };
+    return { std::nullopt, path + ": the calibration belongs to another device (" + parsed.value->device +
+                             ", serial number \"" + parsed.value->serial + "\")" };
   }
-  return { std::move(parsed.calibration), parsed.problem.empty() ? "" : path + ": " + parsed.problem };
+  return { std::move(parsed.value), parsed.problem.empty() ? "" : path + ": " + parsed.problem };
 }
 
 /// On the disk before it has its name: a power cut leaves the old file or the new one.
@@ -125,18 +125,18 @@ KeptCalibration loadCalibration(const std::string& folder, const std::string& de
   }
   const std::string path = calibrationFile(folder, device, serial);
   KeptCalibration newest = readFile(path, device, serial);
-  if (newest.calibration || newest.problem.empty())
+  if (newest.value || newest.problem.empty())
   {
     return newest;
   }
   KeptCalibration older = readFile(path + before, device, serial);
-  if (!older.calibration)
+  if (!older.value)
   {
     return newest;
   }
   // What the damaged one said of walls may have been less.
-  older.calibration->held = HeldProof::Unfelt;
-  return { std::move(older.calibration), newest.problem + "; the previous calibration is used" };
+  older.value->held = HeldProof::Unfelt;
+  return { std::move(older.value), newest.problem + "; the previous calibration is used" };
 }
 
 std::string takeBackTrust(
@@ -147,12 +147,12 @@ std::string takeBackTrust(
     return {};
   }
   KeptCalibration kept = loadCalibration(folder, device, serial);
-  if (!kept.calibration || kept.calibration->held != HeldProof::Felt)
+  if (!kept.value || kept.value->held != HeldProof::Felt)
   {
     return {};
   }
-  kept.calibration->held = proof;
-  return saveCalibration(folder, *kept.calibration);
+  kept.value->held = proof;
+  return saveCalibration(folder, *kept.value);
 }
 
 std::string saveCalibration(const std::string& folder, const Calibration& calibration)
@@ -179,7 +179,7 @@ std::string saveCalibration(const std::string& folder, const Calibration& calibr
     return problem;
   }
   // A damaged file must not push out the good one before it.
-  if (readFile(path, calibration.device, calibration.serial).calibration)
+  if (readFile(path, calibration.device, calibration.serial).value)
   {
     fs::copy_file(path, path + before + unfinished, fs::copy_options::overwrite_existing, error);
     if (!error)

@@ -19,12 +19,8 @@ namespace palpate
 /// The date here and now, YYYY-MM-DD.
 [[nodiscard]] std::string today();
 
-/// What is known of a device.
-struct KeptCalibration
-{
-  std::optional<Calibration> calibration;
-  std::string problem; ///< one sentence that names a file that cannot be used and why; empty too where there is none
-};
+/// What is known of a device. The problem names a file that cannot be used and why; empty too where there is none.
+using KeptCalibration = Outcome<std::optional<Calibration>>;
 
 /// The calibration of a device. Where its file is damaged, the file from before is taken, but for what that file says
 /// of walls that the device holds; `problem` says so.

@@ -12,6 +12,7 @@
 #include <linux/input.h>
 
 #include "devices/hid/HidConnection.h"
+#include "haptics/core/Outcome.h"
 
 namespace palpate
 {
@@ -66,11 +67,7 @@ public:
   /// The descriptors of all HID interfaces behind the same plug, its own among them. Needs no permission.
   [[nodiscard]] virtual std::vector<std::vector<std::uint8_t>> behindPlug(const HidEntry& entry) = 0;
 
-  struct Opened
-  {
-    std::unique_ptr<EvdevConnection> connection;
-    std::string problem; ///< empty, or why it cannot be opened and what to do
-  };
+  using Opened = Outcome<std::unique_ptr<EvdevConnection>>; ///< or why it cannot be opened and what to do
   [[nodiscard]] virtual Opened open(const HidEntry& entry) = 0;
 };
 

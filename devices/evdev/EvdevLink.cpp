@@ -41,11 +41,11 @@ std::string AttachedEvdev::begin(EvdevBus& bus, const PidOutputOptions& options)
     return kind.pushes.problem;
   }
   EvdevBus::Opened opened = bus.open(this->entry);
-  if (opened.connection == nullptr)
+  if (opened.value == nullptr)
   {
     return opened.problem;
   }
-  this->connection = std::move(opened.connection);
+  this->connection = std::move(opened.value);
   this->input.emplace(kind, *this->connection);
   this->engine.emplace(*this->connection, traits);
   this->output.emplace(*this->engine, options, kind.pushes);

@@ -6,6 +6,7 @@
 
 #include "devices/common/Condition.h"
 #include "devices/hid/report/ReportDescriptor.h"
+#include "haptics/core/Outcome.h"
 
 namespace palpate
 {
@@ -20,11 +21,7 @@ class EffectEngine
 public:
   virtual ~EffectEngine() = default;
 
-  struct Created
-  {
-    int block = 0; ///< 1 .. , 0: not created
-    std::string problem;
-  };
+  using Created = Outcome<int>; ///< its block, 1 .. ; 0: not created
   /// An effect of a type of the PID class.
   [[nodiscard]] virtual Created create(HidUsage type) = 0;
   [[nodiscard]] virtual bool setEffect(int block, const EffectSettings& settings) noexcept = 0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "devices/hid/report/ReportDescriptor.h"
+#include "haptics/core/Outcome.h"
 
 namespace palpate
 {
@@ -53,11 +54,7 @@ public:
   /// Every device that is there now, each once.
   [[nodiscard]] virtual std::vector<HidEntry> devices() = 0;
 
-  struct Descriptor
-  {
-    std::vector<std::uint8_t> bytes;
-    std::string problem; ///< empty, or why it cannot be had
-  };
+  using Descriptor = Outcome<std::vector<std::uint8_t>>;
   /// Needs no permission on Linux.
   [[nodiscard]] virtual Descriptor descriptor(const HidEntry& entry) = 0;
 };
@@ -66,11 +63,7 @@ public:
 class HidBus : public DeviceListing
 {
 public:
-  struct Opened
-  {
-    std::unique_ptr<HidConnection> connection;
-    std::string problem; ///< empty, or why it cannot be opened and what to do
-  };
+  using Opened = Outcome<std::unique_ptr<HidConnection>>; ///< or why it cannot be opened and what to do
   [[nodiscard]] virtual Opened open(const HidEntry& entry) = 0;
 };
 

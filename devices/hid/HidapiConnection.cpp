@@ -119,8 +119,8 @@ public:
     const std::string file = this->sysfs_ + "/" + node + "/device/report_descriptor";
     std::ifstream stream(file, std::ios::binary);
     Descriptor read;
-    read.bytes.assign(std::istreambuf_iterator<char>(stream), {});
-    if (read.bytes.empty())
+    read.value.assign(std::istreambuf_iterator<char>(stream), {});
+    if (read.value.empty())
     {
       read.problem = file + " cannot be read";
     }

@@ -64,7 +64,7 @@ FoundDevice DeviceSearch::again(DeviceListing& bus)
 void DeviceSearch::found(DeviceListing& bus, const HidEntry& entry)
 {
   this->wanted_ = entry;
-  this->descriptor_ = bus.descriptor(entry).bytes;
+  this->descriptor_ = bus.descriptor(entry).value;
   this->hadTwin_ = this->hadTwin_ || this->alike(bus).size() > 1;
   this->looking_ = false;
 }
@@ -77,7 +77,7 @@ std::vector<HidEntry> DeviceSearch::alike(DeviceListing& bus) const
     [&](const HidEntry& entry)
     {
       return !sameKind(entry, this->wanted_) ||
-             (!this->descriptor_.empty() && bus.descriptor(entry).bytes != this->descriptor_);
+             (!this->descriptor_.empty() && bus.descriptor(entry).value != this->descriptor_);
     });
   return alike;
 }

@@ -72,7 +72,7 @@ std::vector<FoundHid> findHidDevices(HidBus& bus)
   for (HidEntry& entry : entries)
   {
     const HidBus::Descriptor read = bus.descriptor(entry);
-    ReportDescriptor descriptor = parseReportDescriptor(read.bytes);
+    ReportDescriptor descriptor = parseReportDescriptor(read.value);
     const std::optional<FoundHid::Kind> kind = promisedBy(descriptor);
     if (!kind)
     {

@@ -16,7 +16,7 @@ DeviceInfo pidInfo(
 
 PidDevice::PidDevice(
   const std::string& name, const std::shared_ptr<HidBus>& bus, const HidEntry& entry, const PidDeviceOptions& options)
-  : PushedDevice(pidInfo(name, entry, parseReportDescriptor(bus->descriptor(entry).bytes), options.output.scale),
+  : PushedDevice(pidInfo(name, entry, parseReportDescriptor(bus->descriptor(entry).value), options.output.scale),
       options,
       [bus, entry, output = options.output](const Clock& clock)
       { return std::make_shared<PidLink>(bus, entry, output, clock); })

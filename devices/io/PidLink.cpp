@@ -22,7 +22,7 @@ std::string AttachedPid::begin(HidBus& bus, const PidOutputOptions& options)
   {
     return "the report descriptor of the device cannot be read: " + read.problem;
   }
-  this->descriptor = parseReportDescriptor(read.bytes);
+  this->descriptor = parseReportDescriptor(read.value);
   std::string problem = PidEngine::refusal(this->descriptor);
   if (!problem.empty())
   {
@@ -31,12 +31,12 @@ std::string AttachedPid::begin(HidBus& bus, const PidOutputOptions& options)
   const PidKind kind = pidKind(this->descriptor);
   this->input.emplace(this->descriptor, kind.sensedAxes);
   HidBus::Opened opened = bus.open(this->entry);
-  if (opened.connection == nullptr)
+  if (opened.value == nullptr)
   {
     return opened.problem;
   }
-  this->connection = std::move(opened.connection);
-  this->spare = bus.open(this->entry).connection;
+  this->connection = std::move(opened.value);
+  this->spare = bus.open(this->entry).value;
   this->engine.emplace(*this->connection, this->descriptor);
   this->output.emplace(*this->engine, options, kind);
   problem = this->engine->open();

@@ -41,7 +41,7 @@ std::string SpaceMouseLink::begin(const HidEntry& entry, Attached& device)
   {
     return "the report descriptor of the device cannot be read: " + read.problem;
   }
-  device.descriptor = parseReportDescriptor(read.bytes);
+  device.descriptor = parseReportDescriptor(read.value);
   if (!device.descriptor.problem.empty())
   {
     return device.descriptor.problem;
@@ -52,7 +52,7 @@ std::string SpaceMouseLink::begin(const HidEntry& entry, Attached& device)
     return problem;
   }
   HidBus::Opened opened = this->bus_->open(entry);
-  device.connection = std::move(opened.connection);
+  device.connection = std::move(opened.value);
   return device.connection != nullptr ? "" : opened.problem;
 }
 

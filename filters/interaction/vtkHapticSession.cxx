@@ -3,20 +3,16 @@
 
 #include <utility>
 
-#include "devices/RecordedHand.h"
 #include "devices/io/broker/DBusBroker.h"
 #include "haptics/session/Warning.h"
 #include "haptics/session/settings/SessionSettings.h"
 #include "vtkCommand.h"
 #include "vtkHapticCheckState.h"
 #include "vtkHapticDeviceCheck.h"
-#include "vtkHapticHeldMechanism.h"
-#include "vtkHapticHeldTool.h"
 #include "vtkHapticInspection.h"
 #include "vtkHapticKnownDevices.h"
 #include "vtkHapticLabyrinthGame.h"
-#include "vtkHapticPressedBody.h"
-#include "vtkHapticRecordingState.h"
+#include "vtkHapticRecordings.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkHapticSight.h"
@@ -62,18 +58,14 @@ void vtkHapticSession::Internals::ShowState()
     this->Warning =
       this->Warning.empty() ? this->MissingArrays.substr(0, this->MissingArrays.find('\n')) : this->Warning;
     this->Warning = this->Warning.empty() ? this->FieldGone : this->Warning;
-    this->Warning = this->Warning.empty() && this->Played ? this->PlayedSentence : this->Warning;
+    this->Warning = this->Warning.empty() && this->Recorded.Played ? this->Recorded.PlayedSentence : this->Warning;
   }
   if (this->Core.running())
   {
     this->Scheduling = this->Core.scheduling().message;
   }
   this->State = !this->Scene.built().scene && this->Core.brick() ? palpate::ofFieldAlone(this->State) : this->State;
-  this->Tool.Follow(this->Core, this->State);
-  this->Soft.Follow(this->Core, this->State, this->Now());
-  this->Mechanism.Follow(this->Core, this->State);
-  const Vec3* const ofMechanism = this->Mechanism.SoftHand_W();
-  this->Soft.Hand_W = ofMechanism ? *ofMechanism : this->Soft.Hand_W;
+  this->FollowFelt();
   Eigen::Map<Vec3>(this->Proxy) = this->State.proxy_W.p;
   Eigen::Map<Vec3>(this->Hand) = this->State.device_W.p;
   Eigen::Map<Vec3>(this->Force) = this->State.force_W;
@@ -194,7 +186,7 @@ void vtkHapticSession::Internals::Start()
     this->FeedTo(*fed, false); // before the first tick reads it
   }
   this->AlignOnTouch(*made.device);
-  this->Play(*made.device);
+  this->Recorded.Play(*made.device);
   palpate::SafetyLimits safety = palpate::SafetyLimits::forDevice(made.device->info());
   safety.deadMan = this->Asked.asked().safety.deadMan;
   this->Asked.protect(safety);
@@ -207,26 +199,20 @@ void vtkHapticSession::Internals::Start()
   palpate::SessionOptions options;
   options.period_s = Internals::PeriodSeconds;
   options.virtualTime = this->Settings.isOn("VirtualTime");
-  options.recordFile =
-    this->Settings.isOn("Recording") || !this->Settings.text("RecordFile").empty() ? this->NextRecording() : "";
+  options.recordFile = this->Recorded.FileOfTouch();
   options.brokers = palpate::systemBrokers();
   this->Refuse(this->Core.start(std::move(made.device), options));
-  if (this->Played && this->Played->ball_W) // a recording may begin in the middle of a press
+  if (this->Recorded.Played && this->Recorded.Played->ball_W) // a recording may begin in the middle of a press
   {
-    this->Refuse(this->Core.setParameters(this->Core.parameters(), this->Played->ball_W));
+    this->Refuse(this->Core.setParameters(this->Core.parameters(), this->Recorded.Played->ball_W));
   }
   this->Around.clear();
   this->Cancelled.clear();
   this->Begun_s = this->Now();
-  this->Recorded.Begun_s = this->Recorded.Seconds = 0.0;
-  if (this->Settings.isOn("Recording") != this->Core.recording())
-  {
-    this->Settings.put("Recording", this->Core.recording() ? 1.0 : 0.0);
-    this->Session.InvokeEvent(vtkCommand::PropertyModifiedEvent);
-  }
+  this->Recorded.FollowTouch();
   if (!this->Core.running())
   {
-    this->Played.reset();
+    this->Recorded.Played.reset();
     this->Running.reset();
     this->FollowDevice();
   }
@@ -236,8 +222,8 @@ void vtkHapticSession::Internals::Stop()
 {
   this->ShowState(); // the scheduling report ends with the servo
   this->Core.stop();
-  this->FollowRecording();
-  this->Played.reset();
+  this->Recorded.Follow();
+  this->Recorded.Played.reset();
   this->LetHandGo();
   this->Running.reset();
   this->FollowDevice();
@@ -275,10 +261,10 @@ void vtkHapticSession::Update()
   {
     this->Impl->Scene.takeSimpler();
   }
-  this->Impl->FollowReplay();
+  this->Impl->Recorded.FollowPlayed();
   this->Impl->ShowState();
   this->Impl->TakeField(false);
-  this->Impl->FollowRecording();
+  this->Impl->Recorded.Follow();
   this->Impl->FollowRadius();
   if (this->Impl->Scene.rests())
   {

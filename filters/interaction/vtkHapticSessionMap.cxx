@@ -2,9 +2,9 @@
 // How the workspace of the device lies in the scene.
 #include <sstream>
 
-#include "devices/RecordedHand.h"
 #include "haptics/session/plan/FittedMap.h"
 #include "vtkCommand.h"
+#include "vtkHapticRecordings.h"
 #include "vtkHapticSessionInternals.h"
 
 namespace
@@ -38,7 +38,7 @@ void vtkHapticSession::FitWorkspace()
 
 bool vtkHapticSession::Internals::FitsNow() const
 {
-  return this->Settings.isOn("FitOnTouch") && !this->Played &&
+  return this->Settings.isOn("FitOnTouch") && !this->Recorded.Played &&
          palpate::isSame(this->Asked.asked().map, this->LastFitted);
 }
 

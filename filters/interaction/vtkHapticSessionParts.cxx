@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticSessionInternals.h"
 
-#include "devices/RecordedHand.h"
 #include "vtkHapticCheckState.h"
 #include "vtkHapticContactState.h"
 #include "vtkHapticGameState.h"
 #include "vtkHapticHeldMechanism.h"
 #include "vtkHapticHeldTool.h"
 #include "vtkHapticPressedBody.h"
-#include "vtkHapticRecordingState.h"
+#include "vtkHapticRecordings.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticServerSurfaces.h"
 
 /// The parts that have a room of their own.
 struct vtkHapticSession::Internals::Parts
 {
-  explicit Parts(Internals& session) : Server(session.Core, session.Scene, Surfaces) {}
+  explicit Parts(Internals& session) : Server(session.Core, session.Scene, Surfaces), Recorded(session) {}
 
   vtkHapticSceneSurfaces Surfaces;
   vtkHapticServerSurfaces Server;
@@ -25,8 +24,7 @@ struct vtkHapticSession::Internals::Parts
   vtkHapticCheckState Check;
   vtkHapticContactState Contact;
   vtkHapticGameState Game;
-  vtkHapticRecordingState Recorded;
-  std::optional<palpate::RecordedHand> Played;
+  vtkHapticRecordings Recorded;
 };
 
 vtkHapticSession::Internals::Internals(vtkHapticSession& session)
@@ -41,7 +39,7 @@ vtkHapticSession::Internals::Internals(vtkHapticSession& session)
     Contact(Owned->Contact),
     Game(Owned->Game),
     Recorded(Owned->Recorded),
-    Played(Owned->Played)
+    FeltSources{ &Owned->Tool, &Owned->Soft, &Owned->Mechanism }
 {
 }
 

@@ -9,7 +9,7 @@
 #include "vtkHapticHeldMechanism.h"
 #include "vtkHapticHeldTool.h"
 #include "vtkHapticPressedBody.h"
-#include "vtkHapticRecordingState.h"
+#include "vtkHapticRecordings.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticServerSurfaces.h"
 #include "vtkHapticSessionInternals.h"
@@ -103,7 +103,7 @@ const std::map<std::string_view, const char* (*)(I&)> Texts = {
   { "PlanSentence", [](I& s) { return s.SayPlanSentence(); } },
   { "Problem", [](I& s) { return s.Problem.c_str(); } },
   { "RecordedFile", [](I& s) { return s.Recorded.File.c_str(); } },
-  { "RecordingText", [](I& s) { return s.SayRecordingText(); } },
+  { "RecordingText", [](I& s) { return s.Recorded.Say(); } },
   { "SceneReport", [](I& s) { return s.Scene.built().report.c_str(); } },
   { "SchedulingReport", [](I& s) { return s.Scheduling.c_str(); } },
   { "ServerSentence", [](I& s) { return s.Server.GetSentence().c_str(); } },

@@ -43,14 +43,12 @@ const std::map<std::string_view, vtkHapticSession::Internals::Follower>& vtkHapt
     { "LinesAsWalls", &I::FollowLinesAsWalls },
     { "MarksText", &I::FollowMarksText },
     { "MechanismLaws", &I::FollowMechanismLaws },
-    { "MechanismSource", &I::FollowMechanismSource },
     { "PlaneGuide", &I::FollowPlaneWishes },
     { "PointRadius", &I::FollowRadii },
     { "Recording", &I::FollowRecordingWish },
     { "ServerLimit", &I::FollowServerLimit },
     { "Simplify", &I::FollowSimplify },
     { "SoftRate", &I::FollowSoftRate },
-    { "SoftSource", &I::FollowSoftSource },
     { "SourcesText", &I::FollowSourcesText },
     { "StiffnessArray", &I::FollowMaterials },
     { "StiffnessComponent", &I::FollowMaterials },
@@ -63,7 +61,6 @@ const std::map<std::string_view, vtkHapticSession::Internals::Follower>& vtkHapt
     { "ToolHandle", &I::FollowToolHandle },
     { "ToolHandlePoint", &I::FollowToolHandle },
     { "ToolLever", &I::FollowToolHandle },
-    { "ToolSource", &I::FollowToolSource },
     { "ToolTipPoint", &I::FollowToolHandle },
     { "Touching", &I::FollowTouching },
     { "WallRate", &I::FollowWallRate },
@@ -86,6 +83,10 @@ std::string vtkHapticSession::Internals::Take(const palpate::Setting& setting, c
     return {};
   }
   this->Settings.put(setting.name, value);
+  for (vtkHapticFeltSource* const felt : this->FeltSources)
+  {
+    this->FollowSource(*felt, setting);
+  }
   const auto found = Followers().find(setting.name);
   const std::string problem = found == Followers().end() ? "" : (this->*found->second)();
   if (!problem.empty())

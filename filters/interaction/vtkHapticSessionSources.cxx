@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How each source is touched by itself, and clouds of points.
 #include "vtkCommand.h"
+#include "vtkHapticHeldMechanism.h"
+#include "vtkHapticHeldTool.h"
+#include "vtkHapticPressedBody.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSessionInternals.h"
 
@@ -71,4 +74,52 @@ std::string vtkHapticSession::Internals::FollowSourcesText()
     this->FollowSources();
   }
   return problem;
+}
+
+// Sources that are felt as more than a surface ------------------------------------------------------------------------
+
+void vtkHapticSession::Internals::FollowSource(vtkHapticFeltSource& felt, const palpate::Setting& setting)
+{
+  if (setting.name == felt.Setting())
+  {
+    felt.Source = this->Settings.text(felt.Setting());
+    this->AddFelt(felt, nullptr, nullptr);
+    if (felt.IsHeld())
+    {
+      this->MaterialTime.Modified(); // who follows a view adds its surfaces again, all but this one
+    }
+  }
+}
+
+bool vtkHapticSession::Internals::AddFelt(
+  vtkHapticFeltSource& felt, const char* name, vtkDataObject* data, const char* reason)
+{
+  const std::string problem = felt.Take(NameOf(name), data, NameOf(reason));
+  this->Feel(felt, problem);
+  return problem.empty();
+}
+
+void vtkHapticSession::Internals::Feel(vtkHapticFeltSource& felt, const std::string& problem)
+{
+  felt.Choose(this->Core);
+  const std::string why = problem.empty() ? felt.Refusal(this->Core) : problem;
+  this->Refuse(why);
+  this->Follow(felt.Subject(), why);
+  if (!felt.IsHeld() && this->Tool.Choice().tool) // beside it a tool may not be held
+  {
+    this->Follow(this->Tool.Subject(), this->Tool.Refusal(this->Core));
+  }
+  this->JudgeStability();
+  this->FollowFelt();
+  this->Scene.follow(this->PlanNow());
+}
+
+void vtkHapticSession::Internals::FollowFelt()
+{
+  for (vtkHapticFeltSource* const felt : this->FeltSources)
+  {
+    felt->Follow(this->Core, this->State, this->Now());
+  }
+  const palpate::Vec3* const ofMechanism = this->Mechanism.SoftHand_W();
+  this->Soft.Hand_W = ofMechanism ? *ofMechanism : this->Soft.Hand_W;
 }

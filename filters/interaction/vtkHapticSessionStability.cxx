@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What keeps a held force from shaking the hand, and what that costs.
 #include "haptics/session/DeviceAdaptation.h"
-#include "haptics/session/tool/ToolChoice.h"
+#include "haptics/session/SessionWorkers.h"
 #include "vtkHapticSessionInternals.h"
 
 void vtkHapticSession::Internals::JudgeStability()
@@ -13,7 +13,7 @@ void vtkHapticSession::Internals::JudgeStability()
     return;
   }
   const palpate::JudgedLoop judged =
-    palpate::judgeLoop(this->Asked.asked(), this->Chosen.info, PeriodSeconds, this->Core.tool().weighs_u());
+    palpate::judgeLoop(this->Asked.asked(), this->Chosen.info, PeriodSeconds, this->Core.chosen<palpate::ToolTask>().weighs_u());
   this->Limits = judged.limits;
   this->StabilitySentence = judged.sentence;
 }

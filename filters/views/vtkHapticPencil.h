@@ -55,9 +55,6 @@ protected:
   ~vtkHapticPencil() override;
 
 private:
-  vtkHapticPencil(const vtkHapticPencil&) = delete;
-  void operator=(const vtkHapticPencil&) = delete;
-
   class Internals;
   std::unique_ptr<Internals> Impl;
 };

@@ -104,9 +104,6 @@ protected:
   ~vtkHapticViewScene() override;
 
 private:
-  vtkHapticViewScene(const vtkHapticViewScene&) = delete;
-  void operator=(const vtkHapticViewScene&) = delete;
-
   void HandOver();
   void WriteReport();
 

@@ -31,9 +31,6 @@ protected:
   void CreateVTKObjects() override;
 
 private:
-  vtkSMHapticSessionProxy(const vtkSMHapticSessionProxy&) = delete;
-  void operator=(const vtkSMHapticSessionProxy&) = delete;
-
   void ReadBack();
 
   bool Telling = false;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/field/cells/FieldCells.h"
 #include "haptics/field/cells/GridPlace.h"
 #include "haptics/field/cells/TrilinearCell.h"
@@ -30,11 +31,11 @@ struct BrickGrid
   }
   [[nodiscard]] Vec3 toIndex(const Vec3& p_W) const noexcept
   {
-    return (this->pose_W.q.conjugate() * (p_W - this->pose_W.p)).cwiseQuotient(this->spacing_u);
+    return into(this->pose_W, p_W).cwiseQuotient(this->spacing_u);
   }
   [[nodiscard]] Vec3 toWorld(const Vec3& index) const noexcept
   {
-    return this->pose_W.p + this->pose_W.q * index.cwiseProduct(this->spacing_u);
+    return this->pose_W * index.cwiseProduct(this->spacing_u);
   }
   /// How far a place is inside of all faces of the grid [u]; negative: outside of one.
   [[nodiscard]] double roomAt_u(const Vec3& p_W) const noexcept

@@ -60,9 +60,9 @@ bool readRow(std::string_view line, const std::vector<std::size_t>& columns, Lin
 
 } // namespace
 
-ParsedLine parseLine(std::string_view text)
+Outcome<std::vector<LinePlace>> parseLine(std::string_view text)
 {
-  ParsedLine parsed;
+  Outcome<std::vector<LinePlace>> parsed;
   const std::vector<std::size_t> columns = columnsOf(takeUntil(text, '\n'));
   if (columns.empty())
   {
@@ -77,17 +77,17 @@ ParsedLine parseLine(std::string_view text)
     {
       return { {}, where + "expected one finite number per column" };
     }
-    if (!parsed.places.empty() && !(place.s_m > parsed.places.back().s_m))
+    if (!parsed.value.empty() && !(place.s_m > parsed.value.back().s_m))
     {
       return { {}, where + "s must grow from line to line" };
     }
-    if (parsed.places.size() == mostPlaces)
+    if (parsed.value.size() == mostPlaces)
     {
       return { {}, where + "more than 1000000 positions cannot be distinguished by a hand" };
     }
-    parsed.places.push_back(place);
+    parsed.value.push_back(place);
   }
-  return parsed.places.size() < 2 ? ParsedLine{ {}, "a line needs at least two positions" } : parsed;
+  return parsed.value.size() < 2 ? Outcome<std::vector<LinePlace>>{ {}, "a line needs at least two positions" } : parsed;
 }
 
 void scaleToHardest(std::vector<LinePlace>& places, double hardest_N) noexcept

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "haptics/core/Outcome.h"
 #include "haptics/line/LineWorld.h"
 
 namespace palpate
@@ -16,12 +17,9 @@ namespace palpate
 ///     s,value,friction
 ///     -0.04,12.5,0
 ///     0.04,17,0.2
-struct ParsedLine
-{
-  std::vector<LinePlace> places; ///< potentials are the values, as yet without a unit
-  std::string problem;           ///< empty, or one phrase with the number of the line
-};
-[[nodiscard]] ParsedLine parseLine(std::string_view text);
+///
+/// Potentials are the values, as yet without a unit. Or one phrase with the number of the line.
+[[nodiscard]] Outcome<std::vector<LinePlace>> parseLine(std::string_view text);
 
 /// Makes the steepest slope of the values draw with that force: their unit becomes joules. Values that are all the same
 /// stay flat.

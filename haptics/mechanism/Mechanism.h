@@ -96,6 +96,8 @@ struct MechanismGrip
 {
   double coupling_N_per_u = 0.0;
   double turning_Nu_per_rad = 0.0; ///< 0: the device leaves the turn free, and only the moments' balance turns it
+
+  friend bool operator==(const MechanismGrip&, const MechanismGrip&) = default;
 };
 
 } // namespace palpate

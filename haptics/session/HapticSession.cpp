@@ -6,11 +6,8 @@
 
 #include "haptics/session/DeviceAdaptation.h"
 #include "haptics/session/SessionInputs.h"
-#include "haptics/session/SessionKept.h"
 #include "haptics/session/SessionRun.h"
-#include "haptics/session/mechanism/MechanismWorker.h"
-#include "haptics/session/soft/SoftWorker.h"
-#include "haptics/session/tool/ToolWorker.h"
+#include "haptics/session/SessionWorkers.h"
 
 namespace palpate
 {
@@ -21,7 +18,7 @@ constexpr double shortestPeriod_s = 1e-4; // ten times the usual rate
 
 } // namespace
 
-HapticSession::HapticSession() : inputs_(std::make_unique<Inputs>()), kept_(std::make_unique<Kept>()) {}
+HapticSession::HapticSession() : kept_(std::make_unique<Kept>()), chosen_(std::make_unique<Chosen>()) {}
 
 HapticSession::~HapticSession()
 {
@@ -48,23 +45,6 @@ Recordings& HapticSession::recordings() noexcept
   return *this->run_->recordings;
 }
 
-/// What moves a tool and computes soft bodies beside the servo.
-void HapticSession::beginWorkers(Run& run, std::int64_t period_ns) const
-{
-  run.tool = std::make_unique<ToolWorker>(run.links.tool, run.virtualTime, period_ns);
-  run.tool->setScene(this->scene(), this->parameters_.known);
-  run.tool->setTool(this->heldTool());
-  run.soft = std::make_unique<SoftWorker>(run.links.soft, run.virtualTime);
-  run.soft->setScene(this->scene());
-  run.soft->setBody(this->kept_->soft);
-  run.mechanism = std::make_unique<MechanismWorker>(run.links.mechanism, run.virtualTime);
-  run.mechanism->setMechanism(this->kept_->mechanism, this->grip(run.adapted));
-  if (run.virtualTime)
-  {
-    run.stepWorkers();
-  }
-}
-
 std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const SessionOptions& options)
 {
   this->stop();
@@ -87,7 +67,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->recordings.emplace(run->links.recorder, options.virtualTime);
   if (!options.recordFile.empty())
   {
-    const std::string refused = run->recordings->begin(options.recordFile, run->device->info().name, *this->inputs_);
+    const std::string refused = run->recordings->begin(options.recordFile, run->device->info().name, this->kept_->inputs);
     if (!refused.empty())
     {
       run->device->close();
@@ -97,7 +77,12 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->links.parameters.write({ this->version_, run->adapted });
   TickInputs::forEach(
     [&]<input::ComesFromOwner K>(std::type_identity<K>) { K::buffer(run->links).publish(this->inputNow<K>()); });
-  this->beginWorkers(*run, period_ns);
+  run->workers = std::make_unique<SessionWorkers>(run->links, run->virtualTime);
+  this->orderWork(*run);
+  if (run->virtualTime)
+  {
+    run->workers->step(run->virtual_s);
+  }
   run->loop.emplace(*run->device, *run->timer, run->links, run->clock, options.period_s);
   this->run_ = std::move(run);
   this->lastState_ = HapticState{};
@@ -167,7 +152,7 @@ std::string HapticSession::setParameters(const HapticParameters& parameters, con
       }
       this->run_->adapt(parameters, this->lever_u(), false);
       this->run_->links.parameters.write({ this->version_, this->run_->adapted });
-      this->run_->mechanism->setMechanism(this->kept_->mechanism, this->grip(this->run_->adapted));
+      this->orderWork(*this->run_);
     }
   }
   return problem;
@@ -197,8 +182,7 @@ void HapticSession::setScene(std::shared_ptr<const Scene> scene, const std::opti
   this->setInput<input::Scenes>(std::move(scene));
   if (this->run_)
   {
-    this->run_->tool->setScene(this->scene(), this->parameters_.known);
-    this->run_->soft->setScene(this->scene());
+    this->orderWork(*this->run_);
   }
 }
 
@@ -270,7 +254,7 @@ int HapticSession::step(int ticks)
   {
     ++done;
     this->run_->virtual_s += this->run_->period_s;
-    this->run_->stepWorkers();
+    this->run_->workers->step(this->run_->virtual_s);
     this->storePublished();
     this->run_->recordings->pump();
   }
@@ -288,7 +272,7 @@ std::string HapticSession::record(const std::string& file)
     return "there is no touch to record: start touching first";
   }
   this->storePublished();
-  std::string problem = this->run_->recordings->begin(file, this->run_->device->info().name, *this->inputs_);
+  std::string problem = this->run_->recordings->begin(file, this->run_->device->info().name, this->kept_->inputs);
   this->storePublished(true);
   return problem;
 }

@@ -21,14 +21,11 @@ class Scene;
 enum class EventKind : std::uint8_t;
 struct EndedRecording;
 struct LoopReport;
-struct MechanismChoice;
 struct MechanismGrip;
 struct MechanismInputs;
-struct MechanismStatus;
 struct PressedBody;
 struct ServoLinks;
-struct SoftChoice;
-struct SoftStatus;
+struct SessionWorkers;
 struct StabilityLimits;
 struct ToolChoice;
 struct ToolReport;
@@ -77,26 +74,20 @@ public:
   void setScene(std::shared_ptr<const Scene> scene, const std::optional<Vec3>& comesFrom_W = {});
   [[nodiscard]] const std::shared_ptr<const Scene>& scene() const noexcept;
 
-  /// What the hand holds in place of the ball, from a tick soon after on; none: the ball, as beside a soft body, which
-  /// only a tool that is a ball feels. Kept over stop() and start().
-  void setTool(const ToolChoice& choice);
-  [[nodiscard]] const ToolChoice& tool() const noexcept;
+  /// What the worker of that task computes, felt from a tick soon after on; none: nothing. Kept over stop() and start().
+  /// A tool takes the place of the ball, but for one beside a soft body, which only a tool that is a ball feels. A soft
+  /// body gives way beside the scene. While a mechanism is felt, ball, tool and soft body rest. Include
+  /// SessionWorkers.h for these.
+  template<class Task>
+  void choose(const typename Task::Choice& choice);
+  template<class Task>
+  [[nodiscard]] const typename Task::Choice& chosen() const noexcept;
+  template<class Task>
+  [[nodiscard]] typename Task::Status status() const;
   /// Why the tool is not held or cannot touch the scene; "": it can. And how its thread does.
   [[nodiscard]] std::string toolRefusal() const;
   [[nodiscard]] std::string toolBesideSoft() const; ///< why the tool is not held beside the soft body; "": it is
-  [[nodiscard]] std::string toolNoWayOut() const;   ///< why it can never leave from where it began; "": it can
   [[nodiscard]] const ToolReport& toolReport();
-
-  /// What gives way beside the scene, from a tick soon after on; none: nothing does. Kept over stop() and start().
-  void setSoft(const SoftChoice& choice);
-  [[nodiscard]] const SoftChoice& soft() const noexcept;
-  [[nodiscard]] SoftStatus softStatus() const;
-
-  /// What the hand holds in place of ball and tool, joined to others; none: nothing is. While one is felt, ball, tool
-  /// and soft body rest. From a tick soon after on. Kept over stop() and start().
-  void setMechanism(const MechanismChoice& choice);
-  [[nodiscard]] const MechanismChoice& mechanism() const noexcept;
-  [[nodiscard]] MechanismStatus mechanismStatus() const;
   /// The faults that a mechanism would have in this hand, or "". `atRest`: its soft bodies.
   [[nodiscard]] std::string refuseMechanism(
     const MechanismInputs& inputs, const std::vector<std::shared_ptr<const PressedBody>>& atRest) const;
@@ -138,23 +129,24 @@ public:
 
 private:
   struct Run;
-  struct Inputs;
+  struct Chosen;
   struct Kept;
   [[nodiscard]] ServoLinks* links() noexcept; ///< null: nothing runs
   [[nodiscard]] Recordings& recordings() noexcept;
   void push(EventKind kind, std::uint64_t value = 0);
   [[nodiscard]] double lever_u() const noexcept;
   [[nodiscard]] MechanismGrip grip(const HapticParameters& adapted) const noexcept;
-  void beginWorkers(Run& run, std::int64_t period_ns) const;
+  [[nodiscard]] const SessionWorkers* workers() const noexcept; ///< null: nothing runs
+  void followChoice(bool handChanges);
+  void orderWork(Run& run) const;
   void storePublished(bool again = false);
-  void takeTool();
   /// Of a body that gives way a tool would feel the surface of before.
   [[nodiscard]] ToolChoice heldTool() const;
 
   HapticParameters parameters_;
   std::uint64_t version_ = 0;
-  std::unique_ptr<Inputs> inputs_; ///< those of workers are not kept
-  std::unique_ptr<Kept> kept_;     ///< over stop() and start()
+  std::unique_ptr<Kept> kept_; ///< those of workers are not kept
+  std::unique_ptr<Chosen> chosen_;
   HapticState lastState_;
   std::unique_ptr<Run> run_;
 };

@@ -4,87 +4,44 @@
 
 #include "haptics/force/StabilityLimits.h"
 #include "haptics/session/SessionInputs.h"
-#include "haptics/session/SessionKept.h"
 #include "haptics/session/SessionRun.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
-#include "haptics/session/mechanism/MechanismWorker.h"
-#include "haptics/session/soft/SoftWorker.h"
-#include "haptics/session/tool/ToolWorker.h"
 
 // What the hand holds and what gives way: tool, soft body, mechanism.
 
 namespace palpate
 {
 
-const ToolChoice& HapticSession::tool() const noexcept
+const SessionWorkers* HapticSession::workers() const noexcept
 {
-  return this->kept_->tool;
-}
-
-const SoftChoice& HapticSession::soft() const noexcept
-{
-  return this->kept_->soft;
-}
-
-const MechanismChoice& HapticSession::mechanism() const noexcept
-{
-  return this->kept_->mechanism;
+  return this->run_ ? this->run_->workers.get() : nullptr;
 }
 
 ToolChoice HapticSession::heldTool() const
 {
-  return this->toolBesideSoft().empty() ? this->kept_->tool : ToolChoice{};
+  return this->toolBesideSoft().empty() ? this->chosen<ToolTask>() : ToolChoice{};
 }
 
-void HapticSession::setTool(const ToolChoice& choice)
-{
-  this->kept_->tool = choice;
-  this->takeTool();
-}
-
-void HapticSession::takeTool()
+void HapticSession::followChoice(bool handChanges)
 {
   if (this->run_)
   {
-    this->run_->tool->setTool(this->heldTool());
-    this->run_->adapt(this->parameters_, this->lever_u(), false);
-    this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
+    if (handChanges)
+    {
+      this->run_->adapt(this->parameters_, this->lever_u(), false);
+      this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
+    }
+    this->orderWork(*this->run_);
   }
 }
 
-void HapticSession::setSoft(const SoftChoice& choice)
+/// Workers whose order is the same as before do not notice.
+void HapticSession::orderWork(Run& run) const
 {
-  const bool otherHand = this->kept_->tool.tool && !this->kept_->soft.input != !choice.input;
-  this->kept_->soft = choice;
-  if (otherHand)
-  {
-    this->takeTool();
-  }
-  if (this->run_)
-  {
-    this->run_->soft->setBody(choice);
-  }
-}
-
-SoftStatus HapticSession::softStatus() const
-{
-  return this->run_ ? this->run_->soft->status() : SoftStatus{};
-}
-
-void HapticSession::setMechanism(const MechanismChoice& choice)
-{
-  this->kept_->mechanism = choice;
-  if (this->run_)
-  {
-    this->run_->mechanism->setMechanism(choice, this->grip(this->run_->adapted));
-    this->run_->adapt(this->parameters_, this->lever_u(), false);
-    this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
-  }
-}
-
-MechanismStatus HapticSession::mechanismStatus() const
-{
-  return this->run_ ? this->run_->mechanism->status() : MechanismStatus{};
+  SessionTasks::Choices choices = *this->chosen_;
+  std::get<ToolChoice>(choices) = this->heldTool();
+  run.workers->order(choices, { this->scene(), this->parameters_.known, this->grip(run.adapted), run.period_s });
 }
 
 std::string HapticSession::refuseMechanism(
@@ -104,7 +61,7 @@ double HapticSession::lever_u() const noexcept
 {
   const HapticParameters& p = this->parameters_;
   const double mechanism_m = mechanismLever_m(p.mechanismTurning_N_m_per_rad, p.stiffness_N_per_m);
-  const double mechanism_u = this->kept_->mechanism.inputs ? mechanism_m * p.map.scale_u_per_m : 0.0;
+  const double mechanism_u = this->chosen<MechanismTask>().inputs ? mechanism_m * p.map.scale_u_per_m : 0.0;
   return std::max(mechanism_u, this->heldTool().weighs_u()); // a tool is in the hand until the mechanism is computed
 }
 
@@ -117,19 +74,15 @@ MechanismGrip HapticSession::grip(const HapticParameters& adapted) const noexcep
 
 std::string HapticSession::toolBesideSoft() const
 {
-  const bool refused = this->kept_->soft.input && this->kept_->tool.tool && !(this->kept_->tool.tool->ball_u() > 0.0);
+  const std::shared_ptr<const ToolMesh>& tool = this->chosen<ToolTask>().tool;
+  const bool refused = this->chosen<SoftTask>().input && tool && !(tool->ball_u() > 0.0);
   return refused ? "a tool cannot touch a soft body: release the tool, or remove the soft body" : "";
 }
 
 std::string HapticSession::toolRefusal() const
 {
   const std::string beside = this->toolBesideSoft();
-  return beside.empty() && this->run_ ? this->run_->tool->status().refusal : beside;
-}
-
-std::string HapticSession::toolNoWayOut() const
-{
-  return this->run_ ? this->run_->tool->status().noWayOut : std::string();
+  return beside.empty() ? this->status<ToolTask>().problem : beside;
 }
 
 const ToolReport& HapticSession::toolReport()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -15,15 +16,19 @@ namespace palpate
 // The inputs of the tick are of every kind, and with their headers comes most of the core: whoever publishes those that
 // have a method of their own needs only HapticSession.h.
 
-/// Those that the owner published last.
-struct HapticSession::Inputs : TickInputs::Each<input::OwnedInput>
+/// Over stop() and start(): the inputs that the owner published last, and the last reports.
+struct HapticSession::Kept
 {
+  TickInputs::Each<input::OwnedInput> inputs;
+  LoopReport report;
+  ToolReport toolReport;
+  std::optional<EndedRecording> recorded; ///< with the last run
 };
 
 template<class K>
 void HapticSession::setInput(std::shared_ptr<const typename K::Value> value)
 {
-  std::get<input::OwnedInput<K>>(*this->inputs_).value = value;
+  std::get<input::OwnedInput<K>>(this->kept_->inputs).value = value;
   if (ServoLinks* const links = this->links())
   {
     this->recordings().store<K>(value);
@@ -34,7 +39,7 @@ void HapticSession::setInput(std::shared_ptr<const typename K::Value> value)
 template<class K>
 const std::shared_ptr<const typename K::Value>& HapticSession::inputNow() const noexcept
 {
-  return std::get<input::OwnedInput<K>>(*this->inputs_).value;
+  return std::get<input::OwnedInput<K>>(this->kept_->inputs).value;
 }
 
 } // namespace palpate

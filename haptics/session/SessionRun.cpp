@@ -6,9 +6,7 @@
 #include "haptics/force/Viscosity.h"
 #include "haptics/session/DeviceAdaptation.h"
 #include "haptics/session/DeviceTimer.h"
-#include "haptics/session/mechanism/MechanismWorker.h"
-#include "haptics/session/soft/SoftWorker.h"
-#include "haptics/session/tool/ToolWorker.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/tool/servo/RubbedWish.h"
 
 namespace palpate
@@ -16,13 +14,6 @@ namespace palpate
 
 HapticSession::Run::Run() = default;
 HapticSession::Run::~Run() = default;
-
-void HapticSession::Run::stepWorkers()
-{
-  this->tool->step(this->virtual_s);
-  this->soft->step(this->virtual_s);
-  this->mechanism->step(this->virtual_s);
-}
 
 void HapticSession::Run::pace(std::int64_t period_ns)
 {

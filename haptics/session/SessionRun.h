@@ -16,9 +16,7 @@
 namespace palpate
 {
 
-class MechanismWorker;
-class SoftWorker;
-class ToolWorker;
+struct SessionWorkers;
 
 /// Everything that lives from start() to stop().
 struct HapticSession::Run
@@ -32,9 +30,7 @@ struct HapticSession::Run
   std::unique_ptr<TickTimer> timer;
   MonotonicClock clock;
   ServoLinks links;
-  std::unique_ptr<ToolWorker> tool;
-  std::unique_ptr<SoftWorker> soft;
-  std::unique_ptr<MechanismWorker> mechanism;
+  std::unique_ptr<SessionWorkers> workers;
   std::optional<Recordings> recordings;
   std::optional<ServoLoop> loop;
   std::mutex schedulingMutex; ///< taken once by the servo thread, before its first tick
@@ -49,9 +45,6 @@ struct HapticSession::Run
 
   /// A virtual time goes by itself, whatever the device would pace.
   void pace(std::int64_t period_ns);
-  /// In virtual time, after the last tick.
-  void stepWorkers();
-
   /// From where the ball comes in this scene; nothing: from where it is.
   void leadFrom(const Scene* scene, const std::optional<Vec3>& from_W)
   {

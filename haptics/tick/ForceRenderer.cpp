@@ -23,6 +23,20 @@ void take(TickContext& tick) noexcept
 
 } // namespace
 
+bool TickContext::feelable() const noexcept
+{
+  bool feels = false;
+  const auto ask = [this, &feels]<class S>(std::type_identity<S>)
+  {
+    if constexpr (Feels<S>)
+    {
+      feels = feels || S::feels(*this);
+    }
+  };
+  TickStages::forEach(ask);
+  return feels;
+}
+
 TickOutput renderTick(
   const TickInput& input, const HapticParameters& parameters, RendererState& state, PathSink* sink) noexcept
 {

@@ -18,6 +18,7 @@ struct TickContext;
 ///   State                   what it remembers from tick to tick: its members become members of RendererState
 ///   stateFields(visit, s...) names each member that a recording begins with
 ///   rest(TickContext&)      what it does instead in a tick that does not know where the hand is
+///   feels(const TickContext&) whether there is anything that it could push the hand with
 template<class S>
 concept HasPlan = requires
 {
@@ -49,6 +50,12 @@ template<class S>
 concept Rests = requires(TickContext& tick)
 {
   S::rest(tick);
+};
+
+template<class S>
+concept Feels = requires(const TickContext& tick)
+{
+  S::feels(tick);
 };
 
 template<class S>

@@ -76,11 +76,8 @@ struct TickContext
   /// Something couples the hand to the scene by a spring: contact, or the laws of a mechanism.
   [[nodiscard]] bool coupled() const noexcept { return this->touchable() || this->input.mechanism != nullptr; }
 
-  /// Whether there is anything that could push the hand: a surface, a mechanism, or a field with a mode that is on.
-  [[nodiscard]] bool feelable() const noexcept
-  {
-    return this->coupled() || (this->input.brick != nullptr && isOn(this->p.field));
-  }
+  /// Whether there is anything that could push the hand, of any stage.
+  [[nodiscard]] bool feelable() const noexcept;
 
   /// That the hand is coupled by: what the device and the rate can hold is shared between them.
   [[nodiscard]] int springs() const noexcept

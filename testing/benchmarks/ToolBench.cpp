@@ -72,8 +72,8 @@ Case nutOnScrew(int around)
   constexpr double pitch = 2.0, turn_rad_s = 6.0;
   const ThreadSize screw{ 5.0, pitch, 12.0 }, bore{ 5.3, pitch, 10.0 };
   TriangleMesh nut = threadMesh(bore, around);
-  return { "nut on screw", nut, threadMesh(screw, around), { makeTool(nut).tool.centre_W, Quat::Identity() },
-    [start = makeTool(nut).tool.centre_W](double time_s)
+  return { "nut on screw", nut, threadMesh(screw, around), { makeTool(nut).value.centre_W, Quat::Identity() },
+    [start = makeTool(nut).value.centre_W](double time_s)
     {
       const double turn = 2.0 * std::sin(turn_rad_s / 2.0 * time_s);
       const double along = pitch * turn / (2.0 * std::numbers::pi) + 0.4 * std::sin(20.0 * time_s);
@@ -122,7 +122,7 @@ void solveCosts(std::size_t count, std::size_t rounds)
 /// Returns p50 of an update in queries.
 double benchmark(const Case& c, const Options& options)
 {
-  const ToolMesh tool = makeTool(c.tool).tool;
+  const ToolMesh tool = makeTool(c.tool).value;
   TriangleMesh clean = cleanMesh(c.scene).mesh;
   const ProcessorClock clock;
   const std::int64_t begin_ns = clock.now_ns();

@@ -6,9 +6,7 @@
 
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
-#include "haptics/session/HapticSession.h"
-#include "haptics/session/mechanism/MechanismBodies.h"
-#include "haptics/session/mechanism/MechanismChoice.h"
+#include "haptics/session/SessionWorkers.h"
 
 using namespace palpate;
 
@@ -53,7 +51,7 @@ std::string record(const std::string& file, bool mechanism)
   session.setScene(square(0.0));
   if (mechanism)
   {
-    session.setMechanism(glued(session.parameters().map.scale_u_per_m * path.points_D.front()));
+    session.choose<MechanismTask>(glued(session.parameters().map.scale_u_per_m * path.points_D.front()));
   }
   SessionOptions options;
   options.virtualTime = true;

@@ -70,14 +70,14 @@ TEST_F(HapticSessionSelfTest, WhatItFoundIsKeptAndAppliedFromThenOn)
   this->finish();
   ASSERT_TRUE(this->session_->GetDeviceCheck()->KeepCalibration()) << this->session_->GetProblem();
   const KeptCalibration kept = loadCalibration(this->folder_.string(), "simulated-joystick", "");
-  ASSERT_TRUE(kept.calibration) << kept.problem;
+  ASSERT_TRUE(kept.value) << kept.problem;
 
-  const AxisCalibration& x = kept.calibration->axes[0];
+  const AxisCalibration& x = kept.value->axes[0];
   EXPECT_NEAR(x.low_m, -0.05, 1e-4); // its stops, to a step of 0.1 mm
   EXPECT_NEAR(x.high_m, 0.05, 1e-4);
 
   // As if it ended at 30 mm on the right: the middle, -10 mm for the driver, is then the origin.
-  Calibration shorter = *kept.calibration;
+  Calibration shorter = *kept.value;
   shorter.axes[0].low_m = -0.05;
   shorter.axes[0].high_m = 0.03;
   ASSERT_EQ(saveCalibration(this->folder_.string(), shorter), "");

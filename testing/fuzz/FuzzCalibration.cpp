@@ -9,14 +9,14 @@
 // NOLINTNEXTLINE(readability-identifier-naming) the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  const palpate::ParsedCalibration parsed = palpate::parseCalibration({ reinterpret_cast<const char*>(data), size });
-  require(parsed.problem.empty() == parsed.calibration.has_value());
+  const auto parsed = palpate::parseCalibration({ reinterpret_cast<const char*>(data), size });
+  require(parsed.problem.empty() == parsed.value.has_value());
   require(parsed.problem.find('\n') == std::string::npos);
-  if (parsed.calibration)
+  if (parsed.value)
   {
-    require(parsed.calibration->refusal().empty());
+    require(parsed.value->refusal().empty());
     require(
-      palpate::parseCalibration(palpate::writeCalibration(*parsed.calibration)).calibration == parsed.calibration);
+      palpate::parseCalibration(palpate::writeCalibration(*parsed.value)).value == parsed.value);
   }
   return 0;
 }

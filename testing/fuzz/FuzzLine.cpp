@@ -10,11 +10,11 @@
 // NOLINTNEXTLINE(readability-identifier-naming) the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  const palpate::ParsedLine parsed = palpate::parseLine({ reinterpret_cast<const char*>(data), size });
-  require(parsed.problem.empty() == !parsed.places.empty());
+  const auto parsed = palpate::parseLine({ reinterpret_cast<const char*>(data), size });
+  require(parsed.problem.empty() == !parsed.value.empty());
   require(parsed.problem.find('\n') == std::string::npos);
   palpate::LineWorld world;
-  world.places = parsed.places;
+  world.places = parsed.value;
   palpate::scaleToHardest(world.places, 0.3);
   if (parsed.problem.empty() && world.refusal(std::numeric_limits<double>::infinity()).empty())
   {

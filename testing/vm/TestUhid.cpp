@@ -35,7 +35,7 @@ TEST(Uhid, EveryLayoutIsFoundAsAForceFeedbackDeviceWithTheDescriptorItHas)
     device.plug();
     const HidEntry entry = test::waitForEntry(*bus, device.serial());
     EXPECT_EQ(entry.name, layout.name);
-    EXPECT_EQ(bus->descriptor(entry).bytes, test::descriptorOf(layout)) << layout.name;
+    EXPECT_EQ(bus->descriptor(entry).value, test::descriptorOf(layout)) << layout.name;
     const std::vector<FoundHid> found = findHidDevices(*bus);
     ASSERT_EQ(found.size(), 1u) << layout.name;
     EXPECT_EQ(found[0].problem, "") << layout.name;

@@ -22,7 +22,7 @@ TEST(Usb, ForceReachesADeviceOnTheBusAndUnpluggedItIsLostAndFoundAgain)
 {
   Pushing<UsbDevice> rig("usb");
   EXPECT_NE(rig.servo.entry.name.find("plain"), std::string::npos);
-  EXPECT_EQ(rig.servo.bus->descriptor(rig.servo.entry).bytes, test::descriptorOf(rig.device.layout()));
+  EXPECT_EQ(rig.servo.bus->descriptor(rig.servo.entry).value, test::descriptorOf(rig.device.layout()));
   ASSERT_TRUE(rig.begin());
   EXPECT_TRUE(rig.servo.runUntil([&] { return std::fabs(rig.device.forceX() - 0.4) < 1e-3; }));
   const int before = rig.device.badReports(); // of the kernel's own driver, which tries the device out first

@@ -33,13 +33,13 @@ palpate::LineWorld ReadWorld(const vtkHapticCliTurnOptions& options)
     throw vtkHapticCliProblem(options.File + (file ? ": longer than 64 MB" : ": cannot be read"));
   }
   text.resize(static_cast<std::size_t>(file.gcount()));
-  palpate::ParsedLine parsed = palpate::parseLine(text);
+  auto parsed = palpate::parseLine(text);
   if (!parsed.problem.empty())
   {
     throw vtkHapticCliProblem(options.File + ": " + parsed.problem);
   }
   palpate::LineWorld world;
-  world.places = std::move(parsed.places);
+  world.places = std::move(parsed.value);
   palpate::scaleToHardest(world.places, options.Hardest_N);
   world.detentEvery_m = options.DetentEvery_m;
   world.detent_N = options.Detent_N;

@@ -121,9 +121,9 @@ PidEngine::Created PidEngine::create(HidUsage type)
     return { 0, std::move(problem) };
   }
   Created created = this->awaitBlock();
-  if (created.block > 0)
+  if (created.value > 0)
   {
-    this->blocks_.push_back(created.block);
+    this->blocks_.push_back(created.value);
   }
   return created;
 }

@@ -123,8 +123,8 @@ std::string PidOutput::make(Effect& effect, HidUsage type, double comesFrom_deg)
   {
     return made.problem;
   }
-  effect = { { type, this->options_.duration_ms, 1.0, comesFrom_deg }, made.block };
-  return this->engine_.setEffect(made.block, effect.settings) ? "" : "the device rejects the settings of an effect";
+  effect = { { type, this->options_.duration_ms, 1.0, comesFrom_deg }, made.value };
+  return this->engine_.setEffect(made.value, effect.settings) ? "" : "the device rejects the settings of an effect";
 }
 
 void PidOutput::makeConditions()

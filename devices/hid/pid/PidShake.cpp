@@ -33,11 +33,11 @@ std::string PidShake::begin(HidUsage type)
   {
     return made.problem;
   }
-  if (!this->engine_.setEffect(made.block, this->settings()))
+  if (!this->engine_.setEffect(made.value, this->settings()))
   {
     return "the device rejects the settings of an effect";
   }
-  this->block_ = made.block;
+  this->block_ = made.value;
   return {};
 }
 

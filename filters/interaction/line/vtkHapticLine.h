@@ -96,8 +96,6 @@ protected:
   ~vtkHapticLine() override;
 
 private:
-  vtkHapticLine(const vtkHapticLine&) = delete;
-  void operator=(const vtkHapticLine&) = delete;
   class Internals;
   bool Refuse(const std::string& problem);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticHeldMechanism.h"
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/session/HapticSession.h"
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <sstream>
 #include <utility>
 
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/settings/Setting.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -132,9 +134,13 @@ void AddNumbers(vtkTable& table, const char* name, const std::vector<double>& va
 }
 } // namespace
 
-std::string vtkHapticHeldMechanism::Take(const std::string& name, vtkDataObject* data, const std::string& reason)
+void vtkHapticHeldMechanism::Choose(palpate::HapticSession& core) const
 {
-  this->Name = name;
+  core.choose<palpate::MechanismTask>({ this->Inputs, this->Name, this->Rate_Hz });
+}
+
+std::string vtkHapticHeldMechanism::Convert(vtkDataObject* data, const std::string& reason)
+{
   this->File = vtkHapticIsMechanism(data) ? vtkHapticMechanismFileOf(*data) : "";
   this->Folder = vtkHapticIsMechanism(data) ? vtkHapticMechanismFolderOf(*data) : "";
   this->Read.clear();
@@ -143,13 +149,13 @@ std::string vtkHapticHeldMechanism::Take(const std::string& name, vtkDataObject*
   auto* const shapes = vtkDataSet::SafeDownCast(data);
   this->Bounds = shapes ? vtkBoundingBox(shapes->GetBounds()) : vtkBoundingBox();
   this->OfServer = data && vtkHapticIsOfServer(*data);
-  this->Problem = data && this->File.empty() ? name + " is not a mechanism: choose the output of Haptic Mechanism"
-                  : !reason.empty()          ? name + " cannot be held: " + reason
+  this->Problem = data && this->File.empty() ? this->Name + " is not a mechanism: choose the output of Haptic Mechanism"
+                  : !reason.empty()          ? this->Name + " cannot be held: " + reason
                                              : "";
   if (data && !this->File.empty() && !vtkHapticIsWhereMade(*data))
   {
     this->File.clear(); // it would be felt where its scene file has it
-    this->Problem = name + " cannot be held: it was moved away from the position of its scene file; hold the Haptic "
+    this->Problem = this->Name + " cannot be held: it was moved away from the position of its scene file; hold the Haptic "
                            "Mechanism itself, and move bodies in that file";
   }
   return this->TakeAgain();
@@ -231,19 +237,19 @@ int vtkHapticHeldMechanism::IndexOf(const std::string& name) const
   return found != laws.end() ? static_cast<int>(found - laws.begin()) : -1;
 }
 
-void vtkHapticHeldMechanism::Follow(palpate::HapticSession& core, const palpate::HapticState& state)
+void vtkHapticHeldMechanism::Look(palpate::HapticSession& core, const palpate::HapticState& state, double /*now_s*/)
 {
-  const palpate::MechanismStatus status = core.running() ? core.mechanismStatus() : palpate::MechanismStatus{};
-  this->Felt = !status.building && status.plan != 0 && state.mechanism.revision == status.plan;
+  this->Status = core.status<palpate::MechanismTask>();
+  this->Felt = !this->Status.building && this->Status.plan != 0 && state.mechanism.revision == this->Status.plan;
   this->Now = this->Felt ? state.mechanism : palpate::MechanismNow{};
-  this->AtRest = !status.building && status.plan != 0 && this->Inputs ? status.atRest : this->AtRest;
+  this->AtRest = !this->Status.building && this->Status.plan != 0 && this->Inputs ? this->Status.atRest : this->AtRest;
   if (this->Felt && this->Inputs)
   {
-    this->Seen = { this->Now.held, this->Now.pose_W, status.soft };
+    this->Seen = { this->Now.held, this->Now.pose_W, this->Status.soft };
     vtkHapticPutPose(this->Now.held ? state.proxy_W : palpate::Pose{}, this->Pose);
     vtkHapticPutPose(this->Now.hand_W, this->HandPose);
   }
-  else if (!status.building && status.plan == 0) // nor will any be
+  else if (!this->Status.building && this->Status.plan == 0) // nor will any be
   {
     this->Seen = {};
   }
@@ -252,12 +258,21 @@ void vtkHapticHeldMechanism::Follow(palpate::HapticSession& core, const palpate:
   const bool changes = !this->Felt && this->Seen.Held; // of laws, and nobody knows which of them push
   this->Begin_W = pushes || changes ? this->Begin_W : state.device_W.p;
   this->Depth = (state.device_W.p - this->Begin_W).dot(state.proxy_W.q * palpate::Vec3::UnitZ());
-  this->Text = this->Source.empty() ? "" : this->Sentence(status, core.running());
-  if (this->Inputs && this->DrawnElsewhere)
-  {
-    this->Text += "; its touched position is that of the scene file, not of the display: reset the display transform, "
-                  "and move bodies in that file";
-  }
+}
+
+std::string vtkHapticHeldMechanism::Sentence(
+  palpate::HapticSession& core, const palpate::HapticState& /*state*/) const
+{
+  return this->FeltSentence(core.running()) +
+         (this->DrawnElsewhere
+             ? "; its touched position is that of the scene file, not of the display: reset the display transform, "
+               "and move bodies in that file"
+             : "");
+}
+
+const char* vtkHapticHeldMechanism::Absent() const
+{
+  return " does not exist, or has read no mechanism: repair or replace the source, or choose none";
 }
 
 const palpate::Vec3* vtkHapticHeldMechanism::SoftHand_W() const
@@ -265,19 +280,11 @@ const palpate::Vec3* vtkHapticHeldMechanism::SoftHand_W() const
   return this->Seen.Held && !this->Seen.Soft.empty() ? &this->Seen.Soft.front().shape->hand_W : nullptr;
 }
 
-std::string vtkHapticHeldMechanism::Sentence(const palpate::MechanismStatus& status, bool runs) const
+std::string vtkHapticHeldMechanism::FeltSentence(bool runs) const
 {
-  if (!this->Problem.empty())
+  if (!this->Status.problem.empty())
   {
-    return this->Problem;
-  }
-  if (!this->Inputs)
-  {
-    return this->Source + " does not exist, or has read no mechanism: repair or replace the source, or choose none";
-  }
-  if (!status.problem.empty())
-  {
-    return this->Name + " cannot be touched: " + status.problem;
+    return this->Name + " cannot be touched: " + this->Status.problem;
   }
   const std::string laws = this->Name + ": " + std::to_string(this->Inputs->mechanism.laws.size()) + " constraints";
   if (!runs)
@@ -290,11 +297,11 @@ std::string vtkHapticHeldMechanism::Sentence(const palpate::MechanismStatus& sta
                                    : " are being computed; there is no force until then");
   }
   std::string text = this->Name;
-  for (const std::string& line : vtkHapticMechanismText(*this->Inputs, status.check))
+  for (const std::string& line : vtkHapticMechanismText(*this->Inputs, this->Status.check))
   {
     text += (text == this->Name ? ": " : "; ") + line;
   }
-  for (const palpate::BodyPair& pair : status.overlaps)
+  for (const palpate::BodyPair& pair : this->Status.overlaps)
   {
     text += "; now " + palpate::overlapText(pair);
   }
@@ -321,7 +328,7 @@ bool vtkHapticHeldMechanism::Move(vtkPolyData& shapes) const
     const Way way = body < ways.size() ? ways[body] : Way{};
     const palpate::Vec3 gone_u = Of(way.Soft.Displacement, vertices->GetComponent(point, 0));
     const palpate::Vec3 dent_u = Of(way.Soft.Dent, vertices->GetComponent(point, 0));
-    const palpate::Vec3 to_W = way.Rigid.p + way.Rigid.q * palpate::Vec3(shapes.GetPoint(point)) + gone_u + dent_u;
+    const palpate::Vec3 to_W = way.Rigid * palpate::Vec3(shapes.GetPoint(point)) + gone_u + dent_u;
     moved->SetPoint(point, to_W.data());
     gone->SetTuple(point, gone_u.data());
     dented->SetTuple(point, dent_u.data());

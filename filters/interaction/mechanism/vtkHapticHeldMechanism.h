@@ -5,35 +5,29 @@
 #include "haptics/session/mechanism/MechanismWorker.h"
 #include "haptics/tick/HapticState.h"
 #include "vtkBoundingBox.h"
+#include "vtkHapticFeltSource.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
 
-namespace palpate
-{
-class HapticSession;
-}
-
-class vtkDataObject;
 class vtkTable;
 
 /// The mechanism of a session: what was asked for, what was made of it, how it is.
-class vtkHapticHeldMechanism
+class vtkHapticHeldMechanism : public vtkHapticFeltSource
 {
 public:
-  std::string Source; ///< that is asked for; "": none
-  std::string Laws;   ///< a list of laws in place of those of its scene file; "": those
+  std::string Laws;      ///< a list of laws in place of those of its scene file; "": those
+  double Rate_Hz = 30.0; ///< packets of its soft bodies a second
 
   bool DrawnElsewhere = false;
 
-  /// Takes what a source has, null: it is not there, or has made none for that reason. Empty, or why it cannot be held;
-  /// then none is.
-  std::string Take(const std::string& name, vtkDataObject* data, const std::string& reason);
-  const std::string& Taken() const { return this->Name; } ///< of which source
+  const char* Setting() const override { return "MechanismSource"; }
+  const char* Subject() const override { return "mechanism"; }
+  bool IsHeld() const override { return true; }
+  void Choose(palpate::HapticSession& core) const override;
   /// The same data by other laws.
   std::string TakeAgain();
-  palpate::MechanismChoice Choice(double rate_Hz) const { return { this->Inputs, this->Name, rate_Hz }; }
   /// Why a list of laws would end what is held without a fault now; "": it would not.
   std::string Refusal(const std::string& laws, const palpate::HapticSession& core);
   /// What Laws is with another law, as an object of a scene file, and with one less; "" with a problem.
@@ -43,8 +37,6 @@ public:
   int IndexOf(const std::string& name) const;
   /// Whether the servo numbers laws as IndexOf() does: these are the laws that it has.
   bool IsFelt() const { return this->Felt; }
-  /// How it is, after each look at the session.
-  void Follow(palpate::HapticSession& core, const palpate::HapticState& state);
   /// The bodies that `shapes` has where they are at first, where they are now and as they are bent; false, and
   /// unchanged: they are not held. While other laws of the same bodies are computed they are where they were.
   bool Move(vtkPolyData& shapes) const;
@@ -55,7 +47,6 @@ public:
   /// A row a law: Law, Kind, A, B, Numbers, Phase, Force [N], Inside [u].
   void FillTable(vtkTable& table) const;
 
-  std::string Text;
   double Depth = 0.0; ///< the hand's way along what it holds since nothing pushed [u]
   double Pose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };     ///< of what is in the hand, where it is felt
   double HandPose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 }; ///< and where the hand would have it
@@ -69,17 +60,21 @@ private:
     decltype(palpate::MechanismNow::pose_W) Pose_W{};
     std::vector<palpate::SeenBody> Soft;
   };
-  std::string Sentence(const palpate::MechanismStatus& status, bool runs) const;
+  std::string Convert(vtkDataObject* data, const std::string& reason) override;
+  bool IsMade() const override { return this->Inputs != nullptr; }
+  void Look(palpate::HapticSession& core, const palpate::HapticState& state, double now_s) override;
+  std::string Sentence(palpate::HapticSession& core, const palpate::HapticState& state) const override;
+  const char* Absent() const override;
+  std::string FeltSentence(bool runs) const;
   std::size_t HeldBody() const;
 
-  std::string Name;
   std::string File, Folder; ///< text of the scene file, and where that lies
-  std::string Problem;
   bool OfServer = false;
   std::shared_ptr<const palpate::MechanismInputs> Inputs;
   std::vector<palpate::MechanismSoftInput> Read; ///< its soft bodies, for the next laws
   palpate::BodiesAtRest AtRest;                  ///< the same, once they have been made: other laws are judged by them
   vtkSmartPointer<vtkPolyData> Held;             ///< the shape of the body in the hand
+  palpate::MechanismStatus Status;
   palpate::MechanismNow Now;
   bool Felt = false; ///< Now is of these laws
   Sight Seen;

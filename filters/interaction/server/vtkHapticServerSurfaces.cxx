@@ -2,6 +2,7 @@
 #include "vtkHapticServerSurfaces.h"
 
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/tool/ToolChoice.h"
 #include "vtkHapticHandPace.h"
 #include "vtkHapticSceneSurfaces.h"
@@ -16,7 +17,7 @@ std::optional<palpate::Vec3> vtkHapticServerSurfaces::GetCentre() const
 
 double vtkHapticServerSurfaces::Pulled() const
 {
-  const auto& tool = this->Core.tool().tool;
+  const auto& tool = this->Core.chosen<palpate::ToolTask>().tool;
   const double touches_u = tool ? tool->reach_u : this->Core.parameters().contact.radius_u;
   if (!this->Core.running())
   {

@@ -240,9 +240,6 @@ private:
   const char* GetReadoutText(const char* name) const;
   double* GetReadoutNumbers(const char* name) const;
 
-  vtkHapticSession(const vtkHapticSession&) = delete;
-  void operator=(const vtkHapticSession&) = delete;
-
   std::unique_ptr<Internals> Impl;
 };
 

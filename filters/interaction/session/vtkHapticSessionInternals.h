@@ -20,6 +20,7 @@
 #include "vtkHapticSession.h"
 #include "vtkTimeStamp.h"
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -28,19 +29,16 @@
 #include <string_view>
 #include <vector>
 
+class vtkHapticFeltSource;
 class vtkHapticHeldMechanism;
 class vtkHapticHeldTool;
 class vtkHapticPressedBody;
+class vtkHapticRecordings;
 class vtkHapticSceneSurfaces;
 class vtkHapticServerSurfaces;
 struct vtkHapticCheckState;
 struct vtkHapticContactState;
 struct vtkHapticGameState;
-struct vtkHapticRecordingState;
-namespace palpate
-{
-class RecordedHand;
-}
 
 /// The core's session, what it is started with, and the last that it said. Parts that have a room of their own are
 /// known by name: their rooms include this header, and it includes none of theirs.
@@ -81,8 +79,6 @@ public:
   std::string CalibrationFolder;
   std::optional<palpate::Calibration> Felt; ///< what was kept of a device without serial number, walls included
 
-  bool SceneKnown = false; ///< it touched what was shown since it is played
-  std::string PlayedSentence;
   std::vector<palpate::Vec3> Stroke_W;
   palpate::WorkspaceMap LastFitted = palpate::sessionDefaults().map;
   palpate::HandMap HandMap;
@@ -131,8 +127,8 @@ public:
   vtkHapticCheckState& Check;
   vtkHapticContactState& Contact;
   vtkHapticGameState& Game;
-  vtkHapticRecordingState& Recorded;
-  std::optional<palpate::RecordedHand>& Played; ///< by the running device
+  vtkHapticRecordings& Recorded;
+  const std::array<vtkHapticFeltSource*, 3> FeltSources;
 
   /// What was chosen when touching started; another choice waits until it starts again.
   struct RunningChoice
@@ -169,7 +165,6 @@ public:
   std::string FollowMarksText();
   std::string FollowMaterials();
   std::string FollowMechanismLaws();
-  std::string FollowMechanismSource();
   std::string FollowPlaneWishes();
   std::string FollowRadii();
   std::string FollowRadiusLimit();
@@ -177,10 +172,8 @@ public:
   std::string FollowServerLimit();
   std::string FollowSimplify();
   std::string FollowSoftRate();
-  std::string FollowSoftSource();
   std::string FollowSourcesText();
   std::string FollowToolHandle();
-  std::string FollowToolSource();
   std::string FollowTouching();
   std::string FollowWallRate();
   std::string FollowWheel();
@@ -210,14 +203,6 @@ public:
   /// The running device where it is behind a link, else null; how the link goes.
   const palpate::LinkedDevice* Linked();
   palpate::LinkReport Link();
-  /// Where a recording that begins now goes.
-  std::string NextRecording() const;
-  /// Takes over what has ended, and says what went wrong with it.
-  void FollowRecording();
-  /// A device that plays a recording moves the hand where it moved: the map of the recording.
-  void Play(palpate::HapticDevice& device);
-  /// Whether what is played was recorded on what is shown.
-  void FollowReplay();
   /// Seconds of the session: ticks in virtual time.
   double Now();
   /// How simpler surfaces are looked for now.
@@ -282,15 +267,18 @@ public:
   const char* SayFrictionText();
   const char* SayLinkText();
   const char* SayPlanSentence();
-  const char* SayRecordingText();
   const char* SayToolContacts();
 
-  /// Holds the tool as it was made, or says the problem.
-  void HoldTool(const std::string& problem);
+  /// A setting may name another source.
+  void FollowSource(vtkHapticFeltSource& felt, const palpate::Setting& setting);
+  /// Takes what a source has, or says the problem; false, then.
+  bool AddFelt(vtkHapticFeltSource& felt, const char* name, vtkDataObject* data, const char* reason = nullptr);
+  /// Feels it as it was made, or says the problem.
+  void Feel(vtkHapticFeltSource& felt, const std::string& problem);
+  /// How all such sources are.
+  void FollowFelt();
   /// The styles of sources have changed.
   void FollowSources();
-  /// Takes the mechanism as it was read, or says the problem.
-  void HoldMechanism(const std::string& problem);
   /// Where the ball touches, or the tool most; nothing where neither does.
   std::optional<palpate::ContactPlace> PlaceOfContact() const;
   /// What is at the contact now; nothing without one.

@@ -30,10 +30,6 @@ protected:
 #endif
 
   vtkSmartPointer<vtkHapticSession> Session;
-
-private:
-  vtkHapticSessionPart(const vtkHapticSessionPart&) = delete;
-  void operator=(const vtkHapticSessionPart&) = delete;
 };
 
 #endif

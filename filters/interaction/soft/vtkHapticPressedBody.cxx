@@ -4,6 +4,7 @@
 #include "haptics/session/HapticSession.h"
 #include <sstream>
 
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/settings/Setting.h"
 
 namespace
@@ -19,15 +20,18 @@ std::string Rounded(double value, int digits)
 }
 } // namespace
 
-std::string vtkHapticPressedBody::Take(const std::string& name, vtkDataObject* data)
+void vtkHapticPressedBody::Choose(palpate::HapticSession& core) const
 {
-  this->Name = name;
+  core.choose<palpate::SoftTask>({ this->Input, this->Name, this->Rate_Hz });
+}
+
+std::string vtkHapticPressedBody::Convert(vtkDataObject* data, const std::string& /*reason*/)
+{
   const vtkHapticSoftBodyResult read = data ? vtkHapticToSoftBody(data) : vtkHapticSoftBodyResult();
   this->Input = read.Input;
   this->Material = read.Input ? vtkHapticSoftBodyText(*read.Input) : "";
-  this->Problem = data && !read.Input ? name + " cannot be a soft body: " + read.Problem : "";
   this->Shown = nullptr;
-  return this->Problem;
+  return data && !read.Input ? this->Name + " cannot be a soft body: " + read.Problem : "";
 }
 
 void vtkHapticPressedBody::CountPackets(double now_s)
@@ -46,27 +50,23 @@ void vtkHapticPressedBody::CountPackets(double now_s)
   }
 }
 
-void vtkHapticPressedBody::Follow(palpate::HapticSession& core, const palpate::HapticState& state, double now_s)
+void vtkHapticPressedBody::Look(palpate::HapticSession& core, const palpate::HapticState& state, double now_s)
 {
-  this->Status = core.running() ? core.softStatus() : palpate::SoftStatus{};
+  this->Status = core.status<palpate::SoftTask>();
   this->CountPackets(now_s);
   this->Hand_W = this->Status.shape ? this->Status.shape->hand_W : state.device_W.p;
   const double radius_u = state.tool.ball_u > 0.0 ? state.tool.ball_u : core.parameters().contact.radius_u;
   this->Ball = { state.proxy_W.p, state.soft.pressed ? radius_u : 0.0 };
   this->Strain = this->Status.shape ? this->Status.shape->mostGradient : 0.0;
-  this->Text = this->Source.empty() ? "" : this->Sentence(state);
 }
 
-std::string vtkHapticPressedBody::Sentence(const palpate::HapticState& state) const
+const char* vtkHapticPressedBody::Absent() const
 {
-  if (!this->Problem.empty())
-  {
-    return this->Problem;
-  }
-  if (!this->Input)
-  {
-    return this->Source + " does not exist: choose another source as the soft body, or none";
-  }
+  return " does not exist: choose another source as the soft body, or none";
+}
+
+std::string vtkHapticPressedBody::Sentence(palpate::HapticSession& /*core*/, const palpate::HapticState& state) const
+{
   const std::string text = this->Name + ": " + this->Material;
   if (!this->Status.problem.empty())
   {

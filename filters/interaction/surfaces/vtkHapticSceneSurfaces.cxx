@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/core/WordHash.h"
 #include "haptics/geometry/curves/CurveSet.h"
 #include "haptics/session/scene/SceneWorker.h"
@@ -353,7 +354,7 @@ void vtkHapticSceneSurfaces::Settle(palpate::SceneWorker& worker)
     {
       if (std::optional<palpate::Pose>& plane_WP = kept.Surface.plane_WP)
       {
-        plane_WP = palpate::Pose{ pose.p + pose.q * plane_WP->p, pose.q * plane_WP->q };
+        plane_WP = pose * *plane_WP;
       }
       Bake(kept, Eigen::Translation3d(pose.p) * pose.q * kept.Baked);
     }

@@ -4,21 +4,30 @@
 #include "haptics/session/HapticSession.h"
 #include <optional>
 
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/settings/Setting.h"
 #include "haptics/tool/servo/RubbedWish.h"
 #include "vtkHapticConversion.h"
 
-std::string vtkHapticHeldTool::Take(const std::string& name, vtkDataObject* data)
+void vtkHapticHeldTool::Choose(palpate::HapticSession& core) const
 {
-  this->Name = name;
+  core.choose<palpate::ToolTask>(this->Choice_);
+}
+
+std::string vtkHapticHeldTool::Refusal(const palpate::HapticSession& core) const
+{
+  return core.toolBesideSoft();
+}
+
+std::string vtkHapticHeldTool::Convert(vtkDataObject* data, const std::string& /*reason*/)
+{
   const vtkHapticConversionResult made = data ? vtkHapticToMesh(data) : vtkHapticConversionResult();
   this->Mesh = made.Mesh;
   if (data && !made.Mesh)
   {
     this->Choice_ = {};
     this->Shape = nullptr;
-    this->Problem = name + " cannot be held: " + made.Problem;
-    return this->Problem;
+    return this->Name + " cannot be held: " + made.Problem;
   }
   return this->Make();
 }
@@ -61,13 +70,13 @@ std::string vtkHapticHeldTool::MakeTool()
   {
     handle_T = atHandle ? this->HandlePoint_T : palpate::Vec3::Zero();
   }
-  const palpate::ToolResult made = palpate::makeTool(*this->Mesh, handle_T);
+  const auto made = palpate::makeTool(*this->Mesh, handle_T);
   if (made.ok())
   {
-    this->Choice_.tool = std::make_shared<const palpate::ToolMesh>(made.tool);
+    this->Choice_.tool = std::make_shared<const palpate::ToolMesh>(made.value);
     this->Choice_.lever_u = this->LeverNow_u();
   }
-  return made.refusal;
+  return made.problem;
 }
 
 void vtkHapticHeldTool::GetShape(vtkPolyData* shape) const
@@ -89,7 +98,7 @@ void vtkHapticHeldTool::PutPose(const palpate::Pose& centre_W, double pose[7]) c
   vtkHapticPutPose({ centre_W.p - centre_W.q * centre, centre_W.q }, pose);
 }
 
-void vtkHapticHeldTool::Follow(palpate::HapticSession& core, const palpate::HapticState& state)
+void vtkHapticHeldTool::Look(palpate::HapticSession& core, const palpate::HapticState& state, double /*now_s*/)
 {
   const palpate::WorkspaceMap& map = core.parameters().map;
   this->PutPose(state.tool.held ? state.proxy_W : palpate::Pose{}, this->Pose);
@@ -99,19 +108,15 @@ void vtkHapticHeldTool::Follow(palpate::HapticSession& core, const palpate::Hapt
     Eigen::Map<const palpate::Vec3>(this->Pose) + palpate::Quat(turn[0], turn[1], turn[2], turn[3]) * this->TipPoint_T;
   Eigen::Map<palpate::Vec3>{ this->Asked } = map.directionToScene(state.renderedTorque_D);
   Eigen::Map<palpate::Vec3>{ this->Given } = map.directionToScene(state.torque_D);
-  this->Text = this->Source.empty() ? "" : this->Sentence(core, state);
+}
+
+const char* vtkHapticHeldTool::Absent() const
+{
+  return " does not exist: choose another source as the tool, or none";
 }
 
 std::string vtkHapticHeldTool::Sentence(palpate::HapticSession& core, const palpate::HapticState& state) const
 {
-  if (!this->Problem.empty())
-  {
-    return this->Problem;
-  }
-  if (!this->Choice_.tool)
-  {
-    return this->Source + " does not exist: choose another source as the tool, or none";
-  }
   const std::string refusal = core.toolRefusal();
   if (!refusal.empty())
   {
@@ -129,7 +134,7 @@ std::string vtkHapticHeldTool::Sentence(palpate::HapticSession& core, const palp
   {
     return text + ", waits: the tool overlaps the scene at the hand; move the hand to a free position";
   }
-  if (const std::string noWayOut = core.toolNoWayOut(); !noWayOut.empty())
+  if (const std::string noWayOut = core.status<palpate::ToolTask>().noWayOut; !noWayOut.empty())
   {
     return text + ", " + noWayOut + ", then hold the tool again";
   }

@@ -10,27 +10,7 @@
 
 bool vtkHapticSession::AddTool(const char* name, vtkDataObject* data)
 {
-  this->Impl->HoldTool(this->Impl->Tool.Take(name ? name : "", data));
-  return this->Impl->Tool.Choice().tool || !data;
-}
-
-void vtkHapticSession::Internals::HoldTool(const std::string& problem)
-{
-  this->Core.setTool(this->Tool.Choice());
-  const std::string beside = this->Core.toolBesideSoft();
-  this->Refuse(problem.empty() ? beside : problem);
-  this->Follow("tool", problem.empty() ? beside : problem);
-  this->JudgeStability();
-  this->Tool.Follow(this->Core, this->State);
-  this->Scene.follow(this->PlanNow());
-}
-
-std::string vtkHapticSession::Internals::FollowToolSource()
-{
-  this->Tool.Source = this->Settings.text("ToolSource");
-  this->Session.AddTool(nullptr, nullptr);
-  this->MaterialTime.Modified(); // who follows a view adds its surfaces again, all but this one
-  return {};
+  return this->Impl->AddFelt(this->Impl->Tool, name, data);
 }
 
 std::string vtkHapticSession::Internals::FollowToolHandle()
@@ -43,7 +23,7 @@ std::string vtkHapticSession::Internals::FollowToolHandle()
   this->Tool.HandlePoint_T = point_T;
   this->Tool.TipPoint_T = palpate::Vec3(this->Settings.of("ToolTipPoint").numbers.data());
   this->Tool.Lever_u = this->Settings.number("ToolLever");
-  this->HoldTool(anew ? this->Tool.TakeAgain() : this->Tool.TakeLever());
+  this->Feel(this->Tool, anew ? this->Tool.TakeAgain() : this->Tool.TakeLever());
   return {};
 }
 

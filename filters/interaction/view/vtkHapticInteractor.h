@@ -74,9 +74,6 @@ protected:
   ~vtkHapticInteractor() override;
 
 private:
-  vtkHapticInteractor(const vtkHapticInteractor&) = delete;
-  void operator=(const vtkHapticInteractor&) = delete;
-
   /// True if the actors show something else than at the last call; then it is on its way to the session.
   bool HandOver();
   void FollowCamera();

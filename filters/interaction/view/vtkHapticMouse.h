@@ -83,9 +83,6 @@ protected:
   ~vtkHapticMouse() override;
 
 private:
-  vtkHapticMouse(const vtkHapticMouse&) = delete;
-  void operator=(const vtkHapticMouse&) = delete;
-
   class Internals;
   std::unique_ptr<Internals> Impl;
 };

@@ -38,9 +38,6 @@ protected:
   ~vtkHapticMouseInput() override;
 
 private:
-  vtkHapticMouseInput(const vtkHapticMouseInput&) = delete;
-  void operator=(const vtkHapticMouseInput&) = delete;
-
   class Internals;
   std::unique_ptr<Internals> Impl;
 };

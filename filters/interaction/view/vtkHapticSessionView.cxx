@@ -2,8 +2,8 @@
 // How the workspace of a device follows the hand that holds it and the view that is looked at.
 #include <algorithm>
 
-#include "devices/RecordedHand.h"
 #include "vtkCommand.h"
+#include "vtkHapticRecordings.h"
 #include "vtkHapticSessionInternals.h"
 
 using palpate::Vec3;
@@ -83,7 +83,7 @@ void vtkHapticSession::Internals::TakeMap(const palpate::HandMapChange& change)
 void vtkHapticSession::Internals::FollowHand()
 {
   const palpate::HapticState& state = this->Core.state(); // the newest: a hand goes on moving
-  if (!this->Core.running() || this->Played || state.tick == 0 || state.held)
+  if (!this->Core.running() || this->Recorded.Played || state.tick == 0 || state.held)
   {
     return;
   }

@@ -85,9 +85,6 @@ protected:
   ~vtkHapticToolProps() override;
 
 private:
-  vtkHapticToolProps(const vtkHapticToolProps&) = delete;
-  void operator=(const vtkHapticToolProps&) = delete;
-
   double RelativeSize = 0.01;
   double ForceScale = 0.1;
   bool ShowTrace = false;

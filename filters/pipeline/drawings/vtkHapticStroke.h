@@ -90,9 +90,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  vtkHapticStroke(const vtkHapticStroke&) = delete;
-  void operator=(const vtkHapticStroke&) = delete;
-
   /// Null, or what cannot be used.
   const char* CheckNumbers() const;
 

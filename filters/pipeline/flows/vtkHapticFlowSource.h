@@ -66,9 +66,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
 
 private:
-  vtkHapticFlowSource(const vtkHapticFlowSource&) = delete;
-  void operator=(const vtkHapticFlowSource&) = delete;
-
   void WholeExtent(int extent[6]) const;
   void FillImage(const int extent[6], double time, vtkImageData* image) const;
   static void FillTetrahedra(vtkImageData* image, vtkUnstructuredGrid* grid);

@@ -42,9 +42,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkHapticLabelSurfaces(const vtkHapticLabelSurfaces&) = delete;
-  void operator=(const vtkHapticLabelSurfaces&) = delete;
-
   double Background = 0.0;
   int Smoothing = 20;
 };

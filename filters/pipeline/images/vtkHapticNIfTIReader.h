@@ -39,9 +39,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkHapticNIfTIReader(const vtkHapticNIfTIReader&) = delete;
-  void operator=(const vtkHapticNIfTIReader&) = delete;
-
   char* FileName = nullptr;
   std::unique_ptr<vtkHapticNIfTIHeader> Header; ///< as RequestInformation() found it
 };

@@ -137,9 +137,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  vtkImageCurves(const vtkImageCurves&) = delete;
-  void operator=(const vtkImageCurves&) = delete;
-
   /// Null, or what cannot be used.
   const char* CheckNumbers() const;
   /// The array chosen, or the active one where none is; null where there is none.

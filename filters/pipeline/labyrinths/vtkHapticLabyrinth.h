@@ -47,9 +47,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
 
 private:
-  vtkHapticLabyrinth(const vtkHapticLabyrinth&) = delete;
-  void operator=(const vtkHapticLabyrinth&) = delete;
-
   std::string World = "corridor";
   double Corridor = 0.0;
 };

@@ -34,9 +34,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkHapticMarksSource(const vtkHapticMarksSource&) = delete;
-  void operator=(const vtkHapticMarksSource&) = delete;
-
   char* Text = nullptr;
 };
 

@@ -36,9 +36,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkHapticSurfaceCheck(const vtkHapticSurfaceCheck&) = delete;
-  void operator=(const vtkHapticSurfaceCheck&) = delete;
-
   double ThinBelow = 0.0;
 };
 

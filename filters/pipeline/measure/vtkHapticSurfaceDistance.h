@@ -31,10 +31,6 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-
-private:
-  vtkHapticSurfaceDistance(const vtkHapticSurfaceDistance&) = delete;
-  void operator=(const vtkHapticSurfaceDistance&) = delete;
 };
 
 #endif

@@ -41,9 +41,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkHapticSurfacePath(const vtkHapticSurfacePath&) = delete;
-  void operator=(const vtkHapticSurfacePath&) = delete;
-
   bool Closed = false;
 };
 

@@ -57,9 +57,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
 
 private:
-  vtkHapticMechanism(const vtkHapticMechanism&) = delete;
-  void operator=(const vtkHapticMechanism&) = delete;
-
   /// Null with Problem.
   vtkSmartPointer<vtkPolyData> Make();
 

@@ -51,9 +51,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  vtkHapticNeighbourhood(const vtkHapticNeighbourhood&) = delete;
-  void operator=(const vtkHapticNeighbourhood&) = delete;
-
   double Centre[3] = { 0.0, 0.0, 0.0 };
   double Reach = 1.0;
   int Limit = 100000;

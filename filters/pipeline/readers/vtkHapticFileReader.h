@@ -33,9 +33,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkHapticFileReader(const vtkHapticFileReader&) = delete;
-  void operator=(const vtkHapticFileReader&) = delete;
-
   char* FileName = nullptr;
 };
 

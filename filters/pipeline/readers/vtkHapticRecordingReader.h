@@ -50,9 +50,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkHapticRecordingReader(const vtkHapticRecordingReader&) = delete;
-  void operator=(const vtkHapticRecordingReader&) = delete;
-
   /// Empty, or what is wrong with the file.
   std::string Read();
 

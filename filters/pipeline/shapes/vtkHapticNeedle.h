@@ -46,10 +46,6 @@ protected:
   double Length = 150.0;
   double Diameter = 1.2;
   int Resolution = 16;
-
-private:
-  vtkHapticNeedle(const vtkHapticNeedle&) = delete;
-  void operator=(const vtkHapticNeedle&) = delete;
 };
 
 #endif

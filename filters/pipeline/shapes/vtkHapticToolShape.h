@@ -81,9 +81,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
 
 private:
-  vtkHapticToolShape(const vtkHapticToolShape&) = delete;
-  void operator=(const vtkHapticToolShape&) = delete;
-
   int Shape = Peg;
   double Radius = 5.0;
   double Length = 20.0;

@@ -136,9 +136,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  vtkHapticSoftBody(const vtkHapticSoftBody&) = delete;
-  void operator=(const vtkHapticSoftBody&) = delete;
-
   /// Tetrahedra with what is meshed of it, and how far their border may be off; null with a problem.
   vtkSmartPointer<vtkUnstructuredGrid> Mesh(vtkDataObject* data, double& rough, std::string& problem);
   bool Make(vtkDataObject* data, vtkDataSet* holds, vtkUnstructuredGrid* output, std::string& problem);

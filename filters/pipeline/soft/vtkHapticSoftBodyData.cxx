@@ -153,7 +153,7 @@ void SetStress(vtkUnstructuredGrid& body, const palpate::SoftBodyInput& input, c
     const std::uint32_t cell = checked->sourceTetra[i];
     const palpate::Mat3& f = shape->deformation[i];
     const double young_Pa = input.young_Pa[input.young_Pa.size() == 1 ? 0 : cell];
-    const palpate::ElasticModuli moduli = palpate::moduliOf(young_Pa, input.poisson, 1.0).moduli;
+    const palpate::ElasticModuli moduli = palpate::moduliOf(young_Pa, input.poisson, 1.0).value;
     const palpate::Mat3 cauchy_Pa = palpate::stressOf(input.model, moduli, f) * f.transpose() / f.determinant();
     strain->SetTuple(cell, Six(0.5 * (f.transpose() * f - palpate::Mat3::Identity())).data());
     stress->SetTuple(cell, Six(cauchy_Pa).data());
@@ -235,7 +235,7 @@ bool vtkHapticDescribeBody(
     young->SetValue(cell, given ? given->GetTuple1(cell) : material.Young_Pa);
     const double young_Pa = young->GetValue(cell);
     const std::string modulus = palpate::refuseModulus(young_Pa);
-    problem = modulus.empty() ? palpate::moduliOf(young_Pa, material.Poisson, material.Unit_m).refusal : modulus;
+    problem = modulus.empty() ? palpate::moduliOf(young_Pa, material.Poisson, material.Unit_m).problem : modulus;
     if (!problem.empty())
     {
       return false;

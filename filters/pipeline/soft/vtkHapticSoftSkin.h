@@ -45,9 +45,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  vtkHapticSoftSkin(const vtkHapticSoftSkin&) = delete;
-  void operator=(const vtkHapticSoftSkin&) = delete;
-
   /// Finds each point's tetrahedron, unless surface and body at rest are those of before. False with a problem.
   bool Ride(vtkPolyData& surface, vtkUnstructuredGrid& body, std::string& problem);
 

@@ -64,9 +64,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  vtkHapticFieldBrick(const vtkHapticFieldBrick&) = delete;
-  void operator=(const vtkHapticFieldBrick&) = delete;
-
   /// What the arrays are changed: the data are looked at anew.
   template<class Change>
   void ChangeArrays(const Change& change);

@@ -154,9 +154,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  vtkTouchAlongPath(const vtkTouchAlongPath&) = delete;
-  void operator=(const vtkTouchAlongPath&) = delete;
-
   void Put(const char* name, const palpate::SettingValue& value);
   /// What sentences call the data of a port.
   std::string NameOf(int port, std::size_t connection) const;

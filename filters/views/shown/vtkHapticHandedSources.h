@@ -6,34 +6,28 @@
 #include "vtkHapticSoftSource.h"
 #include "vtkHapticToolSource.h"
 
+#include <tuple>
+
 /// Sources that a session names and takes as more than a surface: its tool, what gives way, and its mechanism.
 class vtkHapticHandedSources
 {
 public:
   void Follow(vtkHapticSession& session, vtkSMProxy* view)
   {
-    this->Tool.Follow(session, view);
-    this->Soft.Follow(session, view);
-    this->Mechanism.Follow(session, view);
+    std::apply([&](auto&... source) { (source.Follow(session, view), ...); }, this->Sources);
   }
   void Forget()
   {
-    this->Tool.Forget();
-    this->Soft.Forget();
-    this->Mechanism.Forget();
+    std::apply([](auto&... source) { (source.Forget(), ...); }, this->Sources);
   }
   /// What of them is touched as a surface.
   void Change(vtkHapticSession* session, vtkHapticViewScan& scan)
   {
-    vtkHapticToolSource::LeaveOut(session, scan);
-    vtkHapticMechanismSource::LeaveOut(session, scan);
-    this->Soft.KeepAtRest(session, scan);
+    std::apply([&](auto&... source) { (source.Change(session, scan), ...); }, this->Sources);
   }
 
 private:
-  vtkHapticToolSource Tool;
-  vtkHapticSoftSource Soft;
-  vtkHapticMechanismSource Mechanism;
+  std::tuple<vtkHapticToolSource, vtkHapticMechanismSource, vtkHapticSoftSource> Sources;
 };
 
 #endif

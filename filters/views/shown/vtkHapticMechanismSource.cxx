@@ -5,9 +5,7 @@
 #include "vtkHapticMechanismData.h"
 #include "vtkHapticNamedData.h"
 #include "vtkHapticServerProxies.h"
-#include "vtkHapticSession.h"
 #include "vtkHapticTouchedMechanism.h"
-#include "vtkHapticViewScan.h"
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPolyData.h"
@@ -15,7 +13,6 @@
 #include "vtkSMSourceProxy.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace
 {
@@ -68,7 +65,7 @@ vtkDataObject* vtkHapticMechanismSource::Bring(vtkSMProxy* view, const std::stri
 
 void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
 {
-  const std::string name = session.GetSettingText("MechanismSource");
+  const std::string name = this->NameIn(&session);
   if (this->Name != name)
   {
     Show(view, this->Name, nullptr);
@@ -79,14 +76,8 @@ void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* vie
   vtkDataObject* const atFirst = maker ? maker->GetAtFirst() : made;
   const std::string reason = maker ? maker->GetProblem() : "";
   const vtkMTimeType time = made && !maker ? made->GetMTime() : 0; // what a maker shows elsewhere is the same mechanism
-  const bool others = atFirst != this->AtFirst || time != this->Time || reason != this->Reason ||
-                      name != session.GetMechanism()->GetAdded();
-  this->Name = name;
-  if (!std::exchange(this->Known, true) || others)
+  if (this->AreOthers(name, atFirst, time, reason) || name != session.GetMechanism()->GetAdded())
   {
-    this->AtFirst = atFirst;
-    this->Time = time;
-    this->Reason = reason;
     session.AddMechanism(name.c_str(), atFirst, reason.c_str());
   }
   vtkNew<vtkPolyData> moved;
@@ -102,14 +93,14 @@ void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* vie
   }
 }
 
-void vtkHapticMechanismSource::LeaveOut(vtkHapticSession* session, vtkHapticViewScan& scan)
+void vtkHapticMechanismSource::Change(vtkHapticSession* session, vtkHapticViewScan& scan)
 {
-  const std::string name = session ? session->GetSettingText("MechanismSource") : "";
+  const std::string name = this->NameIn(session);
   const auto isMoved = [&name](const vtkHapticViewScan::Source& source) { return source.Name == name && source.Moved; };
   if (session)
   {
     const bool moved = !name.empty() && std::any_of(scan.Sources.begin(), scan.Sources.end(), isMoved);
     session->GetMechanism()->SetMoved(moved);
   }
-  scan.LeaveOut(name);
+  this->vtkHapticHandedSource::Change(session, scan);
 }

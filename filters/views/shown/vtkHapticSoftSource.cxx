@@ -2,7 +2,6 @@
 #include "vtkHapticSoftSource.h"
 
 #include "vtkHapticNamedData.h"
-#include "vtkHapticSession.h"
 #include "vtkHapticSoftBody.h"
 #include "vtkHapticSoftSkin.h"
 #include "vtkNew.h"
@@ -11,7 +10,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <utility>
 
 namespace
 {
@@ -32,7 +30,7 @@ vtkDataObject* BodyOf(vtkSMProxy* view, const std::string& name)
 
 void vtkHapticSoftSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
 {
-  const std::string name = session.GetSettingText("SoftSource");
+  const std::string name = this->NameIn(&session);
   if (!this->Name.empty() && this->Name != name)
   {
     if (vtkHapticSoftBody* const before = FilterOf(vtkHapticNamedProxy(view, this->Name)))
@@ -42,10 +40,8 @@ void vtkHapticSoftSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
     }
   }
   vtkDataObject* const body = BodyOf(view, name);
-  if (!std::exchange(this->Known, true) || body != this->Body || name != this->Name)
+  if (this->AreOthers(name, body))
   {
-    this->Body = body;
-    this->Name = name;
     session.AddSoftBody(name.c_str(), body);
   }
   vtkHapticSoftBody* const filter = FilterOf(vtkHapticNamedProxy(view, name));
@@ -61,9 +57,9 @@ void vtkHapticSoftSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
   }
 }
 
-void vtkHapticSoftSource::KeepAtRest(vtkHapticSession* session, vtkHapticViewScan& scan)
+void vtkHapticSoftSource::Change(vtkHapticSession* session, vtkHapticViewScan& scan)
 {
-  const std::string name = session ? session->GetSettingText("SoftSource") : "";
+  const std::string name = this->NameIn(session);
   const auto isIt = [&name](const auto& shown) { return shown.Name == name || vtkHapticSoftSkin::IsSkin(shown.Data); };
   const auto found = std::find_if(scan.Surfaces.begin(), scan.Surfaces.end(), isIt);
   if (name.empty() || found == scan.Surfaces.end())
@@ -75,9 +71,9 @@ void vtkHapticSoftSource::KeepAtRest(vtkHapticSession* session, vtkHapticViewSca
     scan.Refusals.push_back(name + ": the soft body is touched at the position of its data, not of its display; reset "
                                    "the display transform, or apply the filter Transform before Soft Body.");
   }
-  if (!this->AtRest || this->AtRest->Name != name || this->AtRestOf != this->Body)
+  if (!this->AtRest || this->AtRest->Name != name || this->AtRestOf != this->Data)
   {
-    this->AtRestOf = this->Body;
+    this->AtRestOf = this->Data;
     this->AtRest = *found;
     this->AtRest->Name = name;
     this->AtRest->Data = vtkSmartPointer<vtkDataObject>::Take(found->Data->NewInstance());

@@ -2,26 +2,14 @@
 #include "vtkHapticToolSource.h"
 
 #include "vtkHapticNamedData.h"
-#include "vtkHapticSession.h"
-#include "vtkHapticViewScan.h"
 #include "vtkSMProxy.h"
-
-#include <utility>
 
 void vtkHapticToolSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
 {
-  const char* const name = session.GetSettingText("ToolSource");
-  vtkDataObject* const data = *name != '\0' ? vtkHapticNamedData(view, name) : nullptr;
-  const vtkMTimeType time = data ? data->GetMTime() : 0;
-  if (!std::exchange(this->Known, true) || data != this->Data || time != this->Time)
+  const std::string name = this->NameIn(&session);
+  vtkDataObject* const data = name.empty() ? nullptr : vtkHapticNamedData(view, name);
+  if (this->AreOthers(name, data, data ? data->GetMTime() : 0))
   {
-    this->Data = data;
-    this->Time = time;
-    session.AddTool(name, data);
+    session.AddTool(name.c_str(), data);
   }
-}
-
-void vtkHapticToolSource::LeaveOut(vtkHapticSession* session, vtkHapticViewScan& scan)
-{
-  scan.LeaveOut(session ? session->GetSettingText("ToolSource") : "");
 }

@@ -2,28 +2,14 @@
 #ifndef vtkHapticToolSource_h
 #define vtkHapticToolSource_h
 
-#include "vtkDataObject.h"
-#include "vtkSmartPointer.h"
+#include "vtkHapticHandedSource.h"
 
-class vtkHapticSession;
-struct vtkHapticViewScan;
-class vtkSMProxy;
-
-/// Keeps the tool of a session the same as what its source in the pipeline has made, shown or hidden.
-class vtkHapticToolSource
+/// The tool, shown or hidden. What is in the hand is not touched by it.
+class vtkHapticToolSource : public vtkHapticHandedSource
 {
 public:
-  /// Tells the session of other data, or that the source is gone. `view`: of the pipeline.
-  void Follow(vtkHapticSession& session, vtkSMProxy* view);
-  /// The next look tells it in any case.
-  void Forget() { this->Known = false; }
-  /// What is in the hand is not touched by it.
-  static void LeaveOut(vtkHapticSession* session, vtkHapticViewScan& scan);
-
-private:
-  bool Known = false;
-  vtkSmartPointer<vtkDataObject> Data; ///< that the session has
-  vtkMTimeType Time = 0;
+  vtkHapticToolSource() : vtkHapticHandedSource("ToolSource") {}
+  void Follow(vtkHapticSession& session, vtkSMProxy* view) override;
 };
 
 #endif

@@ -326,10 +326,10 @@ SoftBodyResult makeSoftBody(const SoftBodyInput& input, const std::stop_token& s
   for (std::size_t i = 0; result.refusal.empty() && i < result.checked.sourceTetra.size(); ++i)
   {
     const double young_Pa = input.young_Pa[input.young_Pa.size() == 1 ? 0 : result.checked.sourceTetra[i]];
-    const ModuliResult one = moduliOf(young_Pa, input.poisson, input.unit_m);
+    const Outcome<ElasticModuli> one = moduliOf(young_Pa, input.poisson, input.unit_m);
     const std::string modulus = refuseModulus(young_Pa);
-    result.refusal = modulus.empty() ? one.refusal : modulus;
-    moduli.push_back(one.moduli);
+    result.refusal = modulus.empty() ? one.problem : modulus;
+    moduli.push_back(one.value);
   }
   const std::vector<bool>& fixed = result.checked.fixed;
   if (result.refusal.empty() && std::all_of(fixed.begin(), fixed.end(), [](bool held) { return held; }))

@@ -180,7 +180,7 @@ std::string saying(const char* before, double value, const char* after)
 
 } // namespace
 
-ModuliResult moduliOf(double young_Pa, double poisson, double unit_m)
+Outcome<ElasticModuli> moduliOf(double young_Pa, double poisson, double unit_m)
 {
   if (!(young_Pa > 0.0) || !(young_Pa < 1e12))
   {

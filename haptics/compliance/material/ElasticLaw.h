@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "haptics/core/Outcome.h"
 #include "haptics/core/Types.h"
 
 namespace palpate
@@ -26,17 +27,10 @@ struct ElasticModuli
   double lambda = 0.0;
 };
 
-/// Moduli, or why there are none.
-struct ModuliResult
-{
-  ElasticModuli moduli;
-  std::string refusal;
-};
-
 /// Of Young's modulus [Pa] and Poisson's ratio, `unit_m` metres a unit of the scene. Refuses values of no solid: a
 /// modulus that is not above 0 or from 1e12 Pa on (diamond), a ratio below 0 or from .5 on; and a unit that is no
 /// length.
-[[nodiscard]] ModuliResult moduliOf(double young_Pa, double poisson, double unit_m);
+[[nodiscard]] Outcome<ElasticModuli> moduliOf(double young_Pa, double poisson, double unit_m);
 
 /// Empty, or why no body may have this modulus [Pa]: from 10 Pa, below which nothing holds together, to below 1e12 Pa
 /// (diamond). A modulus typed in another unit is outside.

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "haptics/core/Across.h"
+
 namespace palpate
 {
 namespace
@@ -31,12 +33,6 @@ bool straighten(Mat3& b, Mat3& v, int i, int j)
     m->col(j) = sine * before + cosine * m->col(j);
   }
   return true;
-}
-
-/// A direction at right angles to a unit vector.
-Vec3 acrossOf(const Vec3& u)
-{
-  return u.cross(Vec3::Unit(std::abs(u.x()) < 0.6 ? 0 : 1)).normalized();
 }
 
 /// Columns of b, and of v alike, from the longest to the shortest; v stays a turn.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/core/Across.h"
+
 namespace palpate
 {
 namespace
@@ -69,8 +71,7 @@ double sharedBy(std::vector<Piece>& pieces)
 
 double filledTwice(const TetraMesh& mesh, std::span<const Vec3> places_W, const LinePiece& line)
 {
-  const Vec3 axis = std::abs(line.along_W.x()) < 0.6 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
-  const Vec3 across = line.along_W.cross(axis).normalized(), other = line.along_W.cross(across);
+  const auto [across, other] = tangentsOf(line.along_W);
   std::vector<Piece> pieces;
   double turned_u = 0.0;
   for (const Tetra& t : mesh.tetras)

@@ -9,6 +9,7 @@
 #include "haptics/compliance/servo/SharedDents.h"
 #include "haptics/compliance/servo/SoftContacts.h"
 #include "haptics/contact/GodObject.h"
+#include "haptics/core/Across.h"
 
 namespace palpate
 {
@@ -40,11 +41,9 @@ constexpr int secants = 3;
 
 Mat3 basisOf(const Vec3& n) noexcept
 {
-  const Vec3 axis = std::abs(n.x()) < 0.6 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
+  const auto [first, second] = tangentsOf(n);
   Mat3 basis;
-  basis.col(0) = n;
-  basis.col(1) = n.cross(axis).normalized();
-  basis.col(2) = n.cross(basis.col(1));
+  basis << n, first, second;
   return basis;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/core/Across.h"
+
 namespace palpate
 {
 namespace
@@ -41,12 +43,6 @@ Eigen::Vector2d solvePositive(double xx, double xy, double yy, const Eigen::Vect
   return (e.dot(right) / away(mean + radius)) * e + (f.dot(right) / away(mean - radius)) * f;
 }
 
-Vec3 anyAcross(const Vec3& n) noexcept
-{
-  const Vec3 axis = std::fabs(n.x()) < 0.6 ? Vec3::UnitX() : Vec3::UnitY(); // one of them is far from n
-  return n.cross(axis).normalized();
-}
-
 } // namespace
 
 Vec3 tangentStep(const IsoRows& rows, const ProjectionResult& y_u) noexcept
@@ -54,7 +50,7 @@ Vec3 tangentStep(const IsoRows& rows, const ProjectionResult& y_u) noexcept
   const Vec3& n = rows.row[y_u.active[0]].n;
   if (y_u.count == 1)
   {
-    const Vec3 a = anyAcross(n), b = n.cross(a);
+    const auto [a, b] = tangentsOf(n);
     const Eigen::Vector2d right(a.dot(y_u.y), b.dot(y_u.y));
     const Eigen::Vector2d u =
       solvePositive(hessian(rows, y_u, a, a), hessian(rows, y_u, a, b), hessian(rows, y_u, b, b), right);

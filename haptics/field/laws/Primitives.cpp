@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include "haptics/core/Across.h"
 #include "haptics/field/laws/PrimitiveSets.h"
 
 namespace palpate
@@ -152,9 +153,8 @@ private:
   /// Directions in which what holds leaves no freedom; what others hold already is left out.
   void addRows(const Primitive& p) noexcept
   {
-    const Vec3 across =
-      (std::fabs(p.axis.x()) < 0.6 ? p.axis.cross(Vec3::UnitX()) : p.axis.cross(Vec3::UnitY())).normalized();
-    const std::array<Vec3, 3> directions{ p.axis, across, p.axis.cross(across) };
+    const auto [across, other] = tangentsOf(p.axis);
+    const std::array<Vec3, 3> directions{ p.axis, across, other };
     const int first = p.kind == PrimitiveKind::Line ? 1 : 0, last = p.kind == PrimitiveKind::Plane ? 1 : 3;
     for (int d = first; d < last && this->rows_ < 3; ++d)
     {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/mechanism/laws/LawRows.h"
 
+#include "haptics/core/PoseMath.h"
+
 namespace palpate
 {
 namespace
@@ -58,7 +60,7 @@ private:
     end = {};
     end.body = body;
     end.axis_W = pose.q * axis;
-    end.x_W = pose.p + pose.q * point;
+    end.x_W = pose * point;
     if (planned.kind != MechanismBodyKind::Soft)
     {
       return true;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/mechanism/servo/SettledLaws.h"
 #include "haptics/mechanism/servo/TipPlace.h"
 
@@ -209,7 +210,7 @@ private:
     const LawEnd& end = a.soft < 0 ? a : b;
     const Pose& from = this->laws_.reference_W(end.body);
     const Pose& to = this->state_.pose_W[end.body];
-    return end.soft < 0 ? Vec3(to.p + to.q * (from.q.conjugate() * (end.x_W - from.p))) : end.x_W;
+    return end.soft < 0 ? to * into(from, end.x_W) : end.x_W;
   }
 
   /// A tip that is pressed on follows the surface.

@@ -24,12 +24,14 @@ namespace palpate
 /// A thread beside the servo that computes one kind of input of the tick. Its owner never waits for it, but for its
 /// end, and then no longer than an iteration takes. A session that never orders anything has no thread for it. A Task
 /// is what the thread alone uses:
-///   Order, Status                see WorkerChannel
-///   Task(channel, arguments...)
+///   Order, Status                see WorkerChannel; two orders compare equal where the work is the same
+///   Task(channel, links)
 ///   apply(order, stop, again)    a newer order, `again` if the one before was interrupted; true: this one was, too
 ///   iterate()                    computes once; the period until it begins again [s], none: nothing is to be computed
 ///   step(time_s)                 likewise after a tick at that time, in virtual time
 ///   giveUp()                     frees memory and reports why: there was not enough
+/// and, where it has use for it,
+///   publishFirst()               of the owner, before there is a thread
 template<class Task>
 class BackgroundWorker
 {
@@ -37,37 +39,36 @@ public:
   using Order = typename Task::Order;
   using Status = typename Task::Status;
 
-  /// In virtual time there is no thread: see step().
-  template<class... Arguments>
-  explicit BackgroundWorker(bool virtualTime, Arguments&&... arguments)
-    : virtualTime_(virtualTime), task_(this->channel_, std::forward<Arguments>(arguments)...)
+  /// In virtual time there is no thread: see step(). The links must outlive it.
+  template<class Links>
+  BackgroundWorker(Links& links, bool virtualTime) : virtualTime_(virtualTime), task_(this->channel_, links)
   {
   }
   ~BackgroundWorker() { this->channel_.cancel(); }
 
   [[nodiscard]] Status status() const { return this->channel_.status(); }
-  /// Computes in the caller's thread, after a tick at that time. Virtual time.
-  void step(double time_s)
-  {
-    this->work([this, time_s] { this->task_.step(time_s); });
-  }
-
-protected:
-  [[nodiscard]] const Order& wanted() const noexcept { return this->channel_.wanted(); }
+  /// The thread begins with the first order that has anything to compute.
   void order(Order next)
   {
-    const bool begins = this->begins(next);
+    if (next == this->channel_.wanted())
+    {
+      return;
+    }
+    const bool begins = next.isActive() && !this->virtualTime_ && !this->thread_.joinable();
+    if constexpr (requires(Task& task) { task.publishFirst(); })
+    {
+      begins ? this->task_.publishFirst() : void();
+    }
     this->channel_.order(std::move(next));
     if (begins)
     {
       this->thread_ = std::jthread([this](const std::stop_token& stop) { this->run(stop); });
     }
   }
-  [[nodiscard]] Task& task() noexcept { return this->task_; }
-  /// The next order begins the thread.
-  [[nodiscard]] bool begins(const Order& next) const noexcept
+  /// Computes in the caller's thread, after a tick at that time. Virtual time.
+  void step(double time_s)
   {
-    return next.isActive() && !this->virtualTime_ && !this->thread_.joinable();
+    this->work([this, time_s] { this->task_.step(time_s); });
   }
 
 private:

@@ -4,19 +4,28 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <utility>
 
 namespace palpate
 {
 
-/// The owner of a worker and its thread share the newest order, and the status of the work for a person to read. An
-/// Order has
-///   isActive()                whether there is anything to compute
-///   cancels(before)           whether the work that `before` began is of no use to it
-///   announce(before, status)  changes the status before the thread has read the order
+/// How the work on a choice goes, for a person to read.
+struct WorkStatus
+{
+  std::string problem;       ///< why the choice cannot be felt, or does not follow the hand any more; "": it can
+  bool building = false;     ///< it is meant to be felt and is not there yet
+  std::uint64_t packets = 0; ///< that were published of it
+};
+
+/// The owner of a worker and its thread share the newest order, and the status of the work, a WorkStatus. An Order has
+///   isActive()       whether there is anything to compute
+///   cancels(before)  whether the work that `before` began is of no use to it
+///   awaits(before)   whether it is meant to be felt and is not there yet, where `before` is
 template<class Order, class Status>
 class WorkerChannel
 {
@@ -35,7 +44,7 @@ public:
         this->working_.request_stop();
         this->working_ = std::stop_source();
       }
-      next.announce(this->wanted_, this->status_);
+      this->status_.building = this->status_.building || next.awaits(this->wanted_);
       this->wanted_ = std::move(next);
       this->news_ = this->news_ || told;
     }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "haptics/core/PoseMath.h"
+
 namespace palpate
 {
 namespace
@@ -115,7 +117,7 @@ MechanismHand MechanismTouch::handOf(const MechanismInput& input, const Mechanis
   hand.tick = input.tick;
   hand.plan = this->plan_.revision;
   hand.hand_W = held_W.p;
-  hand.tip_W = held_W.p + held_W.q * (length_u * Vec3::UnitZ());
+  hand.tip_W = held_W * (length_u * Vec3::UnitZ());
   hand.press(result);
   return hand;
 }

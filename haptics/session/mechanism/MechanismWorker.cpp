@@ -3,19 +3,11 @@
 
 #include <utility>
 
+#include "haptics/recording/inputs/Mechanisms.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
 
 namespace palpate
 {
-namespace
-{
-
-bool isSame(const MechanismGrip& a, const MechanismGrip& b)
-{
-  return a.coupling_N_per_u == b.coupling_N_per_u && a.turning_Nu_per_rad == b.turning_Nu_per_rad;
-}
-
-} // namespace
 
 std::optional<double> MechanismTask::iterate()
 {
@@ -60,7 +52,7 @@ bool MechanismTask::apply(Order order, const std::stop_token& stop, bool again)
   {
     interrupted = this->build(stop);
   }
-  else if (this->bodies_ && !isSame(this->now_.grip, before.grip))
+  else if (this->bodies_ && this->now_.grip != before.grip)
   {
     interrupted = this->judgeAnew(stop);
   }

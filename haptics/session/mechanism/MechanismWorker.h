@@ -8,22 +8,20 @@
 #include <vector>
 
 #include "haptics/mechanism/check/BodiesOverlap.h"
-#include "haptics/recording/inputs/Mechanisms.h"
-#include "haptics/session/background/BackgroundWorker.h"
+#include "haptics/session/background/WorkerList.h"
 #include "haptics/session/mechanism/MechanismBodies.h"
 #include "haptics/session/mechanism/MechanismChoice.h"
 
 namespace palpate
 {
 
+struct MechanismLinks;
+
 /// How a mechanism is, for a person to see.
-struct MechanismStatus
+struct MechanismStatus : WorkStatus
 {
-  std::string problem;            ///< why it cannot be felt, or its bodies do not give way any more; "": it can
-  bool building = false;          ///< it is meant to be felt and is not there yet
   MechanismCheck check;           ///< what it becomes
   std::vector<BodyPair> overlaps; ///< bodies that share room where they are felt, though no law between them holds
-  std::uint64_t packets = 0;
   std::uint64_t plan = 0;     ///< revision of the one that the servo is given; 0: none
   std::vector<SeenBody> soft; ///< of that, in the order of its inputs
   BodiesAtRest atRest;        ///< likewise
@@ -35,6 +33,11 @@ struct MechanismOrder
   MechanismChoice choice;
   MechanismGrip grip;
 
+  [[nodiscard]] static MechanismOrder of(const MechanismChoice& choice, const WorkSurroundings& around)
+  {
+    return { choice, around.grip };
+  }
+  friend bool operator==(const MechanismOrder&, const MechanismOrder&) = default;
   [[nodiscard]] bool isActive() const noexcept { return this->choice.inputs != nullptr; }
   /// At whatever rate.
   [[nodiscard]] bool isSame(const MechanismOrder& before) const
@@ -43,10 +46,7 @@ struct MechanismOrder
   }
   /// Its soft bodies are others.
   [[nodiscard]] bool cancels(const MechanismOrder& before) const { return this->soft() != before.soft(); }
-  void announce(const MechanismOrder& before, MechanismStatus& status) const
-  {
-    status.building = status.building || (this->isActive() && !this->isSame(before));
-  }
+  [[nodiscard]] bool awaits(const MechanismOrder& before) const { return this->isActive() && !this->isSame(before); }
   [[nodiscard]] std::vector<MechanismSoftInput> soft() const
   {
     return this->isActive() ? this->choice.inputs->soft : std::vector<MechanismSoftInput>();
@@ -54,12 +54,15 @@ struct MechanismOrder
 };
 
 /// Plans a mechanism, builds its soft bodies and makes their packets. A mechanism with the bodies of the one before
-/// goes on with those. See BackgroundWorker.
+/// goes on with those. See WorkerList.
 class MechanismTask
 {
 public:
+  using Choice = MechanismChoice;
   using Order = MechanismOrder;
   using Status = MechanismStatus;
+  static constexpr bool isHeld = true;
+  [[nodiscard]] static MechanismLinks& linksOf(auto& all) noexcept { return all.mechanism; }
 
   MechanismTask(WorkerChannel<Order, Status>& channel, MechanismLinks& links) : channel_(channel), links_(links) {}
   bool apply(Order order, const std::stop_token& stop, bool again);
@@ -88,17 +91,6 @@ private:
   std::uint64_t plans_ = 0;    ///< so many were made
   std::uint64_t revision_ = 0; ///< of the last that was published
   bool published_ = false;     ///< this plan
-};
-
-/// The mechanism of a session, and the thread that computes its soft bodies beside the servo.
-class MechanismWorker : public BackgroundWorker<MechanismTask>
-{
-public:
-  /// The links must outlive it.
-  MechanismWorker(MechanismLinks& links, bool virtualTime) : BackgroundWorker(virtualTime, links) {}
-
-  /// `grip`: how the hand would hold it, for the check.
-  void setMechanism(const MechanismChoice& choice, const MechanismGrip& grip) { this->order({ choice, grip }); }
 };
 
 } // namespace palpate

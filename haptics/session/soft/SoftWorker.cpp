@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "haptics/recording/inputs/Bodies.h"
+
 namespace palpate
 {
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "haptics/contact/RadiusLimit.h"
+#include "haptics/recording/inputs/Tools.h"
 #include "haptics/session/tool/ToolSurroundings.h"
 
 namespace palpate
@@ -34,7 +35,7 @@ std::optional<double> ToolTask::iterate()
     this->stands_ = true;
     this->report("", noWayOutOf(*this->now_.scene, *this->now_.choice.tool, *tool_W));
   }
-  return this->period_s_;
+  return this->now_.period_s;
 }
 
 void ToolTask::step(double /*time_s*/)
@@ -142,8 +143,10 @@ void ToolTask::placeIn(const Order& order)
 void ToolTask::report(std::string refusal, std::string noWayOut)
 {
   this->channel_.report(
-    [&](ToolStatus& status, const Order&) {
-      status = { std::move(refusal), std::move(noWayOut) };
+    [&](ToolStatus& status, const Order&)
+    {
+      status.problem = std::move(refusal);
+      status.noWayOut = std::move(noWayOut);
     });
 }
 

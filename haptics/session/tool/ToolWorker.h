@@ -6,9 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "haptics/contact/view/KnownPart.h"
-#include "haptics/geometry/scene/Scene.h"
-#include "haptics/session/background/BackgroundWorker.h"
+#include "haptics/session/background/WorkerList.h"
 #include "haptics/session/tool/ToolChoice.h"
 #include "haptics/tool/worker/HandHistory.h"
 #include "haptics/tool/worker/ToolFollower.h"
@@ -17,9 +15,8 @@ namespace palpate
 {
 
 /// How a tool is, for a person to read.
-struct ToolStatus
+struct ToolStatus : WorkStatus
 {
-  std::string refusal;  ///< why the tool cannot touch the scene; "": it can, or nothing is held
   std::string noWayOut; ///< it was put where it is free and can never leave: why, to follow its name. "": it can
 };
 
@@ -29,33 +26,45 @@ struct ToolOrder
   ToolChoice choice;
   std::shared_ptr<const Scene> scene;
   KnownPart known;
+  double period_s = 1e-3; ///< of an iteration
 
+  [[nodiscard]] static ToolOrder of(const ToolChoice& choice, const WorkSurroundings& around)
+  {
+    return { choice, around.scene, around.known, around.period_s };
+  }
+  /// What is known counts where a tool is put into another scene, which comes with it.
+  friend bool operator==(const ToolOrder& a, const ToolOrder& b)
+  {
+    return a.choice == b.choice && a.scene == b.scene;
+  }
   [[nodiscard]] bool isActive() const noexcept { return this->choice.tool != nullptr; }
   /// Its trees are built to their end.
   [[nodiscard]] static bool cancels(const ToolOrder& /*before*/) noexcept { return false; }
-  static void announce(const ToolOrder& /*before*/, ToolStatus& /*status*/) noexcept {}
+  [[nodiscard]] static bool awaits(const ToolOrder& /*before*/) noexcept { return false; }
 };
 
 /// Builds the surroundings of a tool, and moves the tool. While it builds, the contacts of before hold the hand. See
-/// BackgroundWorker.
+/// WorkerList.
 class ToolTask
 {
 public:
+  using Choice = ToolChoice;
   using Order = ToolOrder;
   using Status = ToolStatus;
+  static constexpr bool isHeld = true;
+  [[nodiscard]] static ToolLinks& linksOf(auto& all) noexcept { return all.tool; }
 
-  ToolTask(WorkerChannel<Order, Status>& channel, ToolLinks& links, std::int64_t period_ns)
-    : channel_(channel), links_(links), period_s_(1e-9 * static_cast<double>(period_ns))
-  {
-  }
+  ToolTask(WorkerChannel<Order, Status>& channel, ToolLinks& links) : channel_(channel), links_(links) {}
   bool apply(Order order, const std::stop_token& stop, bool again);
   std::optional<double> iterate();
   void step(double time_s);
   void giveUp();
-  /// No contacts: there is no tool, or it stands nowhere.
-  void publishNone(bool held);
+  /// A tool is held, so that the ball touches nothing until there is more of it.
+  void publishFirst() { this->publishNone(true); }
 
 private:
+  /// No contacts: there is no tool, or it stands nowhere.
+  void publishNone(bool held);
   void placeIn(const Order& order);
   void publishBall(const Order& order);
   void report(std::string refusal, std::string noWayOut = {});
@@ -64,7 +73,6 @@ private:
 
   WorkerChannel<Order, Status>& channel_;
   ToolLinks& links_;
-  double period_s_;
   Order now_;
   std::optional<ToolFollower> follower_;
   std::uint64_t revision_ = 0; ///< of the last set that was published
@@ -72,35 +80,6 @@ private:
   HandHistory came_;
   std::uint64_t ballBody_ = 0; ///< the body that the next is of: it costs hundreds of walks through trees
   double largestBall_u_ = 0.0; ///< that a tick can follow there
-};
-
-/// The tool of a session, and the thread that moves it beside the servo.
-class ToolWorker : public BackgroundWorker<ToolTask>
-{
-public:
-  /// The links must outlive it.
-  ToolWorker(ToolLinks& links, bool virtualTime, std::int64_t period_ns)
-    : BackgroundWorker(virtualTime, links, period_ns)
-  {
-  }
-
-  void setTool(const ToolChoice& choice) { this->change({ choice, this->wanted().scene, this->wanted().known }); }
-  /// `known`: how much of a whole that scene has.
-  void setScene(std::shared_ptr<const Scene> scene, const KnownPart& known = {})
-  {
-    this->change({ this->wanted().choice, std::move(scene), known });
-  }
-
-private:
-  /// Before there is a thread, the owner says that a tool is held, so that the ball touches nothing meanwhile.
-  void change(Order order)
-  {
-    if (this->begins(order))
-    {
-      this->task().publishNone(true);
-    }
-    this->order(std::move(order));
-  }
 };
 
 } // namespace palpate

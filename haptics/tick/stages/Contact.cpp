@@ -75,6 +75,11 @@ void remember(const TickContext& tick, Contact::State& state) noexcept
 
 } // namespace
 
+bool Contact::feels(const TickContext& tick) noexcept
+{
+  return tick.touchable();
+}
+
 void Contact::step(TickContext& tick) noexcept
 {
   const WorkspaceMap& map = tick.p.map;

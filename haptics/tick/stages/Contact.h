@@ -96,6 +96,7 @@ struct Contact
   }
 
   static void step(TickContext& tick) noexcept;
+  [[nodiscard]] static bool feels(const TickContext& tick) noexcept;
   static void rest(TickContext& tick) noexcept;
 };
 

@@ -129,14 +129,14 @@ double bytesOf(const BoxedMesh& shape)
 
 } // namespace
 
-ToolResult makeTool(const TriangleMesh& raw, const std::optional<Vec3>& handle_W)
+Outcome<ToolMesh> makeTool(const TriangleMesh& raw, const std::optional<Vec3>& handle_W)
 {
-  ToolResult result;
+  Outcome<ToolMesh> result;
   const CleanResult given = cleanMesh(raw);
-  result.refusal = refusalOf(raw, given);
+  result.problem = refusalOf(raw, given);
   if (result.ok() && handle_W)
   {
-    result.refusal = refuseHandle(given.mesh, *handle_W);
+    result.problem = refuseHandle(given.mesh, *handle_W);
   }
   if (!result.ok())
   {
@@ -151,11 +151,11 @@ ToolResult makeTool(const TriangleMesh& raw, const std::optional<Vec3>& handle_W
   CleanResult body = cleanMesh(moved); // far from the origin the shift rounds, and what is left of slivers must be seen
   if (!body.ok())
   {
-    result.refusal =
+    result.problem =
       "the tool is so far from the origin that rounding destroys its triangles: move the tool closer to the origin";
     return result;
   }
-  ToolMesh& tool = result.tool;
+  ToolMesh& tool = result.value;
   tool.centre_W = metric.centre_W;
   tool.solid = metric.solid;
   tool.diagonal_u = boundsOf(body.mesh).diagonal().norm();

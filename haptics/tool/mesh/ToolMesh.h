@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "haptics/core/Outcome.h"
 #include "haptics/tool/mesh/BoxedMesh.h"
 #include "haptics/tool/mesh/SimpleShape.h"
 
@@ -32,15 +33,6 @@ struct ToolMesh
   [[nodiscard]] double restGap_u() const noexcept { return 2e-7 * this->diagonal_u; }
 };
 
-/// A tool, or the reason in words why the mesh cannot be one.
-struct ToolResult
-{
-  ToolMesh tool;
-  std::string refusal;
-
-  [[nodiscard]] bool ok() const noexcept { return this->refusal.empty(); }
-};
-
 /// What is felt of a tool that is a ball or a needle, and why; "": it is neither. One sentence without an end.
 /// `asBall`: the ball is felt.
 [[nodiscard]] std::string describeFelt(const ToolMesh& tool, bool asBall);
@@ -48,7 +40,7 @@ struct ToolResult
 /// Refuses what is no finite mesh with area, has one triangle alone, more than 250,000, or parts that lie so far apart
 /// that they are no one's hand tool. `handle_W`: the centre is where a hand holds it, in place of that of its mass;
 /// refused far outside of the tool.
-[[nodiscard]] ToolResult makeTool(const TriangleMesh& raw, const std::optional<Vec3>& handle_W = std::nullopt);
+[[nodiscard]] Outcome<ToolMesh> makeTool(const TriangleMesh& raw, const std::optional<Vec3>& handle_W = std::nullopt);
 
 /// What a tool of this size can touch: built for its rest gap. A scene that is clean, in W.
 [[nodiscard]] std::shared_ptr<const BoxedMesh> makeToolScene(TriangleMesh clean, const ToolMesh& tool);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "haptics/tool/servo/AllowedMotion.h"
+#include "haptics/tool/servo/Tangents.h"
 
 namespace palpate
 {
@@ -13,28 +14,8 @@ namespace
 
 constexpr int mostExchanges = 60, sweeps = 8;
 constexpr double settled = 1e-11; // of the wish
-using Tangents = Eigen::Matrix<double, 6, 2>;
 /// What rubs at each contact of a set, along its tangents.
 using Rubbing = std::array<Eigen::Vector2d, ToolContacts::capacity>;
-
-/// How a point of the tool goes along its contact, as columns that a whitened motion is multiplied by.
-Tangents tangentsOf(const ToolPress& press, const ToolContacts& set) noexcept
-{
-  const Vec3 arm_W = press.p_W - set.pose_W.p;
-  const Vec3 across = std::abs(press.n_W.x()) < 0.6 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
-  const Vec3 first = press.n_W.cross(across).normalized(), second = press.n_W.cross(first);
-  Tangents along;
-  along.col(0) << first, arm_W.cross(first) / set.lever_u;
-  along.col(1) << second, arm_W.cross(second) / set.lever_u;
-  return along;
-}
-
-/// The larger eigenvalue of the product of the two columns: steps of its inverse never go too far.
-double stiffest(const Tangents& along) noexcept
-{
-  const double a = along.col(0).squaredNorm(), b = along.col(1).squaredNorm(), c = along.col(0).dot(along.col(1));
-  return 0.5 * (a + b + std::sqrt((a - b) * (a - b) + 4.0 * c * c));
-}
 
 /// What rubs for given pushes: forces within the discs for which the motion with them is least, sought from those of
 /// before on. Returns their sum.
@@ -48,7 +29,8 @@ Vec6 rub(
   for (int k = 0; k < pushed.active; ++k)
   {
     const auto contact = static_cast<std::size_t>(pushed.presses[k].contact);
-    along[k] = tangentsOf(pushed.presses[k], set);
+    const ToolPress& press = pushed.presses[k];
+    along[k] = tangentsOf(press.n_W, press.p_W - set.pose_W.p, set.lever_u);
     forces[contact] = before[contact];
     sum += along[k] * forces[contact];
   }

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "haptics/tool/servo/Tangents.h"
+
 namespace palpate
 {
 namespace
@@ -13,7 +15,6 @@ namespace
 constexpr int mostSweeps = 12;
 constexpr double settled = 1e-4; // of the wish
 constexpr double beyond = 1.3;   // steps overshoot: where all contacts hold it settles in half the sweeps
-using Tangents = Eigen::Matrix<double, 6, 2>;
 
 /// A contact and its force. Whitened motions are multiplied by the columns.
 struct RubbingContact
@@ -27,24 +28,15 @@ struct RubbingContact
   Eigen::Vector2d rub_u;
 };
 
-double largerEigenvalue(const Tangents& along) noexcept
-{
-  const double a = along.col(0).squaredNorm(), b = along.col(1).squaredNorm(), c = along.col(0).dot(along.col(1));
-  return 0.5 * (a + b + std::sqrt((a - b) * (a - b) + 4.0 * c * c));
-}
-
 RubbingContact rubbingContact(const ToolContact& contact, const ToolContacts& set) noexcept
 {
   const Vec3& n_W = contact.n_W;
-  const Vec3 across = std::abs(n_W.x()) < 0.6 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
-  const Vec3 first = n_W.cross(across).normalized(), second = n_W.cross(first);
   RubbingContact rubbing;
   rubbing.normal << n_W, contact.arm_W.cross(n_W) / set.lever_u;
-  rubbing.along.col(0) << first, contact.arm_W.cross(first) / set.lever_u;
-  rubbing.along.col(1) << second, contact.arm_W.cross(second) / set.lever_u;
+  rubbing.along = tangentsOf(n_W, contact.arm_W, set.lever_u);
   rubbing.least_u = std::min(0.0, set.restGap_u - contact.gap_u);
   rubbing.normal2 = rubbing.normal.squaredNorm();
-  rubbing.stiffest2 = largerEigenvalue(rubbing.along);
+  rubbing.stiffest2 = stiffest(rubbing.along);
   rubbing.push_u = 0.0;
   rubbing.rub_u = Eigen::Vector2d::Zero();
   return rubbing;

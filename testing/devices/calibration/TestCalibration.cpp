@@ -63,9 +63,9 @@ TEST(Calibration, ComesBackFromItsTextToTheLastBit)
     Calibration c = example();
     c.axes[0].low_m = -random.uniform(1e-9, 1.0);
     c.axes[1].response_m_per_N = random.uniform(0.0, 1e-3);
-    const ParsedCalibration parsed = parseCalibration(writeCalibration(c));
-    ASSERT_TRUE(parsed.calibration) << parsed.problem;
-    EXPECT_EQ(*parsed.calibration, c);
+    const auto parsed = parseCalibration(writeCalibration(c));
+    ASSERT_TRUE(parsed.value) << parsed.problem;
+    EXPECT_EQ(*parsed.value, c);
   }
 }
 
@@ -75,16 +75,16 @@ TEST(Calibration, EveryProofIsKeptAndReadAgain)
   {
     Calibration c = example();
     c.held = static_cast<HeldProof>(proof);
-    const ParsedCalibration parsed = parseCalibration(writeCalibration(c));
-    ASSERT_TRUE(parsed.calibration) << parsed.problem;
-    EXPECT_EQ(parsed.calibration->held, c.held);
+    const auto parsed = parseCalibration(writeCalibration(c));
+    ASSERT_TRUE(parsed.value) << parsed.problem;
+    EXPECT_EQ(parsed.value->held, c.held);
   }
 }
 
 TEST(Calibration, EachWayOfBeingWrongIsNamed)
 {
   const std::string good = writeCalibration(example());
-  ASSERT_TRUE(parseCalibration(good).calibration);
+  ASSERT_TRUE(parseCalibration(good).value);
   const std::vector<std::pair<std::string, std::string>> bad = {
     { "", "not a calibration" },
     { replaced(good, "calibration 2", "calibration 3"), "version" },
@@ -110,8 +110,8 @@ TEST(Calibration, EachWayOfBeingWrongIsNamed)
   };
   for (const auto& [text, reason] : bad)
   {
-    const ParsedCalibration parsed = parseCalibration(text);
-    EXPECT_FALSE(parsed.calibration) << text;
+    const auto parsed = parseCalibration(text);
+    EXPECT_FALSE(parsed.value) << text;
     EXPECT_NE(parsed.problem.find(reason), std::string::npos) << reason << " is not in: " << parsed.problem;
   }
 }
@@ -121,7 +121,7 @@ TEST(Calibration, NoPartOfItPassesForTheWhole)
   const std::string good = writeCalibration(example());
   for (std::size_t length = 0; length < good.size(); ++length)
   {
-    EXPECT_FALSE(parseCalibration(good.substr(0, length)).calibration) << length;
+    EXPECT_FALSE(parseCalibration(good.substr(0, length)).value) << length;
   }
 }
 
@@ -144,14 +144,14 @@ TEST(Calibration, DevicesThatDifferInOddCharactersOnlyHaveFilesOfTheirOwn)
 TEST_F(CalibrationFiles, NothingIsKnownOfADeviceThatWasNeverChecked)
 {
   const KeptCalibration kept = this->load();
-  EXPECT_FALSE(kept.calibration);
+  EXPECT_FALSE(kept.value);
   EXPECT_EQ(kept.problem, "");
 }
 
 TEST_F(CalibrationFiles, WhatWasKeptIsFoundAgainAndLeavesNothingElseBehind)
 {
   ASSERT_EQ(saveCalibration(this->folder(), example()), "");
-  EXPECT_EQ(this->load().calibration, example());
+  EXPECT_EQ(this->load().value, example());
   EXPECT_EQ(std::distance(fs::directory_iterator(this->folder()), fs::directory_iterator()), 1);
 }
 
@@ -165,15 +165,15 @@ TEST_F(CalibrationFiles, ADamagedFileGivesTheOneBeforeItAndSaysSo)
   ASSERT_EQ(saveCalibration(this->folder(), second), "");
   this->write("palpate calib");
   const KeptCalibration kept = this->load();
-  EXPECT_EQ(kept.calibration, unfelt);
+  EXPECT_EQ(kept.value, unfelt);
   EXPECT_NE(kept.problem.find(this->file()), std::string::npos) << kept.problem;
   EXPECT_NE(kept.problem.find("previous calibration is used"), std::string::npos) << kept.problem;
 
   // A new one takes the place of the damaged one, not of the good one.
   ASSERT_EQ(saveCalibration(this->folder(), second), "");
-  EXPECT_EQ(this->load().calibration, second);
+  EXPECT_EQ(this->load().value, second);
   this->write("");
-  EXPECT_EQ(this->load().calibration, unfelt);
+  EXPECT_EQ(this->load().value, unfelt);
 }
 
 TEST_F(CalibrationFiles, ACheckThatFeelsAFaultEndsTheTrustThatWasKept)
@@ -182,20 +182,20 @@ TEST_F(CalibrationFiles, ACheckThatFeelsAFaultEndsTheTrustThatWasKept)
   const auto takeBack = [&](HeldProof proof)
   { return takeBackTrust(this->folder(), example().device, example().serial, proof); };
   ASSERT_EQ(takeBack(HeldProof::Unfelt), ""); // it ended before it felt anything
-  EXPECT_EQ(this->load().calibration, example());
+  EXPECT_EQ(this->load().value, example());
   ASSERT_EQ(takeBack(HeldProof::WrongWay), "");
   Calibration doubted = example();
   doubted.held = HeldProof::WrongWay;
-  EXPECT_EQ(this->load().calibration, doubted);
+  EXPECT_EQ(this->load().value, doubted);
   this->write("");
-  EXPECT_NE(this->load().calibration->held, HeldProof::Felt);
+  EXPECT_NE(this->load().value->held, HeldProof::Felt);
 }
 
 TEST_F(CalibrationFiles, WithoutAnOlderOneADamagedFileIsNamedWithItsReason)
 {
   this->write(replaced(writeCalibration(example()), "low -0.06", "low nan"));
   const KeptCalibration kept = this->load();
-  EXPECT_FALSE(kept.calibration);
+  EXPECT_FALSE(kept.value);
   EXPECT_EQ(kept.problem, this->file() + ": line 5 is damaged or not as expected");
 }
 
@@ -203,7 +203,7 @@ TEST_F(CalibrationFiles, ACopyOfAnotherDevicesFileIsNotTaken)
 {
   this->write(replaced(writeCalibration(example()), "serial 17", "serial 18"));
   const KeptCalibration kept = this->load();
-  EXPECT_FALSE(kept.calibration);
+  EXPECT_FALSE(kept.value);
   EXPECT_NE(kept.problem.find("another device"), std::string::npos) << kept.problem;
 }
 
@@ -215,7 +215,7 @@ TEST_F(CalibrationFiles, OneThatCannotBeWrittenLeavesTheOldOne)
   second.date = "2026-02-01";
   const std::string problem = saveCalibration(this->folder(), second);
   EXPECT_NE(problem.find(this->file()), std::string::npos) << problem;
-  EXPECT_EQ(this->load().calibration, example());
+  EXPECT_EQ(this->load().value, example());
 }
 
 TEST_F(CalibrationFiles, OneThatCannotBeIsNotKept)

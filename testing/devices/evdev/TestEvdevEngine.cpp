@@ -18,14 +18,14 @@ using test::VirtualDriver;
 struct Engine
 {
   explicit Engine(const EvdevTraits& traits = test::stickTraits())
-    : port(bus.plug(traits)), connection(bus.open(port.entry).connection), engine(*connection, traits)
+    : port(bus.plug(traits)), connection(bus.open(port.entry).value), engine(*connection, traits)
   {
   }
   VirtualDriver& driver() { return this->port.driver; }
   /// An effect of that type that plays. From the left it pushes to the right.
   int playing(HidUsage type, double comesFrom_deg = 270.0)
   {
-    const int block = this->engine.create(type).block;
+    const int block = this->engine.create(type).value;
     EffectSettings settings;
     settings.type = type;
     settings.comesFrom_deg = comesFrom_deg;
@@ -163,7 +163,7 @@ TEST(EvdevEngine, TellsWhenTheMemoryForEffectsIsFull)
     EXPECT_EQ(rig.engine.create(pid::constantForce).problem, "");
   }
   const EffectEngine::Created refused = rig.engine.create(pid::constantForce);
-  EXPECT_EQ(refused.block, 0);
+  EXPECT_EQ(refused.value, 0);
   EXPECT_NE(refused.problem.find("No space left"), std::string::npos) << refused.problem;
 }
 

@@ -14,7 +14,7 @@ namespace
 struct Reading
 {
   explicit Reading(const EvdevTraits& traits)
-    : port(bus.plug(traits)), connection(bus.open(port.entry).connection),
+    : port(bus.plug(traits)), connection(bus.open(port.entry).value),
       input(evdevKind(traits, port.entry), *connection)
   {
   }

@@ -104,7 +104,7 @@ extern "C"
     palpate::HidEntry entry;
     entry.path = path;
     palpate::HidBus::Opened opened = theBus()->open(entry);
-    return opened.connection == nullptr ? nullptr : new hid_device_{ std::move(opened.connection), {} };
+    return opened.value == nullptr ? nullptr : new hid_device_{ std::move(opened.value), {} };
   }
 
   void hid_close(hid_device* device)

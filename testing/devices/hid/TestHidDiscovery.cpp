@@ -136,7 +136,7 @@ TEST(HidapiBus, ADeviceThatIsNotThereIsAnAnswer)
   const HidEntry gone{ "/dev/hidraw4095", 1, 2, "", "" };
   EXPECT_NE(bus->descriptor(gone).problem, "");
   const HidBus::Opened opened = bus->open(gone);
-  EXPECT_EQ(opened.connection, nullptr);
+  EXPECT_EQ(opened.value, nullptr);
   EXPECT_NE(opened.problem.find("/dev/hidraw4095"), std::string::npos);
   static_cast<void>(bus->devices()); // whatever is plugged in here
 }

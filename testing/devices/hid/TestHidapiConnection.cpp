@@ -88,17 +88,17 @@ TEST_F(HidapiConnection, WhatTheSystemSaysOfAFailureIsPassedOn)
 {
   test::FakePort& port = this->plug(test::plainLayout(), "A");
   const HidBus::Opened opened = this->bus->open(port.entry);
-  ASSERT_NE(opened.connection, nullptr);
+  ASSERT_NE(opened.value, nullptr);
   port.present = false;
-  EXPECT_FALSE(opened.connection->write(std::vector<std::uint8_t>{ 0x1C, 3 }));
-  EXPECT_EQ(opened.connection->error(), "No such device");
+  EXPECT_FALSE(opened.value->write(std::vector<std::uint8_t>{ 0x1C, 3 }));
+  EXPECT_EQ(opened.value->error(), "No such device");
   std::vector<std::uint8_t> report(64);
-  while (opened.connection->read(report, 0) > 0)
+  while (opened.value->read(report, 0) > 0)
   {
   }
-  EXPECT_EQ(opened.connection->read(report, 0), -1);
-  EXPECT_EQ(opened.connection->getFeature(report), -1);
-  EXPECT_FALSE(opened.connection->setFeature(report));
+  EXPECT_EQ(opened.value->read(report, 0), -1);
+  EXPECT_EQ(opened.value->getFeature(report), -1);
+  EXPECT_FALSE(opened.value->setFeature(report));
 }
 
 TEST_F(HidapiConnection, ADeviceWithoutDescriptorIsPassedOver)

@@ -22,7 +22,7 @@ struct EngineRig
 {
   explicit EngineRig(const PidLayout& layout)
     : port(bus.plug(layout)), descriptor(parseReportDescriptor(port.descriptor)),
-      connection(bus.open(port.entry).connection), engine(*connection, descriptor)
+      connection(bus.open(port.entry).value), engine(*connection, descriptor)
   {
   }
 
@@ -36,10 +36,10 @@ struct EngineRig
     EffectSettings settings;
     settings.duration_ms = duration_ms;
     settings.comesFrom_deg = comesFrom_deg;
-    EXPECT_TRUE(this->engine.setEffect(made.block, settings));
-    EXPECT_TRUE(this->engine.setConstantForce(made.block, share));
-    EXPECT_TRUE(this->engine.start(made.block));
-    return made.block;
+    EXPECT_TRUE(this->engine.setEffect(made.value, settings));
+    EXPECT_TRUE(this->engine.setConstantForce(made.value, share));
+    EXPECT_TRUE(this->engine.start(made.value));
+    return made.value;
   }
 
   FakeHidBus bus;
@@ -201,9 +201,9 @@ TEST(PidEngine, ASineShakesWithItsPeriod)
   settings.type = pid::sine;
   settings.duration_ms = 1000;
   settings.comesFrom_deg = 270.0;
-  ASSERT_TRUE(rig.engine.setEffect(made.block, settings));
-  ASSERT_TRUE(rig.engine.setPeriodic(made.block, 0.5, 40.0));
-  ASSERT_TRUE(rig.engine.start(made.block));
+  ASSERT_TRUE(rig.engine.setEffect(made.value, settings));
+  ASSERT_TRUE(rig.engine.setPeriodic(made.value, 0.5, 40.0));
+  ASSERT_TRUE(rig.engine.start(made.value));
   for (int ms = 0; ms < 80; ++ms)
   {
     EXPECT_NEAR(rig.device().force()[0], 0.5 * std::sin(2.0 * M_PI * ms / 40.0), 1e-4) << ms;
@@ -230,7 +230,7 @@ TEST(PidEngine, AFullPoolIsSaidWithTheCure)
   ASSERT_EQ(rig.engine.open(), "");
   EXPECT_EQ(rig.engine.create(pid::spring).problem, "");
   const PidEngine::Created second = rig.engine.create(pid::damper);
-  EXPECT_EQ(second.block, 0);
+  EXPECT_EQ(second.value, 0);
   EXPECT_NE(second.problem.find("full"), std::string::npos);
   EXPECT_NE(second.problem.find("close other programs"), std::string::npos);
 }
@@ -268,7 +268,7 @@ TEST(PidEngine, FeatureRequestsThatTimeOutComeShortOrWithAnotherIdAreSaid)
   ASSERT_EQ(other.engine.open(), "");
   other.device().wrongLoad = std::vector<std::uint8_t>{ 0x77, 1, 1, 0, 0 };
   const PidEngine::Created made = other.engine.create(pid::spring);
-  EXPECT_EQ(made.block, 0);
+  EXPECT_EQ(made.value, 0);
   EXPECT_NE(made.problem.find("report 34 came as 119"), std::string::npos) << made.problem;
 }
 
@@ -277,7 +277,7 @@ TEST(PidEngine, ABlockOfZeroIsNotBelieved)
   EngineRig rig(test::plainLayout());
   ASSERT_EQ(rig.engine.open(), "");
   rig.device().wrongLoad = std::vector<std::uint8_t>{ 0x22, 0, 1, 0, 0 }; // success, in no block
-  EXPECT_EQ(rig.engine.create(pid::spring).block, 0);
+  EXPECT_EQ(rig.engine.create(pid::spring).value, 0);
 }
 
 TEST(PidEngine, UnpluggingAtAnyStepOfOpeningIsSaidAndEndsSoon)

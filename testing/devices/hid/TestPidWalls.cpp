@@ -61,7 +61,7 @@ struct Held
 {
   Held(const PidLayout& layout, const DeviceCommand& command, const PidScale& scale)
     : port(bus.plug(layout)), descriptor(parseReportDescriptor(port.descriptor)),
-      connection(bus.open(port.entry).connection), engine(*connection, descriptor)
+      connection(bus.open(port.entry).value), engine(*connection, descriptor)
   {
     EXPECT_EQ(this->engine.open(), "");
     this->plan = planWalls(command, scale, conditionAbilities(this->descriptor), largestShare);
@@ -72,7 +72,7 @@ struct Held
 
   int hold(HidUsage type, const std::array<Condition, 2>& conditions)
   {
-    const int block = this->engine.create(type).block;
+    const int block = this->engine.create(type).value;
     EffectSettings settings;
     settings.type = type;
     settings.duration_ms = 30000;

@@ -68,7 +68,7 @@ TEST(SoftElements, UnderOneDeformationNoInnerNodeFeelsAForce)
 
 TEST(SoftElements, TheForceOnAnEndIsTheStressTimesItsArea)
 {
-  const ElasticModuli moduli = moduliOf(1.0, 0.4, 1.0).moduli;
+  const ElasticModuli moduli = moduliOf(1.0, 0.4, 1.0).value;
   SoftBodyInput input;
   input.mesh = blockOf({ 3, 2, 2 }, { 3, 2, 2 });
   input.fixed = fixedWhere(input.mesh, [](const Vec3& p) { return p.x() == 0.0; });

@@ -71,7 +71,7 @@ std::vector<Mat3> stressOf(const SoftBody& body, const SoftBodyInput& input)
   for (const Mat3& f : deformationOf(body))
   {
     const double young_Pa = input.young_Pa[input.young_Pa.size() == 1 ? 0 : stress.size()];
-    stress.push_back(palpate::stressOf(input.model, moduliOf(young_Pa, input.poisson, 1.0).moduli, f));
+    stress.push_back(palpate::stressOf(input.model, moduliOf(young_Pa, input.poisson, 1.0).value, f));
   }
   return stress;
 }
@@ -254,7 +254,7 @@ TEST(SoftArrays, OfTwoConfinedLayersNoNodeFeelsAForceUnderTheirExactStrains)
     u[3 * static_cast<Eigen::Index>(v) + 2] = -0.01 * std::min(z, 0.02) - 0.001 * std::max(z - 0.02, 0.0);
   }
   made.body->place(u);
-  const ElasticModuli soft = moduliOf(1e4, 0.3, 1.0).moduli;
+  const ElasticModuli soft = moduliOf(1e4, 0.3, 1.0).value;
   const double along = -0.01 * (soft.lambda + 2.0 * soft.mu);
   for (const Mat3& stress : stressOf(*made.body, input))
   {
@@ -338,7 +338,7 @@ std::vector<std::uint32_t> materials(const TetraMesh& mesh, const std::function<
   std::vector<ElasticModuli> moduli;
   for (const Tetra& t : mesh.tetras)
   {
-    moduli.push_back(moduliOf(young_Pa(middleOf(mesh, t)), 0.3, 1.0).moduli);
+    moduli.push_back(moduliOf(young_Pa(middleOf(mesh, t)), 0.3, 1.0).value);
   }
   return materialsOf(mesh, moduli);
 }

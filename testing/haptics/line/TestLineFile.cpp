@@ -13,13 +13,13 @@ namespace
 
 TEST(LineFile, ReadsPlacesInAnyOrderOfColumns)
 {
-  const ParsedLine parsed = parseLine("value, s ,friction\r\n12.5,-0.04,0\n17 ,0.04, 0.25\n");
+  const auto parsed = parseLine("value, s ,friction\r\n12.5,-0.04,0\n17 ,0.04, 0.25\n");
   ASSERT_EQ(parsed.problem, "");
-  ASSERT_EQ(parsed.places.size(), 2U);
-  EXPECT_EQ(parsed.places[0].s_m, -0.04);
-  EXPECT_EQ(parsed.places[1].potential_J, 17.0);
-  EXPECT_EQ(parsed.places[1].friction_N, 0.25);
-  EXPECT_EQ(parseLine("s,value\n0,1\n1,1").places.size(), 2U); // the last line may end with the file
+  ASSERT_EQ(parsed.value.size(), 2U);
+  EXPECT_EQ(parsed.value[0].s_m, -0.04);
+  EXPECT_EQ(parsed.value[1].potential_J, 17.0);
+  EXPECT_EQ(parsed.value[1].friction_N, 0.25);
+  EXPECT_EQ(parseLine("s,value\n0,1\n1,1").value.size(), 2U); // the last line may end with the file
 }
 
 TEST(LineFile, EachWayOfBeingWrongIsNamedWithItsLine)
@@ -40,8 +40,8 @@ TEST(LineFile, EachWayOfBeingWrongIsNamedWithItsLine)
   };
   for (const auto& [text, reason] : bad)
   {
-    const ParsedLine parsed = parseLine(text);
-    EXPECT_TRUE(parsed.places.empty()) << text;
+    const auto parsed = parseLine(text);
+    EXPECT_TRUE(parsed.value.empty()) << text;
     EXPECT_NE(parsed.problem.find(reason), std::string::npos) << reason << " is not in: " << parsed.problem;
   }
 }
@@ -49,7 +49,7 @@ TEST(LineFile, EachWayOfBeingWrongIsNamedWithItsLine)
 TEST(LineFile, TheSteepestSlopeDrawsWithTheForceThatWasAskedFor)
 {
   LineWorld world;
-  world.places = parseLine("s,value\n0,10\n0.01,11\n0.02,15\n0.05,14\n").places;
+  world.places = parseLine("s,value\n0,10\n0.01,11\n0.02,15\n0.05,14\n").value;
   scaleToHardest(world.places, 0.5);
   EXPECT_NEAR(lineForce(world, 0.015), -0.5, 1e-12);      // 400 per m
   EXPECT_NEAR(lineForce(world, 0.005), -0.125, 1e-12);    // 100
@@ -59,7 +59,7 @@ TEST(LineFile, TheSteepestSlopeDrawsWithTheForceThatWasAskedFor)
 TEST(LineFile, ValuesThatAreAllTheSameStayFlat)
 {
   LineWorld world;
-  world.places = parseLine("s,value\n0,10\n0.01,10\n").places;
+  world.places = parseLine("s,value\n0,10\n0.01,10\n").value;
   scaleToHardest(world.places, 0.5);
   EXPECT_EQ(lineForce(world, 0.005), 0.0);
 }

@@ -8,6 +8,7 @@
 #include "SoftBlock.h"
 #include "devices/FedDevice.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/soft/SoftChoice.h"
 
 namespace palpate::test
@@ -33,7 +34,7 @@ protected:
     parameters.contact.radius_u = ballInLoop;
     parameters.safety = SafetyLimits::none();
     ASSERT_EQ(this->session.setParameters(parameters), "");
-    this->session.setSoft(choice);
+    this->session.choose<SoftTask>(choice);
     SessionOptions options;
     options.virtualTime = virtualTime;
     options.recordFile = file;

@@ -6,6 +6,7 @@
 
 #include "ToolHand.h"
 #include "haptics/recording/Recording.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/soft/SoftChoice.h"
 #include "haptics/tool/motion/Turn.h"
 #include "testing/haptics/compliance/Blocks.h"
@@ -22,7 +23,7 @@ constexpr double ballTool_m = 0.01, slant_rad = 0.7;
 
 ToolMesh ballTool(const std::optional<Vec3>& handle = std::nullopt)
 {
-  return makeTool(makeIcosphere(4, ballTool_m), handle).tool;
+  return makeTool(makeIcosphere(4, ballTool_m), handle).value;
 }
 
 /// The same mesh, of which nothing is known.
@@ -106,7 +107,7 @@ TEST(BallTool, OnABodyThatGivesWayListsWhatPushesItWhereTheBodyHasGoneTo)
   }
   constexpr double deep_m = 0.006;
   BallHand ball(nullptr, ballTool());
-  ball.session.setSoft({ std::make_shared<const SoftBodyInput>(input), "block", 25.0 });
+  ball.session.choose<SoftTask>({ std::make_shared<const SoftBodyInput>(input), "block", 25.0 });
   Random random(testSeed(1831)); // a scene far away, without which nothing tells that the tool is a ball
   ball.session.setScene(sceneOf(shifted(makeSheet({ 0.1, 0.1, 2, 2, 0.1 }, random), Vec3(0, 0, -9))));
   const Quat level = Quat::Identity();

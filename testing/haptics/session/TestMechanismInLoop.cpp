@@ -9,6 +9,7 @@
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/LoopReport.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/mechanism/MechanismChoice.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
 #include "haptics/session/mechanism/MechanismWorker.h"
@@ -119,7 +120,7 @@ protected:
     parameters.mechanismTurning_N_m_per_rad = handTurning;
     parameters.safety = this->safety;
     ASSERT_EQ(this->session.setParameters(parameters), "");
-    this->session.setMechanism(chosen(inputs));
+    this->session.choose<MechanismTask>(chosen(inputs));
     auto device = std::make_unique<HandOfTest>(turns);
     device->move(needleAt(Vec3(0, 0, 0.005)));
     ASSERT_EQ(this->session.start(std::move(device), asked), "");
@@ -210,7 +211,7 @@ TEST_F(MechanismInLoop, AHandThatTheDeviceCannotTurnFeelsNoTorqueAndOnlyAlongThe
   const HapticState state = this->hold(needleAt(Vec3(0, 0, lifted)), 1000);
   EXPECT_NEAR(state.force_W.z(), -handSpring * lifted, 1e-9);
   EXPECT_EQ(state.torque_D, Vec3(0, 0, 0));
-  EXPECT_EQ(this->session.mechanismStatus().check.freeTurns, 3);
+  EXPECT_EQ(this->session.status<MechanismTask>().check.freeTurns, 3);
 }
 
 TEST_F(MechanismInLoop, GivesNoForceUntilItIsAskedFor)
@@ -332,7 +333,7 @@ TEST_F(MechanismInLoop, AnotherMechanismInItsPlaceAndNoneAtAllNeverStep)
   MechanismInputs held = tipHeld();
   for (const MechanismChoice& next : { chosen(stronger), chosen(held), MechanismChoice{} })
   {
-    this->session.setMechanism(next);
+    this->session.choose<MechanismTask>(next);
     this->holdWithoutAStep(hand, 300);
   }
   EXPECT_FALSE(this->session.state().mechanism.held);
@@ -351,9 +352,9 @@ TEST_F(MechanismInLoop, WhatIsNoMechanismIsSaidAndNotFelt)
     this->begin(wrong);
     const HapticState& state = this->hold(needleAt(Vec3::Zero()), 5);
     EXPECT_FALSE(state.mechanism.held);
-    EXPECT_FALSE(this->session.mechanismStatus().building);
-    EXPECT_NE(this->session.mechanismStatus().problem, "");
-    EXPECT_EQ(this->session.mechanismStatus().problem.find('\n'), std::string::npos);
+    EXPECT_FALSE(this->session.status<MechanismTask>().building);
+    EXPECT_NE(this->session.status<MechanismTask>().problem, "");
+    EXPECT_EQ(this->session.status<MechanismTask>().problem.find('\n'), std::string::npos);
     EXPECT_EQ(this->session.stop(), "");
   }
 }
@@ -361,26 +362,26 @@ TEST_F(MechanismInLoop, WhatIsNoMechanismIsSaidAndNotFelt)
 TEST_F(MechanismInLoop, ItIsBeingComputedUntilTheServoIsGivenItAndItsBodiesAreToBeSeenFromThenOn)
 {
   this->begin(needleAndBlock(), true, SessionOptions{});
-  EXPECT_TRUE(this->session.mechanismStatus().building);
-  EXPECT_TRUE(eventually([&] { return !this->session.mechanismStatus().building; }));
-  const MechanismStatus first = this->session.mechanismStatus();
+  EXPECT_TRUE(this->session.status<MechanismTask>().building);
+  EXPECT_TRUE(eventually([&] { return !this->session.status<MechanismTask>().building; }));
+  const MechanismStatus first = this->session.status<MechanismTask>();
   EXPECT_GT(first.plan, 0u);
   ASSERT_EQ(first.soft.size(), 1u);
   EXPECT_EQ(first.soft[0].shape->dent_u.size(), first.soft[0].asMade->mesh.vertices_W.size());
   EXPECT_TRUE(eventually([&] { return this->session.state().mechanism.revision == first.plan; }));
   MechanismInputs stronger = needleAndBlock();
   stronger.mechanism.laws[0].strength_N = 3.0;
-  this->session.setMechanism(chosen(stronger));
-  EXPECT_TRUE(this->session.mechanismStatus().building);
-  EXPECT_TRUE(eventually([&] { return this->session.mechanismStatus().plan > first.plan; }));
-  EXPECT_FALSE(this->session.mechanismStatus().building);
+  this->session.choose<MechanismTask>(chosen(stronger));
+  EXPECT_TRUE(this->session.status<MechanismTask>().building);
+  EXPECT_TRUE(eventually([&] { return this->session.status<MechanismTask>().plan > first.plan; }));
+  EXPECT_FALSE(this->session.status<MechanismTask>().building);
 }
 
 TEST_F(MechanismInLoop, ItsThreadMakesPacketsThatGiveWay)
 {
   this->begin(needleAndBlock(ElasticModel::NeoHookean), true, SessionOptions{});
-  EXPECT_TRUE(eventually([&] { return this->session.mechanismStatus().packets > 2; }));
-  EXPECT_EQ(this->session.mechanismStatus().problem, "");
+  EXPECT_TRUE(eventually([&] { return this->session.status<MechanismTask>().packets > 2; }));
+  EXPECT_EQ(this->session.status<MechanismTask>().problem, "");
   EXPECT_TRUE(eventually([&] { return this->session.state().mechanism.held; }));
   static_cast<HandOfTest*>(this->session.device())->move(needleAt(Vec3(0, 0, -0.002)));
   EXPECT_TRUE(eventually([&] { return this->session.state().mechanism.laws[0].force_N > 0.0; }));

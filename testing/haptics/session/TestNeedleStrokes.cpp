@@ -9,6 +9,7 @@
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/mechanism/MechanismChoice.h"
 #include "testing/support/Random.h"
 #include "testing/support/TemporaryFolder.h"
@@ -104,7 +105,7 @@ protected:
     this->limits = parameters.safety;
     ASSERT_EQ(this->session.setParameters(parameters), "");
     const MechanismInputs inputs = held() ? wallAndLiver(1) : guided(wallAndLiver(1));
-    this->session.setMechanism({ std::make_shared<const MechanismInputs>(inputs), "needle", 25.0 });
+    this->session.choose<MechanismTask>({ std::make_shared<const MechanismInputs>(inputs), "needle", 25.0 });
     SimulationOptions simulated;
     simulated.push_D = Vec3(0.0, 0.0, held() ? 0.0 : 0.5); // whom nobody holds lies on the wall by its weight
     const Vec3 from(0.0, 0.0, (held() ? before_m : -2e-4) - needle_m), to(1e-3, 2e-3, beyond_m - needle_m);

@@ -6,6 +6,7 @@
 #include "haptics/session/HapticSession.h"
 #include "haptics/geometry/scene/SceneMotion.h"
 #include "haptics/recording/Recording.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/scene/FeltScene.h"
 #include "haptics/session/soft/SoftChoice.h"
 #include "testing/support/Meshes.h"
@@ -100,7 +101,7 @@ TEST_F(SoftInLoop, OfABodyThatIsComputedMoreOftenWhatIsBesideItStaysWhereItWent)
   this->begin(choice);
   this->hold(Vec3(0, 0, 0.02), 400);
   choice.rate_Hz = 50.0;
-  this->session.setSoft(choice);
+  this->session.choose<SoftTask>(choice);
   for (int i = 0; i < 100; ++i)
   {
     EXPECT_EQ(this->hold(Vec3(0, 0, 0.02)).motionLag_s, 0.0) << i; // of what is under way: the whole time of its way

@@ -10,6 +10,7 @@
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/soft/SoftChoice.h"
 #include "testing/support/TemporaryFolder.h"
 
@@ -82,7 +83,7 @@ protected:
     parameters.stiffness_N_per_m = 500.0;
     parameters.safety = SafetyLimits::none();
     ASSERT_EQ(this->session.setParameters(parameters), "");
-    this->session.setSoft(
+    this->session.choose<SoftTask>(
       { std::make_shared<const SoftBodyInput>(softBlock(ElasticModel::NeoHookean)), "block", 25.0 });
     const Vec3 aside(0.012, 0.008, 0.0), up(0.0, 0.0, this->held() ? 0.02 : 0.002); // 1 N on .1 kg makes .2 m/s of 2 mm
     HandPath path{

@@ -8,6 +8,7 @@
 #include "SoftInLoop.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/recording/inputs/Bodies.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/soft/BodyMaker.h"
 #include "haptics/session/soft/SoftChoice.h"
 #include "haptics/session/soft/SoftWorker.h"
@@ -57,7 +58,7 @@ TEST_F(SoftInLoop, ReplaysBitForBitWithPacketsThatBendTheSurface)
       EXPECT_LE(state.soft.age_s, 0.081) << "two periods at most, and a tick";
     });
   EXPECT_GT(presses, 500u);
-  EXPECT_GT(this->session.softStatus().packets, 30u);
+  EXPECT_GT(this->session.status<SoftTask>().packets, 30u);
   EXPECT_EQ(this->session.stop(), "");
   const auto read = readRecording(path);
   ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
@@ -135,18 +136,18 @@ TEST_F(SoftInLoop, ATicksForceIsThatOfTheBallItShowsBesideWhatTheEnergyBalanceAd
 TEST_F(SoftInLoop, AToolBesideItIsNotHeldAndSaysSoAndTheBallPressesAsWithoutIt)
 {
   const ToolChoice cube{
-    std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-0.01), Vec3::Constant(0.01))).tool), 0.0
+    std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-0.01), Vec3::Constant(0.01))).value), 0.0
   };
   this->begin(blockOf20kPa());
   (void)this->hold(Vec3(0, 0, 0.001), 200);
   const double alone_N = this->hold(Vec3(0, 0, -0.004), 600).force_W.norm();
   ASSERT_GT(alone_N, 0.1);
-  this->session.setTool(cube);
+  this->session.choose<ToolTask>(cube);
   EXPECT_NE(this->session.toolRefusal().find("cannot touch a soft body"), std::string::npos);
   const HapticState& beside = this->hold(Vec3(0, 0, -0.004), 200);
   EXPECT_FALSE(beside.tool.held);
   EXPECT_NEAR(beside.force_W.norm(), alone_N, 1e-3 * alone_N);
-  this->session.setSoft({});
+  this->session.choose<SoftTask>({});
   EXPECT_EQ(this->session.toolRefusal(), "");
   EXPECT_TRUE(this->hold(Vec3(0, 0, 0.05), 400).tool.held);
 }
@@ -185,7 +186,7 @@ TEST_F(SoftInLoop, ABodyThatIsTakenAwayWhilePressedLetsTheHandGoWithoutAStep)
   this->begin(blockOf20kPa(ElasticModel::Linear));
   const double force_N = this->hold(Vec3(0, 0, -0.006), 400).force_W.norm();
   EXPECT_GT(force_N, 0.5);
-  this->session.setSoft({});
+  this->session.choose<SoftTask>({});
   double last_N = force_N;
   for (int i = 0; i < 400; ++i)
   {
@@ -200,7 +201,7 @@ TEST_F(SoftInLoop, ACoarserBodyInItsPlaceIsNotPressedAtTheVerticesOfTheOld)
 {
   this->begin(blockOf20kPa());
   ASSERT_TRUE(this->hold(Vec3(0, 0, -0.004), 400).soft.pressed);
-  this->session.setSoft({ std::make_shared<const SoftBodyInput>(pad(2)), "coarse", 25.0 });
+  this->session.choose<SoftTask>({ std::make_shared<const SoftBodyInput>(pad(2)), "coarse", 25.0 });
   const HapticState& state = this->hold(Vec3(0, 0, -0.004), 400);
   EXPECT_TRUE(state.soft.pressed);
   EXPECT_GT(state.force_W.z(), 0.0);
@@ -219,7 +220,7 @@ TEST_F(SoftInLoop, ABodyThatBeginsToGiveWayUnderAPressedHandDoesSoWithoutAStep)
   this->begin({});
   const double rigid_N = this->hold(Vec3(0, 0, -0.004), 400).force_W.norm();
   ASSERT_NEAR(rigid_N, springInLoop * 0.004, 1e-9);
-  this->session.setSoft(blockOf20kPa(ElasticModel::Linear));
+  this->session.choose<SoftTask>(blockOf20kPa(ElasticModel::Linear));
   double last_N = rigid_N;
   for (int i = 0; i < 400; ++i)
   {
@@ -235,16 +236,16 @@ TEST_F(SoftInLoop, ABodyThatIsComputedLessOftenIsNotMadeAnew)
   SoftChoice choice = blockOf20kPa();
   this->begin(choice);
   double last_N = this->hold(Vec3(0, 0, -0.004), 400).force_W.norm();
-  const std::uint64_t before = this->session.softStatus().packets;
+  const std::uint64_t before = this->session.status<SoftTask>().packets;
   choice.rate_Hz = 10.0;
-  this->session.setSoft(choice);
+  this->session.choose<SoftTask>(choice);
   for (int i = 0; i < 400; ++i)
   {
     const double now_N = this->hold(Vec3(0, 0, -0.004)).force_W.norm();
     EXPECT_LE(std::abs(now_N - last_N), 0.01) << i;
     last_N = now_N;
   }
-  EXPECT_GT(this->session.softStatus().packets, before);
+  EXPECT_GT(this->session.status<SoftTask>().packets, before);
 }
 
 TEST_F(SoftInLoop, AHandAtRestFeelsWhatTheBodyPushesAndNothingForItsEnergy)
@@ -264,7 +265,7 @@ TEST_F(SoftInLoop, AnotherBodyInItsPlaceIsPressedFromTheSameSide)
   const double soft_N = this->hold(Vec3(0, 0, -0.006), 400).force_W.z();
   SoftBodyInput stiffer = softBlock(ElasticModel::Linear);
   stiffer.young_Pa = { 40e3 };
-  this->session.setSoft({ std::make_shared<const SoftBodyInput>(stiffer), "block", 25.0 });
+  this->session.choose<SoftTask>({ std::make_shared<const SoftBodyInput>(stiffer), "block", 25.0 });
   const HapticState& state = this->hold(Vec3(0, 0, -0.006), 400);
   EXPECT_GT(state.force_W.z(), 1.2 * soft_N);
   EXPECT_LT(state.force_W.head<2>().norm(), 0.01 * soft_N);
@@ -273,11 +274,11 @@ TEST_F(SoftInLoop, AnotherBodyInItsPlaceIsPressedFromTheSameSide)
 TEST_F(SoftInLoop, ItsThreadMakesPacketsThatBendWithTheHand)
 {
   this->begin(blockOf20kPa(), {}, false);
-  EXPECT_TRUE(eventually([&] { return this->session.softStatus().packets > 2; }));
-  EXPECT_EQ(this->session.softStatus().problem, "");
+  EXPECT_TRUE(eventually([&] { return this->session.status<SoftTask>().packets > 2; }));
+  EXPECT_EQ(this->session.status<SoftTask>().problem, "");
   feed(*static_cast<FedDevice*>(this->session.device()), Vec3(0, 0, -0.004));
   EXPECT_TRUE(eventually([&] { return this->session.state().soft.pressed; }));
-  EXPECT_TRUE(eventually([&] { return this->session.softStatus().shape->mostGradient > 1e-3; }));
+  EXPECT_TRUE(eventually([&] { return this->session.status<SoftTask>().shape->mostGradient > 1e-3; }));
 }
 
 TEST_F(SoftInLoop, WhatIsNoBodyIsSaid)
@@ -286,7 +287,7 @@ TEST_F(SoftInLoop, WhatIsNoBodyIsSaid)
   floating.fixed.assign(floating.fixed.size(), false);
   this->begin({ std::make_shared<const SoftBodyInput>(floating), "block", 25.0 });
   this->hold(Vec3(0, 0, -0.004), 5);
-  EXPECT_NE(this->session.softStatus().problem, "");
+  EXPECT_NE(this->session.status<SoftTask>().problem, "");
   EXPECT_FALSE(this->session.state().soft.felt);
 }
 

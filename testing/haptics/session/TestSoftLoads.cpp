@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "SoftBlock.h"
+#include "haptics/recording/inputs/Bodies.h"
 #include "haptics/session/soft/SoftWorker.h"
 #include "testing/support/Eventually.h"
 #include "testing/support/Says.h"
@@ -112,7 +113,7 @@ TEST(SoftLoads, AreGivenUpWithTheFactorThatIsUnderWayOnceTheBodyIsNotWanted)
 TEST(SoftLoads, OfABodyThatIsNotWantedBeforeItIsThereAreNeverSaidAndTheNextBodyIsFelt)
 {
   SoftLinks links;
-  SoftWorker worker(links, false);
+  BackgroundWorker<SoftTask> worker(links, false);
   SoftBodyInput large = pad(12);
   large.load_N.assign(large.mesh.vertices_W.size(), Vec3(0, 0, -1e-4));
   const SoftChoice unwanted{ std::make_shared<const SoftBodyInput>(large), "large", 25.0 };
@@ -120,8 +121,8 @@ TEST(SoftLoads, OfABodyThatIsNotWantedBeforeItIsThereAreNeverSaidAndTheNextBodyI
     25.0 };
   for (int i = 0; i < 3; ++i)
   {
-    worker.setBody(unwanted);
-    worker.setBody(wanted);
+    worker.order({ unwanted, nullptr });
+    worker.order({ wanted, nullptr });
     const auto isFelt = [&]
     {
       const SoftStatus status = worker.status();
@@ -130,8 +131,8 @@ TEST(SoftLoads, OfABodyThatIsNotWantedBeforeItIsThereAreNeverSaidAndTheNextBodyI
              status.asMade->mesh.tetras.size() == wanted.input->mesh.tetras.size();
     };
     EXPECT_TRUE(eventually(isFelt)) << i;
-    worker.setBody(unwanted);
-    worker.setBody({});
+    worker.order({ unwanted, nullptr });
+    worker.order({});
     EXPECT_TRUE(eventually([&] { return !worker.status().building && worker.status().packets == 0; })) << i;
     EXPECT_EQ(worker.status().problem, "");
   }

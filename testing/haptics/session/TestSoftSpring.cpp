@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "SoftInLoop.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/soft/SoftWorker.h"
 
 namespace palpate::test
@@ -34,7 +35,7 @@ TEST_F(SoftInLoop, WithoutTheEnergyBalanceEveryTicksForceIsTheSpringsThoughPacke
         << i;
     }
     EXPECT_GT(pressed, 800);
-    EXPECT_GT(this->session.softStatus().packets, 20u);
+    EXPECT_GT(this->session.status<SoftTask>().packets, 20u);
     EXPECT_EQ(this->session.stop(), "");
   }
 }

@@ -7,6 +7,7 @@
 #include "ToolHand.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/Warning.h"
 #include "haptics/session/tool/ToolChoice.h"
 #include "haptics/tool/motion/Turn.h"
@@ -25,7 +26,7 @@ constexpr double halfTool = 0.02;
 ToolChoice cubeTool()
 {
   return {
-    std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-halfTool), Vec3::Constant(halfTool))).tool), 0.0
+    std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-halfTool), Vec3::Constant(halfTool))).value), 0.0
   };
 }
 
@@ -197,16 +198,16 @@ TEST_F(ToolInLoop, ThatBeginsInsideOfAClosedBodySaysSoUntilTheHandTakesItOutside
   this->begin(sceneOf(makeBox(Vec3(-0.1, -0.1, -0.1), Vec3(0.1, 0.1, 0.1))), cubeTool());
   this->hold(0.0, 5);
   EXPECT_TRUE(this->session.state().tool.placed) << "it is free there";
-  EXPECT_NE(this->session.toolNoWayOut().find("inside a closed body"), std::string::npos);
+  EXPECT_NE(this->session.status<ToolTask>().noWayOut.find("inside a closed body"), std::string::npos);
   this->hold(0.2, 50);
-  EXPECT_NE(this->session.toolNoWayOut(), "") << "nothing is passed";
-  this->session.setTool({});
+  EXPECT_NE(this->session.status<ToolTask>().noWayOut, "") << "nothing is passed";
+  this->session.choose<ToolTask>({});
   this->hold(0.2, 5);
-  EXPECT_EQ(this->session.toolNoWayOut(), "");
-  this->session.setTool(cubeTool());
+  EXPECT_EQ(this->session.status<ToolTask>().noWayOut, "");
+  this->session.choose<ToolTask>(cubeTool());
   this->hold(0.2, 5);
   EXPECT_TRUE(this->session.state().tool.placed);
-  EXPECT_EQ(this->session.toolNoWayOut(), "");
+  EXPECT_EQ(this->session.status<ToolTask>().noWayOut, "");
 }
 
 TEST_F(ToolInLoop, ThatIsClosedAllAroundWhatIsShownSaysSo)
@@ -214,18 +215,18 @@ TEST_F(ToolInLoop, ThatIsClosedAllAroundWhatIsShownSaysSo)
   TriangleMesh shell = makeBox(Vec3::Constant(-0.1), Vec3::Constant(0.1));
   const TriangleMesh part = makeBox(Vec3::Constant(-0.01), Vec3::Constant(0.01));
   const auto take = [&](const TriangleMesh& tool) {
-    this->session.setTool({ std::make_shared<const ToolMesh>(makeTool(tool).tool), 0.0 });
+    this->session.choose<ToolTask>({ std::make_shared<const ToolMesh>(makeTool(tool).value), 0.0 });
   };
   this->begin(sceneOf(part), {});
   take(shell);
   this->hold(0.0, 5);
-  EXPECT_NE(this->session.toolNoWayOut().find("encloses"), std::string::npos);
+  EXPECT_NE(this->session.status<ToolTask>().noWayOut.find("encloses"), std::string::npos);
   this->hold(0.5, 50);
-  EXPECT_NE(this->session.toolNoWayOut(), "") << "nothing is passed";
+  EXPECT_NE(this->session.status<ToolTask>().noWayOut, "") << "nothing is passed";
   shell.triangles.resize(10); // without its top
   take(shell);
   this->hold(0.5, 5);
-  EXPECT_EQ(this->session.toolNoWayOut(), "");
+  EXPECT_EQ(this->session.status<ToolTask>().noWayOut, "");
 }
 
 TEST_F(ToolInLoop, GoesOnFromWhereTheHandCameFromInASceneThatLeavesNoRoomWhereItIs)
@@ -321,7 +322,7 @@ TEST_F(ToolInLoop, GoesOnFromNoPlaceThatTheHandLeftLongAgoNorFromOneOfAnotherMap
     }
     if (which == Case::OtherTool)
     {
-      this->session.setTool(cubeTool());
+      this->session.choose<ToolTask>(cubeTool());
     }
     this->session.setScene(around);
     const HapticState& state = this->hold(at, 20);
@@ -362,7 +363,7 @@ TEST_F(ToolInLoop, LaidDownOrExchangedWhileItPressesNeverPushesHarder)
   this->begin(sceneOf(sheetAt(0.0)), cubeTool());
   this->hold(0.03, 5);
   const double pressed_N = this->hold(halfTool - 0.003, 1000).force_W.norm();
-  this->session.setTool({});
+  this->session.choose<ToolTask>({});
   for (int i = 0; i < 50; ++i)
   {
     const HapticState& state = this->hold(halfTool - 0.003);
@@ -372,7 +373,7 @@ TEST_F(ToolInLoop, LaidDownOrExchangedWhileItPressesNeverPushesHarder)
   constexpr double blend_s = 0.03, tick_s = 0.001; // the ball is above the sheet: what is left fades
   const double left_N = pressed_N * std::pow(blend_s / (blend_s + tick_s), 1000);
   EXPECT_LE(this->hold(halfTool - 0.003, 1000).force_W.norm(), left_N);
-  this->session.setTool(cubeTool());
+  this->session.choose<ToolTask>(cubeTool());
   EXPECT_EQ(this->hold(halfTool - 0.003, 5).fault, Fault::ToolWaits) << "it cannot begin in the sheet";
 }
 
@@ -380,7 +381,7 @@ TEST(ToolThread, FollowsTheHandBesideTheServoAndDoesSoAgainAfterItWasLaidDown)
 {
   HapticSession session;
   session.setScene(sceneOf(sheetAt(0.0)));
-  session.setTool(cubeTool());
+  session.choose<ToolTask>(cubeTool());
   ASSERT_EQ(session.start(std::make_unique<FedDevice>()), "");
   DeviceSample sample;
   const auto hold = [&](double z)
@@ -392,10 +393,10 @@ TEST(ToolThread, FollowsTheHandBesideTheServoAndDoesSoAgainAfterItWasLaidDown)
   EXPECT_TRUE(eventually([&] { return session.state().tool.placed; }));
   hold(halfTool - 0.001);
   EXPECT_TRUE(eventually([&] { return session.state().contacts > 0; }));
-  session.setTool({}); // its thread has nothing to do
+  session.choose<ToolTask>({}); // its thread has nothing to do
   EXPECT_TRUE(eventually([&] { return !session.state().tool.held; }));
   hold(0.03);
-  session.setTool(cubeTool());
+  session.choose<ToolTask>(cubeTool());
   EXPECT_TRUE(eventually([&] { return session.state().tool.placed; }));
   EXPECT_EQ(session.stop(), "");
 }

@@ -11,6 +11,7 @@
 #include "haptics/force/StabilityLimits.h"
 #include "haptics/safety/HandLimits.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/tool/ToolChoice.h"
 #include "haptics/tool/motion/Turn.h"
 #include "testing/support/Meshes.h"
@@ -111,7 +112,7 @@ Seen play(const Deed& deed, const HandModel& hand)
   HapticSession session;
   EXPECT_EQ(session.setParameters(parameters), "");
   session.setScene(sceneOf(deed.scene));
-  session.setTool({ std::make_shared<const ToolMesh>(makeTool(deed.tool, Vec3(Vec3::Zero())).tool), 0.0 });
+  session.choose<ToolTask>({ std::make_shared<const ToolMesh>(makeTool(deed.tool, Vec3(Vec3::Zero())).value), 0.0 });
   SessionOptions options;
   options.virtualTime = true;
   auto made = std::make_unique<SimulatedDevice>(*deviceModel("simulated-6d"), hand, HandPath{ { deed.hand_W(0.0).p } });
@@ -186,13 +187,13 @@ TEST(TurningHand, WithALongLeverIsGivenTheStiffnessThatItsTurnsHold)
     "");
   session.step(2);
   const double ofWays_N_per_m = session.state().stiffness_N_per_m;
-  const auto tool = std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-0.1), Vec3::Constant(0.1))).tool);
-  session.setTool({ tool, 3.0 });
+  const auto tool = std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-0.1), Vec3::Constant(0.1))).value);
+  session.choose<ToolTask>({ tool, 3.0 });
   session.step(2);
   EXPECT_LT(session.state().stiffness_N_per_m, 0.5 * ofWays_N_per_m);
   EXPECT_DOUBLE_EQ(session.state().stiffness_N_per_m, 0.8 * session.limits().turning_N_per_m);
   EXPECT_EQ(session.limits().decides, StiffnessLimit::Turning);
-  session.setTool({});
+  session.choose<ToolTask>({});
   session.step(2);
   EXPECT_EQ(session.state().stiffness_N_per_m, ofWays_N_per_m);
 }

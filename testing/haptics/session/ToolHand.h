@@ -5,6 +5,7 @@
 
 #include "devices/FedDevice.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/tool/ToolChoice.h"
 
 namespace palpate::test
@@ -24,7 +25,7 @@ public:
     parameters.safety = SafetyLimits::none();
     ASSERT_EQ(this->session.setParameters(parameters), "");
     this->session.setScene(scene);
-    this->session.setTool(tool);
+    this->session.choose<ToolTask>(tool);
     SessionOptions options;
     options.virtualTime = true;
     options.recordFile = file;

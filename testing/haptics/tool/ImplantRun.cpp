@@ -12,6 +12,7 @@
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/tool/ToolChoice.h"
 #include "haptics/tool/motion/Turn.h"
 #include "testing/support/Meshes.h"
@@ -57,7 +58,7 @@ class ImplantPlay
 {
 public:
   explicit ImplantPlay(const ImplantTask& task)
-    : task_(task), tool_(std::make_shared<const ToolMesh>(makeTool(task.implant, middleOf(task.implant)).tool)),
+    : task_(task), tool_(std::make_shared<const ToolMesh>(makeTool(task.implant, middleOf(task.implant)).value)),
       path_(this->folder_.file("implant.palpate"))
   {
   }
@@ -89,7 +90,7 @@ private:
     parameters.map.offset_W = this->tool_->centre_W;
     this->note(this->session_.setParameters(parameters));
     this->session_.setScene(sceneOf(this->task_.bone));
-    this->session_.setTool({ this->tool_, 0.0 });
+    this->session_.choose<ToolTask>({ this->tool_, 0.0 });
     SessionOptions options;
     options.virtualTime = true;
     options.recordFile = this->path_;

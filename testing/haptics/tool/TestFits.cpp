@@ -98,7 +98,7 @@ TEST(Fits, ACubeOnTrianglesSlidesWithoutAnyForceAlongThemAtAnyScaleRow30)
     Random random(testSeed(3001));
     const double half = 20.0 * scale;
     const TriangleMesh plane = makeSheet({ 400.0 * scale, 400.0 * scale, 100, 100, 0.3 }, random);
-    const ToolMesh tool = makeTool(makeBox(Vec3::Constant(-half), Vec3::Constant(half))).tool;
+    const ToolMesh tool = makeTool(makeBox(Vec3::Constant(-half), Vec3::Constant(half))).value;
     ToolMove move(tool, makeToolScene(cleanMesh(plane).mesh, tool), tool.gyration_u);
     ASSERT_EQ(move.place({ Vec3(0, 0, 1.1 * half), Quat::Identity() }), "");
     const double depth = 0.1 * half;

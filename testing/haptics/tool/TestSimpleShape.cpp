@@ -82,7 +82,7 @@ TEST(SimpleShape, OfACubeOfHalfABallAndOfABallWithAHoleIsNone)
   holed.triangles.resize(holed.triangles.size() / 2);
   EXPECT_FALSE(simpleShapeOf(cleanMesh(holed).mesh, within));
   EXPECT_FALSE(simpleShapeOf({}, within));
-  EXPECT_FALSE(makeTool(makeBox(Vec3::Constant(-1), Vec3::Constant(1))).tool.simple);
+  EXPECT_FALSE(makeTool(makeBox(Vec3::Constant(-1), Vec3::Constant(1))).value.simple);
 }
 
 TEST(SimpleShape, ABallIsWhereItsMeshIsToWithinTheBoundRow63)

@@ -67,7 +67,7 @@ double shareAbove(const std::vector<double>& signal, double rate_Hz)
 
 void expectSmooth(const TriangleMesh& toolMesh, const TriangleMesh& sceneMesh, double touches_m)
 {
-  const ToolMesh tool = makeTool(toolMesh, Vec3(Vec3::Zero())).tool;
+  const ToolMesh tool = makeTool(toolMesh, Vec3(Vec3::Zero())).value;
   ToolMove move(tool, makeToolScene(cleanMesh(sceneMesh).mesh, tool), tool.gyration_u);
   ASSERT_EQ(move.place({ Vec3(0, 0, touches_m + 0.005), Quat::Identity() }), "");
   std::vector<double> force_N;

@@ -44,7 +44,7 @@ Rest nearestRest(double depth_mm, double tilt_rad, double lever_mm)
 
 struct TippedCube
 {
-  ToolMesh tool = makeTool(makeBox(Vec3::Constant(-half_mm), Vec3::Constant(half_mm))).tool;
+  ToolMesh tool = makeTool(makeBox(Vec3::Constant(-half_mm), Vec3::Constant(half_mm))).value;
   std::shared_ptr<const BoxedMesh> plane;
 
   explicit TippedCube(int cells)

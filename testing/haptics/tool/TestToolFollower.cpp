@@ -18,7 +18,7 @@ constexpr double cubeHalf = 0.02;
 ToolMove cubeAboveAPlane(int cells)
 {
   Random random(testSeed(1801));
-  const ToolMesh tool = makeTool(makeBox(Vec3::Constant(-cubeHalf), Vec3::Constant(cubeHalf))).tool;
+  const ToolMesh tool = makeTool(makeBox(Vec3::Constant(-cubeHalf), Vec3::Constant(cubeHalf))).value;
   ToolMove move(
     tool, makeToolScene(cleanMesh(makeSheet({ 0.4, 0.4, cells, cells, 0.3 }, random)).mesh, tool), tool.gyration_u);
   EXPECT_EQ(move.place({ Vec3(0, 0, 0.03), Quat::Identity() }), "");
@@ -45,7 +45,7 @@ TEST(ToolFollower, PublishesNothingNewUntilAHandIsThereAndThenWhatItTouches)
 
 TEST(ToolFollower, WaitsWithoutAForceUntilTheHandIsWhereTheToolIsFree)
 {
-  const ToolMesh tool = makeTool(makeBox(Vec3::Constant(-cubeHalf), Vec3::Constant(cubeHalf))).tool;
+  const ToolMesh tool = makeTool(makeBox(Vec3::Constant(-cubeHalf), Vec3::Constant(cubeHalf))).value;
   const auto wall = makeToolScene(cleanMesh(makeBox(Vec3(-1, -1, -1), Vec3(1, 1, 0))).mesh, tool);
   ToolLinks links;
   ToolFollower follower(ToolMove(tool, wall, tool.gyration_u), links);

@@ -26,7 +26,7 @@ struct CubeOnPlane
     EXPECT_EQ(this->move->place({ Vec3(-1.5, 0, 0.03), Quat::Identity() }), "");
   }
 
-  ToolMesh tool = makeTool(makeBox(Vec3::Constant(-half_m), Vec3::Constant(half_m))).tool;
+  ToolMesh tool = makeTool(makeBox(Vec3::Constant(-half_m), Vec3::Constant(half_m))).value;
   std::optional<ToolMove> move;
 };
 

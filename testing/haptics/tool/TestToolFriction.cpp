@@ -123,7 +123,7 @@ protected:
 
   double friction = GetParam();
   Vec3 along = Vec3(0.6, 0.8, 0.0);
-  ToolMesh tool = makeTool(makeBox(Vec3::Constant(-halfOfRubbed_mm), Vec3::Constant(halfOfRubbed_mm))).tool;
+  ToolMesh tool = makeTool(makeBox(Vec3::Constant(-halfOfRubbed_mm), Vec3::Constant(halfOfRubbed_mm))).value;
   std::optional<ToolMove> move;
 };
 

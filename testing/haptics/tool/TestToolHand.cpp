@@ -50,7 +50,7 @@ private:
 struct LoopOfTool
 {
   LoopOfTool(const TriangleMesh& toolMesh, const TriangleMesh& sceneMesh, double stiffness_N_per_m)
-    : scene(sceneOf(sceneMesh)), tool(makeTool(toolMesh).tool),
+    : scene(sceneOf(sceneMesh)), tool(makeTool(toolMesh).value),
       follower(ToolMove(tool, makeToolScene(cleanMesh(sceneMesh).mesh, tool), tool.gyration_u), links),
       handle(tool.gyration_u)
   {

@@ -14,9 +14,9 @@ namespace
 
 ToolMesh toolOf(const TriangleMesh& mesh)
 {
-  const ToolResult result = makeTool(mesh);
-  EXPECT_EQ(result.refusal, "");
-  return result.tool;
+  const Outcome<ToolMesh> result = makeTool(mesh);
+  EXPECT_EQ(result.problem, "");
+  return result.value;
 }
 
 TriangleMesh noisyBlob(Random& random)
@@ -76,7 +76,7 @@ TEST(ToolMesh, IsTheSameFarFromTheOrigin)
 TEST(ToolMesh, IsRefusedInWords)
 {
   Random random(testSeed(1702));
-  const auto refusal = [](const TriangleMesh& mesh) { return makeTool(mesh).refusal; };
+  const auto refusal = [](const TriangleMesh& mesh) { return makeTool(mesh).problem; };
   TriangleMesh one;
   one.vertices_W = { Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY() };
   one.triangles = { { 0, 1, 2 } };

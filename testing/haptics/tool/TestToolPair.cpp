@@ -17,7 +17,7 @@ constexpr double halfOfPaired_mm = 10.0;
 
 ToolMesh cubeOf(double half)
 {
-  return makeTool(makeBox(Vec3::Constant(-half), Vec3::Constant(half))).tool;
+  return makeTool(makeBox(Vec3::Constant(-half), Vec3::Constant(half))).value;
 }
 
 ToolPair::Poses along(double first_mm, double second_mm)
@@ -87,8 +87,8 @@ TEST(ToolPair, AskewTheTorquesAndForcesOfBothAreInBalance)
 TEST(ToolPair, ThrownAtEachOtherWhileBothTurnNeitherPassesTheOther)
 {
   Random random(testSeed(2401));
-  const ToolMesh one = makeTool(scaled(NoisySphere(200, 1.0).mesh(), 0.2)).tool;
-  const ToolMesh other = makeTool(scaled(NoisySphere(300, 1.0).mesh(), 0.3)).tool;
+  const ToolMesh one = makeTool(scaled(NoisySphere(200, 1.0).mesh(), 0.2)).value;
+  const ToolMesh other = makeTool(scaled(NoisySphere(300, 1.0).mesh(), 0.3)).value;
   ToolPair pair(one, other, { ToolPair::Hold{ one.gyration_u, 1.0 }, ToolPair::Hold{ other.gyration_u, 2.0 } });
   CrossingJudge ofOne(*one.shape_B, *other.shape_B, 2), ofOther(*other.shape_B, *one.shape_B, 2);
   pair.watch(0, &ofOne);

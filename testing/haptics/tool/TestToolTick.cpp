@@ -24,7 +24,7 @@ protected:
     Random random(testSeed(1802));
     const TriangleMesh plane = makeSheet({ 0.4, 0.4, 4, 4, 0.0 }, random);
     this->scene_ = sceneOf(plane);
-    const ToolMesh tool = makeTool(makeBox(Vec3::Constant(-halfCube), Vec3::Constant(halfCube))).tool;
+    const ToolMesh tool = makeTool(makeBox(Vec3::Constant(-halfCube), Vec3::Constant(halfCube))).value;
     this->move_.emplace(tool, makeToolScene(cleanMesh(plane).mesh, tool), tool.gyration_u);
     EXPECT_EQ(this->move_->place({ Vec3(0, 0, 0.03), Quat::Identity() }), "");
     this->parameters_.stiffness_N_per_m = stiffness;

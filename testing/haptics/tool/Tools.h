@@ -19,7 +19,7 @@ constexpr std::uint64_t plenty = 1u << 24;
 struct JudgedTool
 {
   JudgedTool(const TriangleMesh& toolMesh, const TriangleMesh& sceneMesh, int inside)
-    : tool(makeTool(toolMesh).tool), scene_W(makeToolScene(cleanMesh(sceneMesh).mesh, tool)),
+    : tool(makeTool(toolMesh).value), scene_W(makeToolScene(cleanMesh(sceneMesh).mesh, tool)),
       move(tool, scene_W, tool.gyration_u), judge(*tool.shape_B, *scene_W, inside)
   {
     move.watch(&judge);

@@ -15,7 +15,7 @@ constexpr double young_Pa = 20e3;
 
 ElasticModuli moduli()
 {
-  return moduliOf(young_Pa, 0.4, 1.0).moduli;
+  return moduliOf(young_Pa, 0.4, 1.0).value;
 }
 
 /// Saint-Venant & Kirchhoff's law of a bar with free sides, over E: its sides narrow so that only this is left.

@@ -29,7 +29,7 @@ const char* const coupling = "virtual coupling";
 struct LedTool
 {
   LedTool(const TriangleMesh& toolMesh, const TriangleMesh& sceneMesh, const Pose& start_W)
-    : tool(makeTool(toolMesh).tool), scene_W(makeToolScene(cleanMesh(sceneMesh).mesh, tool)),
+    : tool(makeTool(toolMesh).value), scene_W(makeToolScene(cleanMesh(sceneMesh).mesh, tool)),
       move(tool, scene_W, tool.gyration_u)
   {
     static_cast<void>(move.place(start_W));

@@ -25,7 +25,7 @@ class AdvancedTool final : public ToolMethod
 {
 public:
   explicit AdvancedTool(const ToolScene& scene)
-    : tool_(makeTool(scene.tool_B.mesh, Vec3(Vec3::Zero())).tool),
+    : tool_(makeTool(scene.tool_B.mesh, Vec3(Vec3::Zero())).value),
       scene_W_(makeToolScene(cleanMesh(scene.scene_W.mesh).mesh, tool_)), lever_mm_(scene.lever_mm),
       gap_mm_(kept * tool_.diagonal_u), pose_W_(scene.start_W)
   {

@@ -15,7 +15,7 @@ class ProvenTool final : public ToolMethod
 {
 public:
   explicit ProvenTool(const ToolScene& scene)
-    : tool_(makeTool(scene.tool_B.mesh, Vec3(Vec3::Zero())).tool),
+    : tool_(makeTool(scene.tool_B.mesh, Vec3(Vec3::Zero())).value),
       move_(tool_, makeToolScene(cleanMesh(scene.scene_W.mesh).mesh, tool_), scene.lever_mm)
   {
     const std::string refusal = this->move_.place(scene.start_W);

@@ -73,7 +73,7 @@ double least(const std::function<double(double)>& cost, double low, double high)
 
 double leverOf(const ToolBody& tool)
 {
-  return makeTool(tool.mesh, Vec3(Vec3::Zero())).tool.gyration_u;
+  return makeTool(tool.mesh, Vec3(Vec3::Zero())).value.gyration_u;
 }
 
 Pose between(const Pose& from, const Pose& to, double share)

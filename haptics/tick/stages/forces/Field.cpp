@@ -99,6 +99,11 @@ void tell(const FieldResult& felt, TickContext& tick) noexcept
 
 } // namespace
 
+bool Field::feels(const TickContext& tick) noexcept
+{
+  return tick.input.brick != nullptr && isOn(tick.p.field);
+}
+
 void Field::step(TickContext& tick) noexcept
 {
   RendererState& s = tick.s;

@@ -131,6 +131,7 @@ struct Field
   }
 
   static void step(TickContext& tick) noexcept;
+  [[nodiscard]] static bool feels(const TickContext& tick) noexcept;
   static void rest(TickContext& tick) noexcept;
 
 private:

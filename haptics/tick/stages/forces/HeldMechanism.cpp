@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/tick/TickContext.h"
 
 namespace palpate::stage
@@ -159,7 +160,7 @@ void tellWorker(TickContext& tick, const MechanismResult& result) noexcept
   hand.tick = tick.input.tick;
   hand.plan = plan.revision;
   hand.hand_W = tick.out.state.device_W.p;
-  hand.tip_W = held_W.p + held_W.q * (plan.bodies[plan.held].length_u * Vec3::UnitZ());
+  hand.tip_W = held_W * (plan.bodies[plan.held].length_u * Vec3::UnitZ());
   hand.press(result);
 }
 
@@ -174,6 +175,11 @@ void letGo(TickContext& tick) noexcept
 }
 
 } // namespace
+
+bool HeldMechanism::feels(const TickContext& tick) noexcept
+{
+  return tick.input.mechanism != nullptr;
+}
 
 void HeldMechanism::step(TickContext& tick) noexcept
 {

@@ -99,6 +99,7 @@ struct HeldMechanism
   }
 
   static void step(TickContext& tick) noexcept;
+  [[nodiscard]] static bool feels(const TickContext& tick) noexcept;
   static void rest(TickContext& tick) noexcept;
 };
 

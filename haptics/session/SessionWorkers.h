@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <tuple>
+
+#include "haptics/session/HapticSession.h"
+#include "haptics/session/background/WorkerList.h"
+#include "haptics/session/mechanism/MechanismWorker.h"
+#include "haptics/session/soft/SoftWorker.h"
+#include "haptics/session/tool/ToolWorker.h"
+
+namespace palpate
+{
+
+using SessionTasks = WorkerList<ToolTask, SoftTask, MechanismTask>;
+
+struct SessionWorkers : SessionTasks
+{
+  using SessionTasks::SessionTasks;
+};
+
+/// What the workers are to compute.
+struct HapticSession::Chosen : SessionTasks::Choices
+{
+};
+
+template<class Task>
+void HapticSession::choose(const typename Task::Choice& choice)
+{
+  const bool heldTool = this->toolBesideSoft().empty();
+  std::get<typename Task::Choice>(*this->chosen_) = choice;
+  this->followChoice(Task::isHeld || heldTool != this->toolBesideSoft().empty());
+}
+
+template<class Task>
+const typename Task::Choice& HapticSession::chosen() const noexcept
+{
+  return std::get<typename Task::Choice>(*this->chosen_);
+}
+
+template<class Task>
+typename Task::Status HapticSession::status() const
+{
+  const SessionWorkers* const workers = this->workers();
+  return workers != nullptr ? workers->template statusOf<Task>() : typename Task::Status();
+}
+
+} // namespace palpate

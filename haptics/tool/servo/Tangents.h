@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "haptics/core/Across.h"
+
+namespace palpate
+{
+
+/// How a point of a tool moves along its contact, as columns that a whitened motion is multiplied by.
+using Tangents = Eigen::Matrix<double, 6, 2>;
+
+[[nodiscard]] inline Tangents tangentsOf(const Vec3& n_W, const Vec3& arm_W, double lever_u) noexcept
+{
+  const auto [first, second] = tangentsOf(n_W);
+  Tangents along;
+  along.col(0) << first, arm_W.cross(first) / lever_u;
+  along.col(1) << second, arm_W.cross(second) / lever_u;
+  return along;
+}
+
+/// The larger eigenvalue of the product of the two columns: steps of its inverse never go too far.
+[[nodiscard]] inline double stiffest(const Tangents& along) noexcept
+{
+  const double a = along.col(0).squaredNorm(), b = along.col(1).squaredNorm(), c = along.col(0).dot(along.col(1));
+  return 0.5 * (a + b + std::sqrt((a - b) * (a - b) + 4.0 * c * c));
+}
+
+} // namespace palpate
