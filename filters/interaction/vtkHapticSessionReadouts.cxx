@@ -80,6 +80,7 @@ const std::map<std::string_view, double (*)(I&)> Numbers = {
   { "ServerAge", [](I& s) { return s.Server.GetAge(); } },
   { "ServerTicksBeyond", [](I& s) { return static_cast<double>(s.State.known.beyondTicks); } },
   { "SoftAge", [](I& s) { return s.State.soft.age_s; } },
+  { "SoftBalanceForce", [](I& s) { return s.State.soft.added_N; } },
   { "SoftPackets", [](I& s) { return s.Soft.PacketsPerSecond; } },
   { "SoftStrain", [](I& s) { return s.Soft.Strain; } },
   { "StabiliserForce", [](I& s) { return s.State.stabiliser_D.norm(); } },

@@ -168,7 +168,7 @@ std::string planSentence(const std::vector<SurfaceChoice>& choices, const TouchC
 {
   if (choices.empty())
   {
-    return "there is nothing to touch";
+    return "no rigid surface is touched";
   }
   return partsOf(sumOf(choices), unitOf(choices)) + ", by " + ballOf(touch) + frictionOf(touch) + ", through " +
          searchOf(choices.size(), feltTriangles(choices));

@@ -285,7 +285,7 @@ TEST_F(HapticSessionPlan, ARadiusThatIsNoneIsRefusedWhateverTheLimit)
 
 TEST_F(HapticSessionPlan, TheSentenceSaysWhatTouchesAndAChoiceThatIsNoneIsRefused)
 {
-  EXPECT_EQ(this->sentence(), "there is nothing to touch");
+  EXPECT_EQ(this->sentence(), "no rigid surface is touched");
   this->commit(makePlane(sphereRadius));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_THAT(this->sentence(), StartsWith("all 2 triangles are used"));

@@ -118,6 +118,21 @@ class Shown(unittest.TestCase):
         self.assertLess(max(felt) - min(felt), 1e-3 * max(felt))
         self.assertLess(math.hypot(*self.session.GetProxyPosition()[0:2]), 1e-3)
 
+    def test_in_motion_the_force_is_the_spring_s_and_what_the_energy_balance_adds(self):
+        self.press(0.0, 0.0, 4.0)
+        session, spring = self.session, 0.5  # N/mm
+        added = []
+        for i in range(400):  # further in, out a little, and at rest
+            z = self.path[-1] - 0.05 * min(i, 100) + 0.02 * min(max(i - 100, 0), 100)
+            session.SetHandPosition(0.0, 0.0, z)
+            session.Step(1)
+            session.Update()
+            stretch = math.dist(session.GetProxyPosition(), (0.0, 0.0, z))
+            added.append(session.GetSoftBalanceForce())
+            self.assertAlmostEqual(session.GetForceMagnitude(), spring * stretch + added[-1], delta=1e-12)
+        self.assertGreater(max(map(abs, added)), 1e-3)
+        self.assertEqual(added[-1], 0.0)
+
     def test_its_stress_has_no_part_of_the_dent_and_the_hand_that_it_was_computed_for_was_there_before(self):
         bent = self.press(0.0, 0.0, 8.0)
         went = max(math.dist(p, q) for p, q in zip(points(bent), points(self.rest)))

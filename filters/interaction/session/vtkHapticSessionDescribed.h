@@ -42,6 +42,7 @@
   vtkHapticReadoutMacro(SoftStrain, double) \
   vtkHapticReadoutMacro(SoftPackets, double) \
   vtkHapticReadoutMacro(SoftAge, double) \
+  vtkHapticReadoutMacro(SoftBalanceForce, double) \
   vtkHapticNumbersMacro(SoftHandPosition, 3) \
   vtkHapticTextMacro(ToolText) \
   vtkHapticTextMacro(ToolContacts) \

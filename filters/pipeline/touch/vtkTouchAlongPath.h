@@ -85,7 +85,7 @@ public:
   /**
    * A setting of a session that is felt along a path too, by its name, with its unit and range (plugin/README.md):
    * Stiffness (1000 N/m by default here), Radius, LimitRadius (off), LineRadius, LinesAsWalls, Scale (1 u/m),
-   * ForceShading, ConstantForce, friction, the arrays of a material, those whose names begin with Field, ToolLever and
+   * ForceShading, a constant force, friction, the arrays of a material, those whose names begin with Field, ToolLever and
    * ToolCoupling of a tool, SoftRate of a soft body or a mechanism (from 0 on: at 0 the body is at rest in every tick,
    * which is the reference) and MechanismTurning. What cannot be used is an error when the filter runs.
    */

@@ -135,24 +135,24 @@ std::unique_ptr<PathKind> makeToolAlongPath(const PathInputs& inputs, const Tool
   {
     append(scene_W, *surface.mesh);
   }
-  const ToolResult held = makeTool(*inputs.tool->mesh, Vec3(Vec3::Zero()));
+  const Outcome<ToolMesh> held = makeTool(*inputs.tool->mesh, Vec3(Vec3::Zero()));
   CleanResult scene = held.ok() ? cleanMesh(scene_W) : CleanResult{};
-  report.refusal = !held.ok() ? held.refusal : scene.ok() ? "" : "the scene cannot be touched: " + scene.refusal;
+  report.refusal = !held.ok() ? held.problem : scene.ok() ? "" : "the scene cannot be touched: " + scene.refusal;
   if (!report.refusal.empty())
   {
     return nullptr;
   }
-  const auto boxes = makeToolScene(std::move(scene.mesh), held.tool);
-  report.refusal = refuseScene(held.tool, *boxes);
+  const auto boxes = makeToolScene(std::move(scene.mesh), held.value);
+  report.refusal = refuseScene(held.value, *boxes);
   if (!report.refusal.empty())
   {
     return nullptr;
   }
   const Pose& first_W = inputs.path.front().hand_W;
-  auto tool = std::make_unique<ToolAlongPath>(held.tool, boxes, hold);
+  auto tool = std::make_unique<ToolAlongPath>(held.value, boxes, hold);
   report.refusal = tool->place(first_W);
   const std::string stuck =
-    report.refusal.empty() ? noWayOut(SurfaceTree(boxes->mesh()), Pose{}, held.tool, first_W) : "";
+    report.refusal.empty() ? noWayOut(SurfaceTree(boxes->mesh()), Pose{}, held.value, first_W) : "";
   if (!stuck.empty())
   {
     report.notes.push_back("the tool " + stuck);

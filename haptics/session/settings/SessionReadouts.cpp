@@ -57,6 +57,9 @@ const Readout readouts[] = {
     "Largest strain |F - 1| in the soft body; from 0.1 on a linear model errs by about 10 %" },
   { "SoftPackets", Number, "Hz", "", "Solves of the soft body per second" },
   { "SoftAge", Number, "s", "", "Age of the soft-body solution in use" },
+  { "SoftBalanceForce", Number, "N", "",
+    "Force that the energy balance of a soft body adds along the spring between hand and proxy, so that the hand gets "
+    "back no more energy than it gave; zero at rest" },
   { "SoftHandPosition", Number, "u", "",
     "Hand position used by the last soft-body solve (world frame). Equals the current position when no soft body is "
     "active",

@@ -46,7 +46,7 @@ TEST(PlanSentence, AddsSurfacesUpAndSaysEachReasonOnce)
     StartsWith("all 60 triangles are used (a; b), by "));
   EXPECT_THAT(planSentence({ all(10, "a"), fewer }, {}), StartsWith("260 of 1010 triangles are used (proven: "));
   EXPECT_THAT(planSentence({ all(10, "") }, {}), HasSubstr("(a simpler surface is looked for meanwhile)"));
-  EXPECT_EQ(planSentence({}, {}), "there is nothing to touch");
+  EXPECT_EQ(planSentence({}, {}), "no rigid surface is touched");
 }
 
 TEST(PlanSentence, CountsSegmentsOfCurvesAndSaysWhatStandsForThem)
