@@ -21,6 +21,13 @@ bool asksForLevels(const FieldPlan& plan) noexcept
   return plan.detent.strength_N > 0.0 && !plan.detent.click;
 }
 
+/// To two digits, and never less.
+double roundedUp(double value)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::ceil(value / unit) * unit;
+}
+
 /// A brick that is all of the data knows how steep they are.
 MadeBrick withLevels(MadeBrick made, const BrickWish& wish)
 {
@@ -167,7 +174,9 @@ std::string detentSentence(const FieldPlan& plan, double stiffness_N_per_u)
   }
   std::ostringstream text;
   text << std::setprecision(2) << "smooth levels hold with " << most_N
-       << " N: with more the hand would jump from level to level; put them further apart, or let them click";
+       << " N where the values rise as usual, and with at most "
+       << roundedUp(mostFelt_N(plan.detent, stiffness_N_per_u)) << " N where they are steepest"
+       << ": with more the hand would jump from level to level; put them further apart, or let them click";
   return text.str();
 }
 
