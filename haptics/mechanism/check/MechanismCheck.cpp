@@ -286,6 +286,12 @@ void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> sof
     check.remarks.push_back("Bodies \"" + a + "\" and \"" + b +
                             "\" overlap as they stand: but for the laws between them bodies pass through each other.");
   }
+  check.heldOverlaps = overlapsOfHeld(mechanism, soft);
+  for (const auto& [a, b] : check.heldOverlaps)
+  {
+    check.remarks.push_back(
+      "Bodies \"" + a + "\" and \"" + b + "\" overlap if the hand begins at the origin: no law joins them.");
+  }
 }
 
 PlannedBody planBody(const MechanismBody& body, std::span<const MechanismSoft> soft)
