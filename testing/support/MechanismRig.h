@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 
 #include "haptics/geometry/scene/SceneBuilder.h"
@@ -14,7 +15,38 @@ namespace palpate::test
 /// The hand and the tissue of docs/theory.md, "Laws between bodies" [N/m, N m/rad].
 inline constexpr double kc = 1000.0, kr = 2.0, tissue = 500.0;
 
-/// A square of two triangles that gives way as a whole: one spring, the same along every axis.
+/// A body of that surface that gives way as a whole: one spring, the same along every axis.
+inline std::shared_ptr<const PressedBody> springBody(const std::string& name, std::shared_ptr<const TriangleMesh> mesh,
+  double patchRadius_u, double compliance_u_per_N, std::uint64_t revision = 1)
+{
+  SurfaceInput input;
+  input.name = name;
+  input.mesh = mesh;
+  input.ordered = true;
+  SceneBuilder builder;
+  const std::size_t count = mesh->vertices_W.size();
+  auto packet = std::make_shared<CompliancePacket>();
+  packet->free_W = mesh->vertices_W;
+  packet->near.resize(count);
+  std::iota(packet->near.begin(), packet->near.end(), 0);
+  packet->placeOf.assign(packet->near.begin(), packet->near.end());
+  packet->compliance = Mat3(compliance_u_per_N * Mat3::Identity())
+                         .replicate(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(count));
+  packet->springs.resize(count);
+  packet->patchRadius_u.assign(count, patchRadius_u);
+  auto body = std::make_shared<PressedBody>();
+  body->revision = revision;
+  body->scene = builder.build({ input }, nullptr).scene;
+  if (!body->scene)
+  {
+    throw std::runtime_error("the surface is no scene");
+  }
+  body->packet = packet;
+  body->touch = { 0, packet.get() };
+  return body;
+}
+
+/// A square of two triangles.
 inline std::shared_ptr<const PressedBody> springWall(const std::string& name, const Vec3& centre_W,
   const Vec3& normal_W, double half_u, double compliance_u_per_N, std::uint64_t revision = 1)
 {
@@ -23,34 +55,7 @@ inline std::shared_ptr<const PressedBody> springWall(const std::string& name, co
   auto mesh = std::make_shared<TriangleMesh>();
   mesh->vertices_W = { centre_W - u_W - v_W, centre_W + u_W - v_W, centre_W + u_W + v_W, centre_W - u_W + v_W };
   mesh->triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
-  SurfaceInput input;
-  input.name = name;
-  input.mesh = mesh;
-  input.ordered = true;
-  SceneBuilder builder;
-  auto packet = std::make_shared<CompliancePacket>();
-  packet->free_W = mesh->vertices_W;
-  packet->near = packet->placeOf = { 0, 1, 2, 3 };
-  packet->compliance.resize(12, 12);
-  for (int i = 0; i < 4; ++i)
-  {
-    for (int j = 0; j < 4; ++j)
-    {
-      packet->compliance.block<3, 3>(3 * i, 3 * j) = compliance_u_per_N * Mat3::Identity();
-    }
-  }
-  packet->springs.resize(4);
-  packet->patchRadius_u.assign(4, half_u);
-  auto body = std::make_shared<PressedBody>();
-  body->revision = revision;
-  body->scene = builder.build({ input }, nullptr).scene;
-  if (!body->scene)
-  {
-    throw std::runtime_error("the wall is no scene");
-  }
-  body->packet = packet;
-  body->touch = { 0, packet.get() };
-  return body;
+  return springBody(name, mesh, half_u, compliance_u_per_N, revision);
 }
 
 /// A mechanism with its soft bodies and its tick.

@@ -2,7 +2,9 @@
 #include "haptics/compliance/mesh/FilledTwice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "haptics/core/Across.h"
 
@@ -67,9 +69,8 @@ double sharedBy(std::vector<Piece>& pieces)
   return shared_u;
 }
 
-} // namespace
-
-double filledTwice(const TetraMesh& mesh, std::span<const Vec3> places_W, const LinePiece& line)
+/// Of a line that runs along no edge or face.
+double filledAlong(const TetraMesh& mesh, std::span<const Vec3> places_W, const LinePiece& line)
 {
   const auto [across, other] = tangentsOf(line.along_W);
   std::vector<Piece> pieces;
@@ -91,6 +92,22 @@ double filledTwice(const TetraMesh& mesh, std::span<const Vec3> places_W, const 
     pieces.push_back(piece);
   }
   return turned_u + sharedBy(pieces);
+}
+
+} // namespace
+
+double filledTwice(const TetraMesh& mesh, std::span<const Vec3> places_W, const LinePiece& line)
+{
+  constexpr double aside = 1e-4; // of the line: far more than rounding, far less than a tetrahedron
+  const auto [across, other] = tangentsOf(line.along_W);
+  double least_u = std::numeric_limits<double>::infinity();
+  for (const double turn : { 0.4, 2.5, 4.6 }) // in no direction that a regular mesh has
+  {
+    LinePiece beside = line;
+    beside.from_W += aside * line.length_u * (std::cos(turn) * across + std::sin(turn) * other);
+    least_u = std::min(least_u, filledAlong(mesh, places_W, beside));
+  }
+  return least_u;
 }
 
 } // namespace palpate

@@ -157,6 +157,12 @@ double mostSmooth_N(const DetentPlan& plan, double stiffness_N_per_u) noexcept
                               : std::numeric_limits<double>::infinity();
 }
 
+double mostFelt_N(const DetentPlan& plan, double stiffness_N_per_u) noexcept
+{
+  const double most_N = mostSmooth_N(plan, stiffness_N_per_u);
+  return std::min(plan.strength_N, most_N) * plan.bounds.gradient_per_u / plan.slope_per_u;
+}
+
 /// Newton's steps on an energy that is strictly convex up to mostSmooth_N(). Its second derivatives jump between cells,
 /// so a step may be too long: it is halved until less force is left.
 Vec3 smoothDetent(

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include <Eigen/Geometry>
 
 #include "haptics/geometry/measure/RayWalk.h"
 #include "haptics/geometry/tree/SurfaceData.h"
@@ -51,15 +54,100 @@ const SurfaceTree& surfaceOf(const PressedBody& body)
   return *body.scene->surfaces()[body.touch.surface].tree;
 }
 
-std::vector<Edge> edgesOf(const PressedBody& body)
+/// Twice three times the volume that a closed surface encloses; negative where its normals point inwards.
+double sixVolumes(const TriangleMesh& mesh)
 {
-  const TriangleMesh& mesh = surfaceOf(body).mesh();
+  double volume = 0.0;
+  const Vec3& origin_W = mesh.vertices_W.front();
+  for (const auto& [a, b, c] : mesh.triangles)
+  {
+    const Vec3 p = mesh.vertices_W[a] - origin_W, q = mesh.vertices_W[b] - origin_W, r = mesh.vertices_W[c] - origin_W;
+    volume += p.cross(q).dot(r);
+  }
+  return volume;
+}
+
+/// For each vertex of a closed surface a direction to the outer side of all of its triangles; zero where there is none.
+std::vector<Vec3> directionsOutwards(const TriangleMesh& mesh)
+{
+  constexpr int mostRounds = 64;
+  constexpr double leastShare = 0.05; // of its length along each normal
+  const double sign = sixVolumes(mesh) < 0.0 ? -1.0 : 1.0;
+  std::vector<Vec3> out_W(mesh.vertices_W.size(), Vec3::Zero());
+  std::vector<bool> wrong;
+  for (int round = 0; round < mostRounds; ++round) // the perceptron's, which finds a direction if there is one
+  {
+    wrong.assign(out_W.size(), false);
+    for (const auto& triangle : mesh.triangles)
+    {
+      const Vec3& a = mesh.vertices_W[triangle[0]];
+      const Vec3 normal_W =
+        sign * (mesh.vertices_W[triangle[1]] - a).cross(mesh.vertices_W[triangle[2]] - a).normalized();
+      for (const std::uint32_t v : triangle)
+      {
+        const bool behind = normal_W.dot(out_W[v]) <= leastShare * out_W[v].norm() && normal_W != Vec3::Zero();
+        out_W[v] += behind ? normal_W : Vec3::Zero();
+        wrong[v] = wrong[v] || behind;
+      }
+    }
+    if (std::ranges::find(wrong, true) == wrong.end())
+    {
+      break;
+    }
+  }
+  for (std::size_t v = 0; v < out_W.size(); ++v)
+  {
+    out_W[v] = wrong[v] ? Vec3::Zero() : out_W[v].normalized().eval();
+  }
+  return out_W;
+}
+
+/// The vertices of a closed surface, each a little inside of it. So faces that lie in one plane and vertices that
+/// coincide with those of another body are in no special place: the edges between these vertices run in the body, and
+/// each of their points that lies in another body is a point of both.
+std::vector<Vec3> verticesInside(const TriangleMesh& mesh)
+{
+  std::vector<double> shortest_u(mesh.vertices_W.size(), std::numeric_limits<double>::infinity());
+  for (const auto& triangle : mesh.triangles)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const std::uint32_t a = triangle[c], b = triangle[(c + 1) % 3];
+      const double length_u = (mesh.vertices_W[b] - mesh.vertices_W[a]).norm();
+      shortest_u[a] = std::min(shortest_u[a], length_u);
+      shortest_u[b] = std::min(shortest_u[b], length_u);
+    }
+  }
+  std::vector<Vec3> inside_W = directionsOutwards(mesh);
+  for (std::size_t v = 0; v < inside_W.size(); ++v)
+  {
+    const Vec3 out_W = std::isfinite(shortest_u[v]) ? Vec3(touches * shortest_u[v] * inside_W[v]) : Vec3::Zero();
+    inside_W[v] = mesh.vertices_W[v] - out_W;
+  }
+  return inside_W;
+}
+
+/// The surface of a soft body, which encloses a part of space where it is closed.
+struct SoftSurface
+{
+  const SurfaceTree& tree;
+  bool closed = false;
+};
+
+std::vector<Edge> edgesOf(const SoftSurface& body)
+{
+  const TriangleMesh& mesh = body.tree.mesh();
+  const std::vector<Vec3> at_W = body.closed ? verticesInside(mesh) : mesh.vertices_W;
   std::vector<Edge> edges;
   for (const auto& triangle : mesh.triangles)
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
-      edges.push_back({ mesh.vertices_W[triangle[c]], mesh.vertices_W[triangle[(c + 1) % 3]] });
+      const std::uint32_t a = triangle[c], b = triangle[(c + 1) % 3];
+      if (!body.closed || a < b) // the other triangle at the edge has it from b to a
+      {
+        edges.push_back({ at_W[a], at_W[b] });
+      }
     }
   }
   return edges;
@@ -87,8 +175,10 @@ bool passes(const MechanismBody& box, const Edge& edge)
   return first < last;
 }
 
-/// Whether the edge passes through the surface, and not only ends there.
-bool passes(const PressedBody& body, const Edge& edge)
+/// Whether a part of the edge lies inside of the surface where that is closed: the middle between two points at which
+/// the edge meets the surface is looked at, so it does not matter whether these are on edges or vertices. Where the
+/// surface is open: whether the edge passes through it, and not only ends there.
+bool passes(const SoftSurface& body, const Edge& edge)
 {
   const Vec3 way_W = edge.to_W - edge.from_W;
   const double length_u = way_W.norm();
@@ -96,27 +186,23 @@ bool passes(const PressedBody& body, const Edge& edge)
   {
     return false;
   }
-  const auto hit = firstHit(surfaceOf(body), edge.from_W, way_W / length_u, touches * length_u);
-  return hit && hit->way_u < (1.0 - touches) * length_u;
-}
-
-bool isIn(const PressedBody& body, const Vec3& p_W)
-{
-  return isClosed(surfaceOf(body)) && sideOf(surfaceOf(body), p_W) == PointSide::Inside;
-}
-bool isIn(const MechanismBody& box, const Vec3& p_W)
-{
-  return passes(box, { p_W, p_W });
-}
-
-Vec3 insideOf(const MechanismBody& box)
-{
-  return box.pose_W.p;
-}
-/// A point of its surface: what has no edge in another lies in that whole, or not at all.
-Vec3 insideOf(const PressedBody& body)
-{
-  return surfaceOf(body).mesh().vertices_W.front();
+  const Vec3 along_W = way_W / length_u;
+  if (!body.closed)
+  {
+    const auto hit = firstHit(body.tree, edge.from_W, along_W, touches * length_u);
+    return hit && hit->way_u < (1.0 - touches) * length_u;
+  }
+  for (double from_u = 0.0, to_u = 0.0; from_u < length_u; from_u = to_u)
+  {
+    const auto hit = firstHit(body.tree, edge.from_W, along_W, from_u);
+    to_u = hit ? std::min(hit->way_u, length_u) : length_u;
+    const Vec3 middle_W = edge.from_W + 0.5 * (from_u + to_u) * along_W;
+    if (to_u - from_u > touches * length_u && sideOf(body.tree, middle_W) == PointSide::Inside)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// A held rod, from the hand to its tip.
@@ -133,27 +219,55 @@ bool passes(const Rod&, const Edge&)
 {
   return false; // a line has no inside
 }
-bool isIn(const Rod&, const Vec3&)
+
+using Bounds = Eigen::AlignedBox3d;
+
+Bounds boundsOf(const MechanismBody& box)
 {
-  return false;
+  Bounds bounds;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    bounds.extend(cornerOf(box, corner));
+  }
+  return bounds;
 }
-Vec3 insideOf(const Rod& rod)
+Bounds boundsOf(const PressedBody& body)
 {
-  return rod.line.from_W;
+  return { surfaceOf(body).data().low_W, surfaceOf(body).data().high_W };
+}
+Bounds boundsOf(const Rod& rod)
+{
+  return Bounds(rod.line.from_W).extend(rod.line.to_W);
 }
 
+SoftSurface shapeOf(const PressedBody& body)
+{
+  return { surfaceOf(body), isClosed(surfaceOf(body)) };
+}
+const MechanismBody& shapeOf(const MechanismBody& box)
+{
+  return box;
+}
+const Rod& shapeOf(const Rod& rod)
+{
+  return rod;
+}
+
+/// Two bodies that share room have surfaces that meet, and then an edge of one is in the other at the point, or one
+/// lies in the other with all of its edges.
 template<class A, class B>
 bool overlap(const A& a, const B& b)
 {
+  if (!boundsOf(a).intersects(boundsOf(b)))
+  {
+    return false;
+  }
   const auto through = [](const auto& edges, const auto& other)
   { return std::ranges::any_of(edges, [&other](const Edge& edge) { return passes(other, edge); }); };
-  return through(edgesOf(a), b) || through(edgesOf(b), a) || isIn(a, insideOf(b)) || isIn(b, insideOf(a));
+  const auto& shapeA = shapeOf(a);
+  const auto& shapeB = shapeOf(b);
+  return through(edgesOf(shapeA), shapeB) || through(edgesOf(shapeB), shapeA);
 }
-
-} // namespace
-
-namespace
-{
 
 /// Bodies as they are looked at: each where it is, and of those that a rod or a box does not stand for their surface.
 class Looked
@@ -217,11 +331,33 @@ bool holds(LawKind kind, LawPhase phase)
   return phase != LawPhase::Gone && (joins || phase != LawPhase::Open);
 }
 
+bool isBetween(const MechanismLaw& law, const BodyPair& pair)
+{
+  return BodyPair(law.a, law.b) == pair || BodyPair(law.b, law.a) == pair;
+}
+
 } // namespace
 
 std::vector<BodyPair> overlapsOf(const Mechanism& mechanism, std::span<const MechanismSoft> soft)
 {
   return Looked(mechanism, soft).pairs([](std::size_t, std::size_t) { return true; });
+}
+
+std::vector<BodyPair> overlapsOfHeld(const Mechanism& mechanism, std::span<const MechanismSoft> soft)
+{
+  const auto isHeld = [&mechanism](std::size_t b) { return mechanism.bodies[b].kind == MechanismBodyKind::Held; };
+  std::vector<Pose> pose_W;
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b)
+  {
+    const Pose& rest_W = mechanism.bodies[b].pose_W;
+    pose_W.push_back({ isHeld(b) ? Vec3(Vec3::Zero()) : rest_W.p, rest_W.q.normalized() });
+  }
+  Looked looked(mechanism, soft);
+  looked.pose_W = pose_W;
+  std::vector<BodyPair> pairs = looked.pairs([&](std::size_t a, std::size_t b) { return isHeld(a) || isHeld(b); });
+  std::erase_if(pairs, [&](const BodyPair& pair)
+    { return std::ranges::any_of(mechanism.laws, [&](const MechanismLaw& law) { return isBetween(law, pair); }); });
+  return pairs;
 }
 
 const std::vector<BodyPair>& OverlapWatch::look(const Mechanism& mechanism, std::span<const MechanismSoft> soft,
@@ -248,8 +384,7 @@ const std::vector<BodyPair>& OverlapWatch::look(const Mechanism& mechanism, std:
       for (std::size_t l = 0; l < mechanism.laws.size() && l < phases.size(); ++l)
       {
         const MechanismLaw& law = mechanism.laws[l];
-        const bool between = BodyPair(law.a, law.b) == pair || BodyPair(law.b, law.a) == pair;
-        if (between && holds(law.kind, phases[l]))
+        if (isBetween(law, pair) && holds(law.kind, phases[l]))
         {
           return true;
         }

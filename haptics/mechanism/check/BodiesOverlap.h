@@ -17,12 +17,18 @@ namespace palpate
 using BodyPair = std::pair<std::string, std::string>;
 
 /// Which rigid and soft bodies share room as they stand, by their names, each pair once. Such as only touch do not;
-/// what the hand holds stands nowhere yet. Of surfaces: an edge of one passes through the other, or one lies in the
-/// other. Not real-time safe.
+/// what the hand holds stands nowhere yet. Of surfaces: a part of an edge of one lies in the other. The edges of a
+/// closed surface are taken a millionth of their length inside of it, so that coplanar faces and coinciding vertices
+/// decide nothing. Not real-time safe.
 [[nodiscard]] std::vector<BodyPair> overlapsOf(const Mechanism& mechanism, std::span<const MechanismSoft> soft);
 
+/// In which bodies that which the hand holds lies where its frame is at W's, left out such as a law joins it to. Not
+/// real-time safe.
+[[nodiscard]] std::vector<BodyPair> overlapsOfHeld(const Mechanism& mechanism, std::span<const MechanismSoft> soft);
+
 /// Likewise in a tick: rigid bodies and what the hand holds are where the laws have left them, soft ones as bent as
-/// they were computed last. A held rod counts by its middle line. Bodies between which a law holds are left out: it
+/// they were computed last. A held rod counts by its middle line. Places between two ticks are not looked at: what is
+/// thinner than the way of a tick can be jumped over. Bodies between which a law holds are left out: it
 /// says how they meet. Two soft bodies are looked at again once one of them was computed anew. Not real-time safe.
 class OverlapWatch
 {

@@ -291,6 +291,12 @@ void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> sof
       "Bodies \"" + a + "\" and \"" + b +
       "\" overlap in the scene file: bodies without a constraint between them pass through each other.");
   }
+  check.heldOverlaps = overlapsOfHeld(mechanism, soft);
+  for (const auto& [a, b] : check.heldOverlaps)
+  {
+    check.remarks.push_back(
+      "Bodies \"" + a + "\" and \"" + b + "\" overlap if the hand begins at the origin: no law joins them.");
+  }
 }
 
 PlannedBody planBody(const MechanismBody& body, std::span<const MechanismSoft> soft)

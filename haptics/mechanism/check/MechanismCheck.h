@@ -26,9 +26,10 @@ struct MechanismCheck
   std::vector<std::string> remarks;   ///< what follows from others, what turns freely, what is badly conditioned
   std::vector<std::string> redundant; ///< names of laws of which a row follows from others
   std::vector<std::string> free;      ///< names of bodies that can move where no law holds them
-  std::vector<std::pair<std::string, std::string>> overlaps; ///< bodies that share room as they stand, by name
-  int rows = 0;                                              ///< that may hold at once
-  int rank = 0;                                              ///< of those, how many are independent
+  std::vector<std::pair<std::string, std::string>> overlaps;     ///< bodies that share room as they stand, by name
+  std::vector<std::pair<std::string, std::string>> heldOverlaps; ///< likewise of what the hand holds, at the origin
+  int rows = 0;                                                  ///< that may hold at once
+  int rank = 0;                                                  ///< of those, how many are independent
   int freeTurns = 0;      ///< ways to move of rigid bodies, and of a held one that the device does not turn, that
                           ///< only the balance of forces and moments decides
   double condition = 1.0; ///< of the compliance of the independent rows

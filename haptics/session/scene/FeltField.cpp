@@ -21,6 +21,13 @@ bool asksForLevels(const FieldPlan& plan) noexcept
   return plan.detent.strength_N > 0.0 && !plan.detent.click;
 }
 
+/// To two digits, and never less.
+double roundedUp(double value)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::ceil(value / unit) * unit;
+}
+
 /// A brick that is all of the data knows how steep they are.
 MadeBrick withLevels(MadeBrick made, const BrickWish& wish)
 {
@@ -167,8 +174,10 @@ std::string detentSentence(const FieldPlan& plan, double stiffness_N_per_u)
            "or only two samples along an axis; use Levels click";
   }
   std::ostringstream text;
-  text << std::setprecision(2) << "smooth levels hold with at most " << most_N
-       << " N: a larger force would make the hand jump between levels; increase Between levels, or use Levels click";
+  text << std::setprecision(2) << "smooth levels hold with " << most_N
+       << " N at the usual gradient, and with at most " << roundedUp(mostFelt_N(plan.detent, stiffness_N_per_u))
+       << " N at the steepest place: a larger force would make the hand jump between levels; increase Between levels, or "
+          "use Levels click";
   return text.str();
 }
 

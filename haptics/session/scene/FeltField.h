@@ -61,6 +61,7 @@ private:
 [[nodiscard]] std::string pointSentence(const FieldPlan& plan, double radius_u);
 
 /// "", or that smooth levels hold the hand with less than what was asked, since it would jump from one to the next.
+/// The force where the gradient is usual, which the strength is said for, and the largest, which is never exceeded.
 /// `stiffness_N_per_u`: of each spring of the field.
 [[nodiscard]] std::string detentSentence(const FieldPlan& plan, double stiffness_N_per_u);
 

@@ -93,6 +93,30 @@ TEST(ThinPlaces, AreThoseOneElementAwayFromTheOtherSideAndNotThoseAroundAnEdge)
   EXPECT_EQ(thinPlacesOf(blockOf({ 4, 4, 4 }, Vec3(1, 1, 1))).thin, 0u);
 }
 
+TEST(FilledTwice, IsNothingOnALineThroughVerticesOrAlongEdgesOfABodyThatDoesNotMeetItself)
+{
+  TetraMesh mesh = blockOf({ 4, 4, 4 }, { 4, 4, 4 });
+  for (const Vec3& through : { Vec3(2, 2, 2), Vec3(2, 2.5, 2.5), Vec3(2, 2, 2.5), Vec3(2.5, 2.5, 2), Vec3(1, 3, 4) })
+  {
+    for (const Vec3& along : { Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(1, 1, 0), Vec3(0, 1, -1),
+           Vec3(1, 1, 1), Vec3(-1, 1, 1), Vec3(2, 1, 0), Vec3(1, 2, 3) })
+    {
+      const Vec3 unit = along.normalized();
+      const LinePiece line{ through - 8.0 * unit, unit, 16.0 };
+      EXPECT_LT(filledTwice(mesh, mesh.vertices_W, line), 1e-12)
+        << through.transpose() << " along " << along.transpose();
+    }
+  }
+  // A line up an edge of the lattice through the vertex (2, 2, 3), which is pushed below (2, 2, 2) by .5: cells between
+  // the two are turned inside out.
+  for (Vec3& p : mesh.vertices_W)
+  {
+    p = p == Vec3(2, 2, 3) ? Vec3(2, 2, 1.5) : p;
+  }
+  const LinePiece up{ Vec3(2, 2, -1), Vec3::UnitZ(), 8.0 };
+  EXPECT_NEAR(filledTwice(mesh, mesh.vertices_W, up), 1.5, 0.01) << "from 1.5 to 2: once turned, and in three of them";
+}
+
 TEST(FilledTwice, IsTheWayThroughWhatTwoBlocksShareAndThroughWhatIsTurnedInsideOut)
 {
   // Two blocks of one mesh, 2 long each, of which the second is moved into the first by a known length.

@@ -5,11 +5,14 @@
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "haptics/field/LevelBounds.h"
+#include "haptics/field/UsualGradient.h"
 #include "haptics/field/laws/SmoothScalar.h"
+#include "haptics/session/scene/FeltField.h"
 #include "testing/haptics/field/FieldHand.h"
 #include "testing/support/Random.h"
 
@@ -243,6 +246,48 @@ TEST(SmoothLevels, HaveTheDerivativesOfTheirScalar)
         EXPECT_LT((at->bend_W.col(axis) - bend).norm(), 1e-6);
       }
     }
+  }
+}
+
+/// The number behind a word of a sentence.
+double numberAfter(const std::string& sentence, const std::string& word)
+{
+  const std::size_t at = sentence.find(word);
+  EXPECT_NE(at, std::string::npos) << sentence;
+  return at == std::string::npos ? 0.0 : std::stod(sentence.substr(at + word.size()));
+}
+
+TEST(SmoothLevels, AreNowhereFeltWithMoreThanTheirSentenceSaysAndSomewhereWithMoreThanWhereTheValuesRiseAsUsual)
+{
+  test::Random random(test::testSeed(2822));
+  const std::string usual = "smooth levels hold with ", most = "at most ";
+  for (int field = 0; field < 4; ++field)
+  {
+    const Vec3 wave = 0.4 * random.direction(), other = 0.3 * random.direction();
+    const double height = random.uniform(0.5, 3.0), bent = random.uniform(0.0, 0.03);
+    const auto brick = brickOn({ cube_n }, [&](const Vec3& p)
+      { return 2.0 * std::sin(wave.dot(p)) + height * std::cos(other.dot(p)) + bent * p.z() * p.z(); });
+    FieldPlan plan;
+    plan.detent = levelsOf(50.0, boundsOf(*brick));
+    plan.detent.spacing = random.uniform(0.3, 2.0);
+    plan.detent.slope_per_u = usualGradient(*brick);
+    const std::string said = detentSentence(plan, k);
+    double felt_N = 0.0;
+    FieldState state;
+    Vec3 hand_W = middle, way_W = random.direction();
+    for (std::size_t i = 0; i < test::testCount(20000); ++i)
+    {
+      const Vec3 next_W = hand_W + 0.05 * way_W;
+      way_W = (next_W - middle).cwiseAbs().maxCoeff() < 12.0 && i % 500 != 499 ? way_W : random.direction();
+      hand_W = (next_W - middle).cwiseAbs().maxCoeff() < 12.0 ? next_W : hand_W;
+      felt_N = std::max(felt_N, k * moveFieldProxy(*brick, plan, k, hand_W, state).pull_W.norm());
+    }
+    EXPECT_LE(felt_N, numberAfter(said, most)) << said;
+    EXPECT_GT(felt_N, numberAfter(said, usual)) << "the force at the usual gradient is not the largest: " << said;
+    EXPECT_NEAR(numberAfter(said, usual), mostSmooth_N(plan.detent, k), 0.05 * mostSmooth_N(plan.detent, k)) << said;
+    EXPECT_LE(numberAfter(said, most),
+      1.2 * plan.detent.bounds.gradient_per_u / plan.detent.slope_per_u * mostSmooth_N(plan.detent, k))
+      << "it is no blind bound: " << said;
   }
 }
 
