@@ -98,7 +98,9 @@ bool RestJudge::isFree(const Pose& pose_W, const Motion& motion) const
 
 double RestJudge::gain_u(const Pose& pose_W, const Pose& hand_W, int trials, Random& random) const
 {
-  constexpr double longest = 0.02, shortest = 1e-5; // of the tool's size
+  // Of the tool's size. A longer motion may pass over an obstacle that the tool rests at, between two looks, into another
+  // place of rest.
+  constexpr double longest = 0.002, shortest = 1e-5;
   constexpr double grows = 1.5, shrinks = 0.93;
   Pose at_W = pose_W;
   double length = longest;
