@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "haptics/compliance/element/Materials.h"
 #include "haptics/compliance/mesh/ThinPlaces.h"
 #include "haptics/core/Text.h"
 #include "haptics/session/settings/Setting.h"
@@ -283,9 +284,7 @@ vtkHapticSoftBodyResult vtkHapticToSoftBody(vtkDataObject* data)
   {
     input->load_N.emplace_back(load->GetTuple3(i));
   }
-  // Beyond, few tetrahedra with smoothed edges are too stiff.
-  const bool few = input->poisson <= vtkHapticSoftMaterial::UsualPoisson;
-  input->element = few ? palpate::ElementKind::EdgeSmoothed : palpate::ElementKind::Quadratic;
+  input->element = palpate::usualElement(input->mesh, input->young_Pa, input->poisson);
   return { input, "" };
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 
@@ -14,6 +15,13 @@ namespace
 
 /// Strain that is smoothed over a step of the modulus makes stress beside it wrong by half of that step: by 1 %.
 constexpr double sameWithin = 0.02;
+
+/// Beyond this Poisson's ratio few tetrahedra with smoothed edges are too stiff.
+constexpr double mostOfSmoothed = 0.4;
+/// A body is made of nodes halfway for thin layers' sake up to so many nodes: some 500 MB of its factor.
+constexpr std::size_t mostNodes = 10'000;
+/// So many tetrahedra meet at a vertex of a regular mesh (six a cube). A smaller set surrounds no vertex anyway.
+constexpr std::size_t aroundVertex = 24;
 
 bool isSame(const ElasticModuli& a, const ElasticModuli& b)
 {
@@ -72,7 +80,92 @@ Parts joinByFaces(const TetraMesh& mesh, const std::vector<ElasticModuli>& modul
   return parts;
 }
 
+/// The one part around each vertex; none for a vertex on the border or between parts.
+std::vector<std::uint32_t> partsInside(const TetraMesh& mesh, Parts& parts, std::uint32_t none)
+{
+  constexpr std::uint32_t unmet = ~0u;
+  std::vector<std::uint32_t> inside(mesh.vertices_W.size(), unmet);
+  for (std::uint32_t i = 0; i < mesh.tetras.size(); ++i)
+  {
+    const std::uint32_t part = parts.partOf(i);
+    for (const std::uint32_t v : mesh.tetras[i])
+    {
+      inside[v] = inside[v] == unmet || inside[v] == part ? part : none;
+    }
+  }
+  for (const auto& corners : borderOf(mesh))
+  {
+    for (const std::uint32_t v : corners)
+    {
+      inside[v] = none;
+    }
+  }
+  return inside;
+}
+
+std::size_t nodesHalved(const TetraMesh& mesh)
+{
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for (const Tetra& t : mesh.tetras)
+  {
+    for (std::size_t a = 0; a < 4; ++a)
+    {
+      for (std::size_t b = 0; b < a; ++b)
+      {
+        edges.push_back({ std::min(t[a], t[b]), std::max(t[a], t[b]) });
+      }
+    }
+  }
+  std::ranges::sort(edges);
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return mesh.vertices_W.size() + edges.size();
+}
+
 } // namespace
+
+bool hasThinLayers(const TetraMesh& mesh, const std::vector<ElasticModuli>& moduli)
+{
+  constexpr std::uint32_t none = ~0u - 1;
+  Parts parts = joinByFaces(mesh, moduli);
+  const std::vector<std::uint32_t> inside = partsInside(mesh, parts, none);
+  const auto count = static_cast<std::uint32_t>(mesh.tetras.size());
+  std::vector<std::size_t> sizes(count, 0);
+  std::vector<bool> isThick(count, false);
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    const std::uint32_t part = parts.partOf(i);
+    ++sizes[part];
+    isThick[part] =
+      isThick[part] || std::ranges::all_of(mesh.tetras[i], [&](std::uint32_t v) { return inside[v] == part; });
+  }
+  for (std::uint32_t part = 0; part < count; ++part)
+  {
+    if (sizes[part] > aroundVertex && sizes[part] < count && !isThick[part])
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+ElementKind usualElement(const TetraMesh& mesh, const std::vector<double>& young_Pa, double poisson)
+{
+  if (poisson > mostOfSmoothed)
+  {
+    return ElementKind::Quadratic;
+  }
+  const auto isThere = [&mesh](const Tetra& t)
+  { return std::ranges::all_of(t, [&mesh](std::uint32_t v) { return v < mesh.vertices_W.size(); }); };
+  if (young_Pa.size() != mesh.tetras.size() || !std::ranges::all_of(mesh.tetras, isThere))
+  {
+    return ElementKind::EdgeSmoothed; // of one modulus, or refused by checkTetras()
+  }
+  std::vector<ElasticModuli> moduli;
+  std::ranges::transform(
+    young_Pa, std::back_inserter(moduli), [poisson](double young) { return moduliOf(young, poisson, 1.0).moduli; });
+  const bool halved = hasThinLayers(mesh, moduli) && nodesHalved(mesh) <= mostNodes;
+  return halved ? ElementKind::Quadratic : ElementKind::EdgeSmoothed;
+}
 
 std::vector<std::uint32_t> materialsOf(const TetraMesh& mesh, const std::vector<ElasticModuli>& moduli)
 {

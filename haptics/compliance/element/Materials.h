@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "haptics/compliance/element/StrainPoints.h"
 #include "haptics/compliance/material/ElasticLaw.h"
 #include "haptics/compliance/mesh/TetraMesh.h"
 
@@ -17,5 +18,14 @@ inline constexpr std::uint32_t gradedMaterial = 0;
 /// are one, where they are all there is around one of their vertices at least. Others are of a graded modulus, all of
 /// them together: layers of a single cell inside a body, or an array that takes another value in every cell.
 [[nodiscard]] std::vector<std::uint32_t> materialsOf(const TetraMesh& mesh, const std::vector<ElasticModuli>& moduli);
+
+/// Whether a body has layers, rods or inclusions of another modulus of one or two tetrahedra through them: sets that
+/// hang together by faces within 2 %, of more tetrahedra than surround a vertex, none of which has all four corners
+/// inside the set. Strain that is smoothed over edges bends such layers up to 22 % too stiffly.
+[[nodiscard]] bool hasThinLayers(const TetraMesh& mesh, const std::vector<ElasticModuli>& moduli);
+
+/// The kind of element that is true to a percent or two for such a body: smoothed edges, but nodes halfway the edges
+/// for what nearly keeps its volume, and where layers are thin and the body has few enough edges for that.
+[[nodiscard]] ElementKind usualElement(const TetraMesh& mesh, const std::vector<double>& young_Pa, double poisson);
 
 } // namespace palpate

@@ -16,6 +16,24 @@ constexpr int mostCuts = 8;
 
 using Weights = std::map<std::uint32_t, double>;
 
+/// Adds what a place at barycentric coordinates b of a face takes part in, to its nodes. On a face of six nodes its
+/// shape functions are quadratic: by linear ones between the nodes a third of what the halves should carry would press
+/// on the corners, which give way further.
+void addShares(
+  const BorderFaces& border, std::uint32_t face, const std::array<double, 3>& b, double weight, Weights& weights)
+{
+  const BorderFaces::Face& corners = border.faces()[face];
+  const bool halved = !border.halves().empty();
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    weights[corners[a]] += weight * b[a] * (halved ? 2.0 * b[a] - 1.0 : 1.0);
+    if (halved)
+    {
+      weights[border.halves()[face][a]] += 4.0 * weight * b[a] * b[(a + 1) % 3];
+    }
+  }
+}
+
 /// Adds the integral of the kernel over a face to its nodes; false if the face has no point within the radius.
 bool addFace(
   const BorderFaces& border, std::uint32_t face, const Vec3& center_W, double radius_u, int cuts, Weights& weights)
@@ -34,9 +52,9 @@ bool addFace(
       const std::array<double, 3> b{ 1.0 - b1 - b2, b1, b2 };
       const double d2 = (b[0] * c[0] + b[1] * c[1] + b[2] * c[2] - center_W).squaredNorm();
       const double kernel = 1.0 - d2 / (radius_u * radius_u);
-      for (int a = 0; kernel > 0.0 && a < 3; ++a)
+      if (kernel > 0.0)
       {
-        weights[border.faces()[face][a]] += kernel * area * b[a];
+        addShares(border, face, b, kernel * area, weights);
         within = true;
       }
     }
@@ -102,13 +120,9 @@ BorderFaces::BorderFaces(const StrainPoints& body, const std::vector<Face>& bord
     const auto middle = [&middles](std::uint32_t a, std::uint32_t b) {
       return middles.at({ std::min(a, b), std::max(a, b) });
     };
-    this->faces_.clear();
     for (const auto& [a, b, c] : border)
     {
-      const std::uint32_t ab = middle(a, b);
-      const std::uint32_t bc = middle(b, c);
-      const std::uint32_t ca = middle(c, a);
-      this->faces_.insert(this->faces_.end(), { { a, ab, ca }, { ab, b, bc }, { ca, bc, c }, { ab, bc, ca } });
+      this->halves_.push_back({ middle(a, b), middle(b, c), middle(c, a) });
     }
   }
   for (std::uint32_t f = 0; f < this->faces_.size(); ++f)

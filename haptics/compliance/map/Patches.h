@@ -9,16 +9,19 @@
 namespace palpate
 {
 
-/// The border of a body as triangles between nodes, and which of them meet at a node.
+/// The border of a body as triangles between its vertices, and which of them meet at a vertex. Of a body with nodes
+/// halfway its edges each triangle has six nodes.
 class BorderFaces
 {
 public:
   using Face = std::array<std::uint32_t, 3>;
 
-  /// `border`: of the mesh. With nodes halfway each of its triangles becomes four.
+  /// `border`: of the mesh.
   BorderFaces(const StrainPoints& body, const std::vector<Face>& border);
 
   [[nodiscard]] const std::vector<Face>& faces() const { return this->faces_; }
+  /// The nodes halfway the edges ab, bc, ca of each face; empty for a body without such nodes.
+  [[nodiscard]] const std::vector<Face>& halves() const { return this->halves_; }
   [[nodiscard]] const std::vector<std::uint32_t>& facesAt(std::uint32_t node) const { return this->facesAt_[node]; }
   [[nodiscard]] std::array<Vec3, 3> cornersOf(std::uint32_t face) const;
   [[nodiscard]] const Vec3& place(std::uint32_t node) const { return this->rest_W_[node]; }
@@ -28,6 +31,7 @@ public:
 private:
   std::vector<Vec3> rest_W_;
   std::vector<Face> faces_;
+  std::vector<Face> halves_;
   std::vector<std::vector<std::uint32_t>> facesAt_;
 };
 
@@ -36,9 +40,10 @@ private:
 inline constexpr double patchEdges = 2.5;
 
 /// How a patch of radius `radius_u` around a place on a face follows the nodes: weights 1 - (d/a)^2 integrated over the
-/// faces that hang together around it, put on the nodes as a distributing coupling (the mean motion and the mean turn
-/// of the weighted nodes carry the place). Force and moment are kept to rounding. A patch that is `wider` than the
-/// usual one by a factor covers as many more faces, each of which is integrated over by as many fewer points.
+/// faces that hang together around it by the body's own shape functions, put on the nodes as a distributing coupling
+/// (the mean motion and the mean turn of the weighted nodes carry the place). Force and moment are kept to rounding. A
+/// patch that is `wider` than the usual one by a factor covers as many more faces, each of which is integrated over by
+/// as many fewer points.
 [[nodiscard]] NodeBlocks patchAt(
   const BorderFaces& border, const Vec3& center_W, std::uint32_t face, double radius_u, double wider = 1.0);
 

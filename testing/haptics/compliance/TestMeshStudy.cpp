@@ -5,6 +5,7 @@
 #include <functional>
 #include <iostream>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -25,18 +26,44 @@ struct Study
   std::vector<double> usual_m; ///< edges in every run; with PALPATE_TEST_FULL those of the grid besides
 };
 
-/// With PALPATE_TEST_FULL from .8 mm to 17 mm, and on the thinnest layer down to .4 mm: with at least two elements
-/// through the layer. The finest take minutes and gigabytes.
+/// Why a layer of that thickness is not studied with such edges; empty: it is.
+std::string refusalOf(double thickness_m, double edge_m)
+{
+  if (edge_m > thickness_m)
+  {
+    return "the layer is thinner than an element";
+  }
+  if (edge_m > 0.5 * thickness_m)
+  {
+    return "a single element through a layer has its strain no room to differ below the ball";
+  }
+  if (edge_m < 0.0008 && thickness_m > 0.002)
+  {
+    return "the study ends at .8 mm, but on the layer of 2 mm, which has two elements there";
+  }
+  return "";
+}
+
+/// Vertices of a body whose factor takes some 8 GB: of .8 mm under a ball of 20 mm 52,800 take 4.2 GB, and memory goes
+/// with their number to the power of 1.4.
+constexpr std::size_t mostVertices = 85'000;
+
+/// With PALPATE_TEST_FULL from 17 mm to .8 mm, on the thinnest layer to .4 mm. The finest take minutes and gigabytes.
 std::vector<double> edgesOf(const Study& study)
 {
   std::vector<double> edges = study.usual_m;
   if (std::getenv("PALPATE_TEST_FULL") != nullptr)
   {
-    const double finest_m = study.thickness_m < 0.005 ? 0.0004 : 0.0008;
     for (const double edge : { 0.017, 0.0125, 0.00625, 0.004, 0.0029, 0.0021, 0.0012, 0.0008, 0.0005, 0.0004 })
     {
-      const bool isUsed = edge >= finest_m && edge <= 0.5 * study.thickness_m;
-      edges.insert(edges.end(), isUsed && std::ranges::find(edges, edge) == edges.end() ? 1 : 0, edge);
+      const std::string refusal = refusalOf(study.thickness_m, edge);
+      if (!refusal.empty())
+      {
+        std::cout << "layer " << 1e3 * study.thickness_m << " mm, edge " << 1e3 * edge << " mm: " << refusal
+                  << std::endl;
+      }
+      const bool isNew = refusal.empty() && std::ranges::find(edges, edge) == edges.end();
+      edges.insert(edges.end(), isNew ? 1 : 0, edge);
     }
   }
   std::ranges::sort(edges, std::greater<>());
@@ -51,7 +78,15 @@ void expectTruth(const Study& study)
   double leastOff = 0.03;
   for (const double edge : edgesOf(study))
   {
-    Presser presser(layerOf(layer, edge, 1.2 * truth.radius_m + edge), study.ball_m);
+    const SoftBodyInput input = layerOf(layer, edge, 1.2 * truth.radius_m + edge);
+    if (input.mesh.vertices_W.size() > mostVertices)
+    {
+      std::cout << "ball " << 1e3 * study.ball_m << " mm, layer " << 1e3 * study.thickness_m << " mm, edge "
+                << 1e3 * edge << " mm: " << input.mesh.vertices_W.size() << " vertices do not fit into 8 GB"
+                << std::endl;
+      continue;
+    }
+    Presser presser(input, study.ball_m);
     const double at = presser.press(study.depth_m) / truth.force_N;
     const double between = presser.press(study.depth_m, Vec3(0.37 * edge, 0.21 * edge, 0.0)) / truth.force_N;
     std::ostringstream which;
@@ -71,7 +106,7 @@ TEST(MeshStudy, ABallOf20mmOn50mmIsTheTrueOneOnEveryMesh)
 
 TEST(MeshStudy, ABallOf50mmOn50mmIsTheTrueOneOnEveryMesh)
 {
-  expectTruth({ 0.05, 0.003, 0.05, { 0.017 } });
+  expectTruth({ 0.05, 0.003, 0.05, { 0.017, 0.0125, 0.00625, 0.004 } });
 }
 
 TEST(MeshStudy, AContactOfMillimetresIsTheTrueOneOnEveryMesh)
@@ -82,10 +117,14 @@ TEST(MeshStudy, AContactOfMillimetresIsTheTrueOneOnEveryMesh)
 
 TEST(MeshStudy, FromTwoElementsThroughItOnALayerOf10Or20mmIsAsStiffAsItIs)
 {
-  expectTruth({ 0.01, 0.001, 0.02, { 0.01 } });
-  expectTruth({ 0.05, 0.002, 0.02, { 0.01 } });
-  expectTruth({ 0.002, 0.0003, 0.01, { 0.005 } });
-  expectTruth({ 0.02, 0.002, 0.01, { 0.005 } });
+  expectTruth({ 0.002, 0.0003, 0.02, { 0.01, 0.0029 } });
+  expectTruth({ 0.01, 0.001, 0.02, { 0.01, 0.004 } });
+  expectTruth({ 0.02, 0.002, 0.02, { 0.01, 0.004 } });
+  expectTruth({ 0.05, 0.002, 0.02, { 0.01, 0.004 } });
+  expectTruth({ 0.002, 0.0003, 0.01, { 0.005, 0.0021 } });
+  expectTruth({ 0.01, 0.001, 0.01, { 0.005, 0.0021 } });
+  expectTruth({ 0.02, 0.002, 0.01, { 0.005, 0.0021 } });
+  expectTruth({ 0.05, 0.002, 0.01, { 0.005, 0.0029 } });
 }
 
 TEST(MeshStudy, FromTwoElementsThroughItOnALayerOf5mmIsAsStiffAsItIs)
