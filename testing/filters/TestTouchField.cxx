@@ -239,7 +239,7 @@ TEST(TouchField, WhatCannotBeFeltIsSaidInOneLineAndTheOutputIsEmpty)
   expect("\"gone\"");
   touch->SetSetting("FieldArray", "f");
   touch->SetSetting("FieldIsosurface", 0);
-  expect("in no way: give FieldIsosurface");
+  expect("give FieldIsosurface");
   touch->SetSetting("FieldPush", 3.0);
   expect("FieldPush: ");
   touch->SetSetting("FieldPush", 0.0);

@@ -162,7 +162,7 @@ ElementKind usualElement(const TetraMesh& mesh, const std::vector<double>& young
   }
   std::vector<ElasticModuli> moduli;
   std::ranges::transform(
-    young_Pa, std::back_inserter(moduli), [poisson](double young) { return moduliOf(young, poisson, 1.0).moduli; });
+    young_Pa, std::back_inserter(moduli), [poisson](double young) { return moduliOf(young, poisson, 1.0).value; });
   const bool halved = hasThinLayers(mesh, moduli) && nodesHalved(mesh) <= mostNodes;
   return halved ? ElementKind::Quadratic : ElementKind::EdgeSmoothed;
 }

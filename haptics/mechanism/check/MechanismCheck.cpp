@@ -295,7 +295,7 @@ void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> sof
   for (const auto& [a, b] : check.heldOverlaps)
   {
     check.remarks.push_back(
-      "Bodies \"" + a + "\" and \"" + b + "\" overlap if the hand begins at the origin: no law joins them.");
+      "Bodies \"" + a + "\" and \"" + b + "\" overlap if the hand begins at the origin: no constraint joins them.");
   }
 }
 

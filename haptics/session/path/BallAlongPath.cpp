@@ -140,7 +140,7 @@ std::unique_ptr<BodyMaker> makeBody(const PathBody& body, PathReport& report)
   {
     report.notes.push_back(body.name + ": " + left);
   }
-  report.refusal = maker ? "" : body.name + ": it cannot give way: " + problem;
+  report.refusal = maker ? "" : body.name + ": cannot be a soft body: " + problem;
   return maker;
 }
 

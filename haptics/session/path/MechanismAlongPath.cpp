@@ -78,7 +78,7 @@ public:
 
   void finish(PathReport& report) const override
   {
-    noteTicks(report, this->capped_, "the laws were not met within a tick's work");
+    noteTicks(report, this->capped_, "the constraints were not satisfied within a tick's work");
     report.notes.insert(report.notes.end(), this->overlaps_.begin(), this->overlaps_.end());
     report.remarks.insert(report.remarks.end(), this->events_.begin(), this->events_.end());
   }

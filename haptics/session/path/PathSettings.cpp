@@ -47,7 +47,7 @@ std::string refuseTogether(const SettingStore& settings)
   const bool named = !setAmong(settings, { "FieldArray", "FieldVectors", "FieldResistance" }).empty();
   if (named && !isOn(parameters.field))
   {
-    return "{FieldArray}: an array is felt as a field, but in no way: give {FieldIsosurface}, {FieldFollow} or another "
+    return "{FieldArray}: an array is chosen for a field without a force: give {FieldIsosurface}, {FieldFollow} or another "
            "one";
   }
   if (!named && isOn(parameters.field))

@@ -46,7 +46,7 @@ std::string lostBesideTool(const PathInputs& inputs)
   const std::string lost = setBeside(inputs.settings,
     { "Stiffness", "Scale", "FrictionStatic", "FrictionKinetic", "ToolLever", "ToolCoupling", "MechanismTurning" });
   return !lost.empty() ? lost + ": a tool does not feel it; leave out this or the tool"
-         : inputs.body ? inputs.body->name + ": a tool does not feel it, for it gives way; leave out the tool, or give "
+         : inputs.body ? inputs.body->name + ": a tool cannot touch a soft body; leave out the tool, or give "
                                              "the body's surface"
          : inputs.field ? inputs.field->name + ": a tool does not feel it as a field; leave out this or the tool"
          : inputs.surfaces.empty() ? "a tool touches surfaces, and there are none"

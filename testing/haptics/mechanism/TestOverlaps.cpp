@@ -145,7 +145,7 @@ TEST(Overlaps, OfARodFromTheOriginAreNamedWhereItRunsInABodyAndNotOnItsFaceOrWhe
     const MechanismCheck check = rig.check();
     EXPECT_TRUE(check.faults.empty()) << (check.faults.empty() ? "" : check.faults.front());
     const std::string sentence =
-      "Bodies \"needle\" and \"soft\" overlap if the hand begins at the origin: no law joins them.";
+      "Bodies \"needle\" and \"soft\" overlap if the hand begins at the origin: no constraint joins them.";
     const bool said = std::ranges::find(check.remarks, sentence) != check.remarks.end();
     EXPECT_EQ(said, !check.heldOverlaps.empty());
     return said;

@@ -258,7 +258,7 @@ TEST(PathRunner, AFieldWithoutAnArrayAndAnArrayThatIsFeltInNoWayAreRefused)
   EXPECT_THAT(refusalOf(inputs), HasSubstr("no array of it"));
   inputs.settings.put("FieldDrag", 0.0);
   inputs.settings.put("FieldArray", std::string("f"));
-  EXPECT_THAT(refusalOf(inputs), HasSubstr("in no way"));
+  EXPECT_THAT(refusalOf(inputs), HasSubstr("without a force"));
 }
 
 TEST(PathRunner, ASentenceGetsTheNamesThatAPersonKnows)
