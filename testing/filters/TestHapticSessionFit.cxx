@@ -90,7 +90,7 @@ TEST_F(HapticSessionFit, AnotherDeviceThanTheOneThatRunsIsSaidUntilItRuns)
   this->startTouching();
   this->session_->SetSetting("DeviceName", "mouse");
   this->session_->Step(1);
-  EXPECT_TRUE(test::says(this->session_->GetWarning(), { "fed still", "to use mouse" }));
+  EXPECT_TRUE(palpate::test::says(this->session_->GetWarning(), { "fed still", "to use mouse" }));
   this->session_->TouchingOff();
   this->startTouching();
   this->session_->Step(1);

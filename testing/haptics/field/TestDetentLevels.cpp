@@ -23,8 +23,8 @@ TEST(DetentLevels, ThatCannotBeAreRefusedInWordsAndChangeNothing)
 {
   DetentPlan plan;
   EXPECT_EQ(setLevels(plan, "2, 1"), "");
-  EXPECT_NE(setLevels(plan, "1, two").find("'two' is no number"), std::string::npos);
-  EXPECT_NE(setLevels(plan, "1, nan").find("'nan' is no number"), std::string::npos);
+  EXPECT_NE(setLevels(plan, "1, two").find("'two' is not a number"), std::string::npos);
+  EXPECT_NE(setLevels(plan, "1, nan").find("'nan' is not a number"), std::string::npos);
   EXPECT_NE(setLevels(plan, "3 1 3").find("the same"), std::string::npos);
   EXPECT_NE(setLevels(plan, "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17").find("at most 16"), std::string::npos);
   EXPECT_EQ(plan.levelCount, 2);

@@ -77,7 +77,7 @@ const Vec3 aside(0.0, 0.0, 0.01);
 INSTANTIATE_TEST_SUITE_P(All, WrongMechanism,
   testing::Values(Wrong{ "JoinedToItself", [](MechanismRig& r) { r.mechanism.laws[0].b = "needle"; }, "to itself" },
     Wrong{ "JoinedToNothing", [](MechanismRig& r) { r.mechanism.laws[0].b = "spleen"; }, "no body has that name" },
-    Wrong{ "SoftBodyIsGone", [](MechanismRig& r) { r.soft.pop_back(); }, "\"liver\" is not there" },
+    Wrong{ "SoftBodyIsGone", [](MechanismRig& r) { r.soft.pop_back(); }, "\"liver\" is missing" },
     Wrong{ "BreakForceOf0",
       [](MechanismRig& r) { r.join(LawKind::Break, "world", Vec3::Zero(), Vec3::Zero()).strength_N = 0.0; },
       "breaks at 0 N" },
@@ -174,7 +174,7 @@ INSTANTIATE_TEST_SUITE_P(All, WrongMechanism,
         r.mechanism.bodies.push_back(block);
       },
       "No constraint supports body \"block\" against its load" },
-    Wrong{ "HandWithoutStiffness", [](MechanismRig& r) { r.grip.coupling_N_per_u = 0.0; }, "strength above 0" }),
+    Wrong{ "HandWithoutStiffness", [](MechanismRig& r) { r.grip.coupling_N_per_u = 0.0; }, "holds no body" }),
   [](const testing::TestParamInfo<Wrong>& info) { return info.param.name; });
 
 TEST(CheckedBodies, ThatOverlapAsTheyStandAreSaidAndSuchThatTouchAreNot)

@@ -213,7 +213,7 @@ TEST(BallTool, HeldElsewhereThanInItsMiddleOrTooLargeIsFeltByItsMeshAndSaysWhy)
 {
   const ToolMesh aside = ballTool(Vec3(0, 0, 0.02));
   EXPECT_EQ(aside.ball_u(), 0.0);
-  EXPECT_NE(describeFelt(aside, false).find("middle"), std::string::npos);
+  EXPECT_NE(describeFelt(aside, false).find("centre"), std::string::npos);
   EXPECT_NE(describeFelt(ballTool(), true).find("5120 triangles"), std::string::npos) << "what its mesh would cost";
   EXPECT_EQ(describeFelt(asMesh(ballTool()), false), "");
   // On so fine a sheet a tick cannot look at all that the ball may touch.
