@@ -200,8 +200,8 @@ TEST(TouchTool, OnABodyThatGivesWayItIsRefusedInWordsAndWithoutTheToolABallPress
   touch->SetInputData(makeSoftBlock(bodySide, 1.0 / scale_u_per_m));
   EXPECT_TRUE(test::says(problemOf(*touch), { "tool" }));
   touch->SetToolConnection(nullptr);
-  touch->SetRadius(ball);
-  touch->SetLowRate(0.0);
+  touch->SetSetting("Radius", ball);
+  touch->SetSetting("SoftRate", 0.0);
   touch->Update();
   ASSERT_EQ(touch->GetOutput()->GetNumberOfPoints(), 2);
   const double push_N = pushOfSoftBlock_N(ball / scale_u_per_m, deep / scale_u_per_m, stiffness_N_per_m);

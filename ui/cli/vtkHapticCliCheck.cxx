@@ -198,8 +198,8 @@ std::string SentenceOf(const palpate::SurfaceChoice& surface)
   std::ostringstream text;
   if (surface.felt < surface.triangles)
   {
-    text << surface.felt << (surface.curves ? " segments" : " triangles") << " feel the same, everywhere within "
-         << surface.bound_u << " scene units, proven both ways";
+    text << surface.felt << (surface.curves ? " segments" : " triangles")
+         << " feel the same, with a proven distance of at most " << surface.bound_u << " u between the two surfaces";
   }
   else
   {
@@ -334,11 +334,11 @@ Input Read(const vtkHapticCliCheckOptions& options)
   const bool walls = !tubes && std::ranges::all_of(surfaces, &palpate::PathSurface::curves);
   if (tubes && std::ranges::none_of(surfaces, &palpate::PathSurface::curves))
   {
-    throw vtkHapticCliProblem(file + ": it has no lines; leave out --line-radius");
+    throw vtkHapticCliProblem(file + ": no lines; omit --line-radius");
   }
   if (walls && !materials.Empty())
   {
-    throw vtkHapticCliProblem(file + ": lines as walls are felt without arrays of materials; leave those out, or " +
+    throw vtkHapticCliProblem(file + ": lines as walls have no arrays of materials; omit these options, or " +
                               "make tubes of the lines (--line-radius)");
   }
   settings.put("LinesAsWalls", static_cast<double>(walls ? palpate::AutoChoice::On : palpate::AutoChoice::Off));

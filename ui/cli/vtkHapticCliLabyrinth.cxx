@@ -107,7 +107,8 @@ palpate::LabyrinthRun RunOf(const vtkHapticCliLabyrinthOptions& options)
   }
   if (options.DeviceWalls && model->loop_s == 0.0)
   {
-    throw vtkHapticCliProblem("--device-walls: " + device + " has no loop of its own to hold walls in");
+    throw vtkHapticCliProblem(
+      "--device-walls: " + device + " cannot hold walls in a loop of its own; omit --device-walls");
   }
   palpate::LabyrinthRun run;
   run.device = *model;
@@ -134,7 +135,7 @@ int Solve(const palpate::Labyrinth& labyrinth, const vtkHapticCliLabyrinthOption
   std::cout << labyrinth.name << ": " << (outcome.problem.empty() ? "arrived" : outcome.problem);
   if (outcome.explored)
   {
-    std::cout << " after " << outcome.time_s << " s, a way of " << outcome.way_u << " u and " << outcome.places
+    std::cout << " after " << outcome.time_s << " s, a path of " << outcome.way_u << " u and " << outcome.places
               << " places; " << outcome.lead_s << " s to the start before";
   }
   std::cout << "\n";
@@ -186,7 +187,7 @@ void CheckOptions(const vtkHapticCliLabyrinthOptions& options)
   needs(!options.Output.empty(), "--csv", moves, "a hand that moves: --solve or --path");
   needs(
     !options.Device.empty(), "--device", options.Solve || options.Play, "--solve or --play: a path needs no device");
-  needs(!options.Hold.empty(), "--hold", options.Play, "--play: nobody else lets go");
+  needs(!options.Hold.empty(), "--hold", options.Play, "--play: no other mode has a dead-man switch");
   needs(options.Host_Hz != unasked.Host_Hz, "--host", options.Solve, "--solve: a path needs no device");
   needs(options.DeviceWalls, "--device-walls", options.Solve, "--solve: a path needs no device");
 }

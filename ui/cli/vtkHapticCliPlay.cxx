@@ -13,10 +13,10 @@
 #include "devices/io/broker/DBusBroker.h"
 #include "devices/simulated/MazePlayer.h"
 #include "haptics/core/Text.h"
+#include "haptics/session/HapticSession.h"
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
-#include "haptics/session/HapticSession.h"
 
 namespace
 {
@@ -48,13 +48,13 @@ std::string PluggedIn(const palpate::DeviceOptions& wanted)
   }
   if (count == 0)
   {
-    throw vtkHapticCliProblem("no device that gives force is plugged in: plug one in, or try --device "
-                              "simulated-joystick, which a simulated hand plays" +
+    throw vtkHapticCliProblem("no force-feedback device is attached: attach one, or try --device simulated-joystick, "
+                              "which a simulated hand plays" +
                               others);
   }
   if (count > 1)
   {
-    throw vtkHapticCliProblem("choose one of the devices that are plugged in with --device: " + usable);
+    throw vtkHapticCliProblem("several devices are attached; choose one with --device: " + usable);
   }
   return usable;
 }
@@ -68,7 +68,7 @@ palpate::DeadMan DeadManOf(const std::string& hold)
   const int button = palpate::numberIn<int>(hold).value_or(0);
   if (button < 1 || button > 32)
   {
-    throw vtkHapticCliProblem("--hold " + hold + ": it has to be the number of a button, 1 to 32, or grip");
+    throw vtkHapticCliProblem("--hold " + hold + ": must be the number of a button, 1 to 32, or grip");
   }
   return { 1u << (button - 1), false };
 }
@@ -79,8 +79,9 @@ void CheckHold(const palpate::DeadMan& deadMan, std::size_t labyrinths)
   const int choose = static_cast<int>(labyrinths) + 1; // with the one that ends
   if (deadMan.buttons != 0 && deadMan.buttons < (1u << std::min(choose, 31)))
   {
-    throw vtkHapticCliProblem("--hold: buttons 1 to " + std::to_string(choose) +
-                              " choose; hold one above them, the grip, or leave it out and hold what chose");
+    throw vtkHapticCliProblem(
+      "--hold: buttons 1 to " + std::to_string(choose) +
+      " choose a labyrinth; use a button above these, the grip, or omit --hold to hold the button that chose");
   }
 }
 
@@ -95,11 +96,11 @@ void CheckDevice(const std::string& name, const palpate::DeadMan& deadMan, const
     }
     if (known.problem.empty() && !known.info.rendersForce)
     {
-      throw vtkHapticCliProblem(name + " gives no force, and without it no wall can be felt; choose another --device");
+      throw vtkHapticCliProblem(name + " renders no force, so that walls cannot be felt; choose another --device");
     }
     if (known.problem.empty() && known.info.abilities.sensedAxes < 2)
     {
-      throw vtkHapticCliProblem(name + " moves along one line, and a labyrinth is a plane; choose another --device");
+      throw vtkHapticCliProblem(name + " moves along one line, but a labyrinth needs a plane; choose another --device");
     }
     if (deadMan.grip && !known.hasGrip)
     {
@@ -163,10 +164,10 @@ void Welcome(const std::string& device, const std::vector<palpate::MazeOnOffer>&
   std::cout << "; " << offer.size() + 1 << " ends, Ctrl-C too.\n";
   if (deadMan == palpate::DeadMan{})
   {
-    std::cout << "Keep the button down while you play; who lets go gives up." << std::endl;
+    std::cout << "Keep the button pressed while you play; releasing it gives up." << std::endl;
     return;
   }
-  std::cout << "Hold " << WhatHolds(deadMan) << " while you play; any other button held for "
+  std::cout << "Hold " << WhatHolds(deadMan) << " while you play; any other button pressed for "
             << palpate::MazeMenu::giveUp_s << " s gives up." << std::endl;
 }
 
@@ -188,7 +189,7 @@ bool Tell(palpate::MazeNews news, const palpate::MazeHost& host, palpate::Fault 
       std::cout << "hold " << WhatHolds(host.held());
       break;
     case palpate::MazeNews::Leads:
-      std::cout << "you are brought to the start";
+      std::cout << "the device guides your hand to the start";
       break;
     case palpate::MazeNews::LetGo:
       std::cout << "find the exit by touch";

@@ -38,7 +38,7 @@ void CheckKinds(const vtkHapticCliTouchOptions& options, bool mechanism)
   if (!asked.empty())
   {
     const char* const kind = mechanism ? "a mechanism" : tool ? "a tool" : "a soft body";
-    throw vtkHapticCliProblem(asked + ": " + kind + " does not feel it; leave out one of both");
+    throw vtkHapticCliProblem(asked + ": " + kind + " does not feel it; omit one of the two");
   }
 }
 
@@ -46,8 +46,8 @@ void CheckPlaneAlone(const vtkHapticCliTouchOptions& options)
 {
   if (options.TwoD && (options.Iso || options.Field.Any()))
   {
-    throw vtkHapticCliProblem(std::string("--two-d feels lines as they are, without ") +
-                              (options.Iso ? "--iso" : "--field") + "; leave out one of both");
+    throw vtkHapticCliProblem(
+      std::string("--two-d cannot be combined with ") + (options.Iso ? "--iso" : "--field") + "; omit one of the two");
   }
 }
 
@@ -100,7 +100,7 @@ void AddBody(const vtkHapticCliTouchOptions& options, const std::string& file, v
   if (!vtkHapticFixBody(*read.Grid, options.Soft.Fixed, read.Rough, problem) ||
       !vtkHapticDescribeBody(*read.Grid, material, "", problem))
   {
-    throw vtkHapticCliProblem(file + ": it cannot give way: " + problem);
+    throw vtkHapticCliProblem(file + ": cannot be a soft body: " + problem);
   }
   filter.AddNamed(0, file, read.Grid);
 }
@@ -116,7 +116,8 @@ void CheckIso(const vtkHapticCliTouchOptions& options, const std::vector<std::st
   }
   if (options.Field.Any())
   {
-    throw vtkHapticCliProblem("--iso: no --mode is isosurface, and no other image is touched; leave it out");
+    throw vtkHapticCliProblem(
+      "--iso has no effect: no --mode is isosurface, and no other image is touched; omit --iso");
   }
   vtkHapticCliCheckIsoIsUsed(surfaces, options.Iso);
 }
@@ -148,7 +149,7 @@ void AddFiles(const vtkHapticCliTouchOptions& options, palpate::SettingStore& fe
   {
     if (options.TwoD && vtkHapticIsImageFile(file))
     {
-      throw vtkHapticCliProblem(file + ": --two-d feels lines, not images; make curves of it first (Image Curves)");
+      throw vtkHapticCliProblem(file + ": --two-d needs lines, not an image; extract curves first (Image Curves)");
     }
     filter.AddNamed(0, file, vtkHapticCliReadData(file, vtkHapticIsImageFile(file) ? options.Iso : std::nullopt));
   }
@@ -216,7 +217,7 @@ void Run(const vtkHapticCliTouchOptions& options, vtkTouchAlongPath& filter)
   if (!problem.empty() || !report.unfelt.empty())
   {
     throw vtkHapticCliProblem(
-      !problem.empty() ? options.Settings.Said(problem) : "nothing was felt of the field: " + report.unfelt);
+      !problem.empty() ? options.Settings.Said(problem) : "the field had no effect: " + report.unfelt);
   }
   for (const std::vector<std::string>* notes : { &report.remarks, &report.notes })
   {

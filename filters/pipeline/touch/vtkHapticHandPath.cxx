@@ -72,8 +72,8 @@ std::string Sample(
   const bool isTurn = std::abs(sample.hand_W.q.norm() - 1.0) <= tolerance;
   sample.hand_W.q.normalize();
   sample.time_s = times ? times->GetComponent(id, 0) : sample.time_s;
-  return !sample.hand_W.p.allFinite() ? "its place is not finite"
-         : !isTurn                    ? std::string("its turn '") + turns->GetName() + "' is no unit quaternion"
+  return !sample.hand_W.p.allFinite() ? "its position is not finite"
+         : !isTurn                    ? std::string("its rotation '") + turns->GetName() + "' is not a unit quaternion"
                                       : "";
 }
 } // namespace
@@ -84,9 +84,9 @@ std::vector<palpate::PathSample> vtkHapticReadHandPath(
   std::vector<vtkIdType> order;
   problem = OrderOf(path, order);
   vtkDataArray* const turns =
-    ArrayOf(path, arrays.Turns, 4, "four numbers a point; name the one that holds quaternions w x y z", problem);
+    ArrayOf(path, arrays.Turns, 4, "four numbers per point; name the array with quaternions w x y z", problem);
   vtkDataArray* const times =
-    ArrayOf(path, arrays.Times, 1, "one number a point; name the one that holds the time [s]", problem);
+    ArrayOf(path, arrays.Times, 1, "one number per point; name the array with the time [s]", problem);
   std::vector<palpate::PathSample> samples;
   for (std::size_t i = 0; i < order.size() && problem.empty(); ++i)
   {

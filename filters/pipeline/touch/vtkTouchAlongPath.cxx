@@ -40,7 +40,7 @@ enum Port
 
 /// What sentences call the data of each port that has no name of its own.
 constexpr const char* PortNames[PortCount] = { "the surface", "the path", "the field", "the tool", "the compared data",
-  "the places to snap to" };
+  "the snap targets" };
 
 /// What ParaView's property of a setting is called, where it has another name.
 std::string PropertyOf(std::string_view setting)
@@ -277,8 +277,7 @@ void vtkTouchAlongPath::ReadTouched(
 {
   if (auto body = vtkHapticToSoftBody(&data).Input)
   {
-    problem =
-      inputs.body ? name + ": it gives way, and so does " + inputs.body->name + "; one body at a time does" : "";
+    problem = inputs.body ? name + ": soft body besides " + inputs.body->name + "; use one soft body at a time" : "";
     inputs.body = palpate::PathBody{ name, std::move(body) };
     return;
   }
@@ -288,7 +287,7 @@ void vtkTouchAlongPath::ReadTouched(
   {
     inputs.surfaces.push_back(std::move(surface));
   }
-  problem = problem.empty() ? "" : name + ": it cannot be touched: " + problem;
+  problem = problem.empty() ? "" : name + ": cannot be touched: " + problem;
 }
 
 /// The data of all ports; null where there are none.
@@ -323,8 +322,7 @@ void vtkTouchAlongPath::ReadField(const WholeInputs& whole, palpate::PathInputs&
   if (!whole.Field && !this->FeelsField())
   {
     problem = whole.Compared || whole.Snap
-                ? "what is compared with and snapped to is beside a field, and none is felt: "
-                  "give {FieldArray} or Field"
+                ? "compared data and snap targets need a field, but none is set: set {FieldArray} or Field"
                 : "";
     return;
   }
@@ -332,7 +330,7 @@ void vtkTouchAlongPath::ReadField(const WholeInputs& whole, palpate::PathInputs&
   vtkHapticFieldResult felt =
     vtkHapticToField(data, vtkHapticFieldArraysOf(*this->Settings), { whole.Compared, whole.Snap });
   const std::string name = this->NameOf(whole.Field ? Port::Field : Surfaces, 0);
-  problem = felt.Source ? "" : name + ": it cannot be felt as a field: " + felt.Problem;
+  problem = felt.Source ? "" : name + ": cannot be rendered as a field: " + felt.Problem;
   inputs.field = palpate::PathField{ name, std::move(felt.Source), felt.Ends, this->NoSpeed };
 }
 
@@ -341,16 +339,16 @@ palpate::PathInputs vtkTouchAlongPath::Read(const WholeInputs& whole, vtkDataObj
   palpate::PathInputs inputs;
   inputs.settings = *this->Settings;
   auto* const path = vtkPolyData::SafeDownCast(whole.Path);
-  problem = "it lies in pieces on several ranks; give it whole on one of them";
+  problem = "the data are distributed over several ranks; gather the data on one rank";
   if (path)
   {
     inputs.path = vtkHapticReadHandPath(*path, { this->TimeArray, this->TurnArray, this->Rate }, problem);
   }
-  problem = problem.empty() ? "" : this->NameOf(Port::Path, 0) + ": it cannot be followed: " + problem;
+  problem = problem.empty() ? "" : this->NameOf(Port::Path, 0) + ": cannot be used as a path: " + problem;
   const bool rate = this->Rate > 0.0 && std::isfinite(this->Rate);
   const bool speeds =
     this->NoSpeed == 0.0 || (this->NoSpeed > 0.0 && this->NoSpeed < this->Settings->number("FieldFullSpeed"));
-  problem = !rate    ? "Rate: it has to be a finite number of hertz above 0"
+  problem = !rate    ? "Rate: must be a finite number of hertz above 0"
             : speeds ? problem
                      : "NoSpeed: it has to be 0, or above 0 and below {FieldFullSpeed}";
   problem = problem.empty() ? palpate::refusePathSettings(*this->Settings) : problem;
@@ -358,11 +356,10 @@ palpate::PathInputs vtkTouchAlongPath::Read(const WholeInputs& whole, vtkDataObj
   {
     const vtkHapticMechanismResult read = vtkHapticToMechanism(given);
     inputs.mechanism = palpate::PathMechanism{ this->NameOf(Surfaces, 0), read.Inputs };
-    problem = !read.Problem.empty() ? read.Problem
-              : !vtkHapticIsWhereMade(given)
-                ? "the mechanism is not where its scene file has it: take Haptic Mechanism "
-                  "itself, and move its bodies in that file"
-                : "";
+    problem = !read.Problem.empty()          ? read.Problem
+              : !vtkHapticIsWhereMade(given) ? "the mechanism was moved away from the position of its scene file: use "
+                                               "Haptic Mechanism itself, and move bodies in that file"
+                                             : "";
   }
   else if (problem.empty())
   {
@@ -377,7 +374,7 @@ palpate::PathInputs vtkTouchAlongPath::Read(const WholeInputs& whole, vtkDataObj
   {
     const vtkHapticConversionResult held = vtkHapticToMesh(whole.Tool);
     inputs.tool = palpate::PathTool{ this->NameOf(Port::Tool, 0), held.Mesh };
-    problem = held.Mesh ? "" : inputs.tool->name + ": it cannot be held: " + held.Problem;
+    problem = held.Mesh ? "" : inputs.tool->name + ": cannot be held: " + held.Problem;
   }
   return inputs;
 }
@@ -410,7 +407,7 @@ int vtkTouchAlongPath::Tell()
   }
   if (!this->Report->unfelt.empty())
   {
-    vtkWarningMacro("Nothing was felt of the field: " << this->Report->unfelt);
+    vtkWarningMacro("The field had no effect: " << this->Report->unfelt);
   }
   for (const std::string& note : this->Report->notes)
   {

@@ -24,7 +24,7 @@ std::string lostBesideBall(const PathInputs& inputs)
   {
     lost = setAmong(settings, { "Radius", "LimitRadius", "LineRadius", "ForceShading", "StiffnessArray",
                                 "FrictionArray", "TextureArray", "LinesAsWalls" });
-    return lost.empty() ? "" : lost + ": it says how surfaces are touched, and a field alone is; leave it out";
+    return lost.empty() ? "" : lost + " applies to surfaces, but only a field is touched; omit this option";
   }
   if (inputs.body || walls)
   {
@@ -33,8 +33,10 @@ std::string lostBesideBall(const PathInputs& inputs)
            : lost.empty() && walls && inputs.field ? "{FieldArray}"
                                                    : lost;
   }
-  const std::string felt = inputs.body ? ": a soft body does not feel it" : ": lines in a plane are felt without it";
-  return lost.empty() ? "" : lost + felt + "; leave out one of both" + (inputs.body ? "" : ", it or {LinesAsWalls}");
+  const std::string felt =
+    inputs.body ? " cannot be combined with a soft body" : " cannot be combined with lines in a plane";
+  return lost.empty() ? ""
+                      : lost + felt + "; omit one of the two" + (inputs.body ? "" : ", this one or {LinesAsWalls}");
 }
 
 /// A ball that is too large is safe and may lag: that is the person's choice.
@@ -44,9 +46,9 @@ double chosenRadius_u(const PathInputs& inputs, const Scene& scene, const Contac
   const ChosenBall ball = chooseBall(scene, plan, keepLimit);
   if (!ball.limit.kept())
   {
-    report.notes.push_back(
-      "{Radius}: " + ball.limit.sentence() + "; " +
-      (keepLimit ? "the ball is so large instead" : "{LimitRadius} makes the ball so large instead"));
+    report.notes.push_back("{Radius}: " + ball.limit.sentence() + "; " +
+                           (keepLimit ? "the radius is reduced to this value"
+                                      : "use {LimitRadius} to reduce the radius to this value automatically"));
   }
   return ball.plan.radius_u;
 }
@@ -84,9 +86,9 @@ public:
   void finish(PathReport& report) const override
   {
     noteTicks(report, this->seated_,
-      "the ball overlapped a surface with no free place within its radius, and no force was given; start the path away "
-      "from the surface");
-    noteTicks(report, this->incomplete_, "the ball moved only as far as was proven free");
+      "the proxy sphere overlapped a surface without a free position within its radius, so that there was no force; "
+      "start the path away from the surface");
+    noteTicks(report, this->incomplete_, "the proxy sphere moved only as far as was proven free");
     if (this->fault_ != Fault::None)
     {
       report.notes.push_back(std::string("without force from some point on: ") + describe(this->fault_));
@@ -117,8 +119,8 @@ private:
     if (made.smoothness.noise > trappingNoise && !inCells)
     {
       std::ostringstream text;
-      text << "{FieldSmoothing}: the field's noise of " << made.smoothness.noise
-           << " of a spacing traps a hand; it was smoothed once, {FieldSmoothing} 0 leaves it as it is";
+      text << "{FieldSmoothing}: noise of " << made.smoothness.noise
+           << " of a spacing would trap a hand: the field was smoothed once; {FieldSmoothing} 0 switches this off";
       report.notes.push_back(text.str());
     }
   }

@@ -31,7 +31,7 @@ std::string lostBesideMechanism(const PathInputs& inputs)
                              : inputs.body              ? inputs.body->name
                              : !inputs.surfaces.empty() ? inputs.surfaces.front().name
                                                         : "";
-  return beside.empty() ? "" : beside + ": a mechanism does not feel it; leave it out";
+  return beside.empty() ? "" : beside + " has no effect on a mechanism; omit this option";
 }
 
 class MechanismAlongPath final : public PathKind

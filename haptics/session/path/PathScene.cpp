@@ -43,7 +43,8 @@ void noteCoupling(const SettingStore& settings, PathReport& report)
   if (!settings.text("StiffnessArray").empty() && std::max(felt[0], felt[1]) > coupling_N_per_m)
   {
     std::ostringstream text;
-    text << "{StiffnessFeltRange}: at most " << coupling_N_per_m << " N/m is felt, the coupling's own ({Stiffness})";
+    text << "{StiffnessFeltRange}: at most " << coupling_N_per_m
+         << " N/m is rendered, the stiffness of the coupling ({Stiffness})";
     report.notes.push_back(text.str());
   }
 }
@@ -57,9 +58,8 @@ std::optional<SurfaceInput> sceneInput(const PathSurface& surface, const Setting
   faces.holeEdges = surface.holeEdges;
   if (!surface.curves)
   {
-    refusal = plane ? surface.name +
-                        ": a plane world is made of lines and this has polygons; take their edges or a slice of them "
-                        "(Feature Edges, Slice), or leave out {LinesAsWalls}"
+    refusal = plane ? surface.name + ": a plane world consists of lines, but these data have polygons; extract their "
+                                     "edges or a slice (Feature Edges, Slice), or omit {LinesAsWalls}"
                     : "";
     return plane ? std::nullopt : std::optional(std::move(faces));
   }
@@ -106,7 +106,7 @@ std::shared_ptr<const Scene> pathScene(const PathInputs& inputs, PathReport& rep
   const bool curves = std::ranges::any_of(inputs.surfaces, &PathSurface::curves);
   if (inputs.settings.number("LineRadius") > 0.0 && !curves)
   {
-    report.refusal = inputs.surfaces.front().name + ": it has no lines; leave out {LineRadius}";
+    report.refusal = inputs.surfaces.front().name + ": no lines; omit {LineRadius}";
     return nullptr;
   }
   report.refusal = refuseMaterials(inputs);
@@ -114,7 +114,7 @@ std::shared_ptr<const Scene> pathScene(const PathInputs& inputs, PathReport& rep
     report.refusal.empty() ? wholeScene(surfaces, std::thread::hardware_concurrency()) : WholeScene{};
   if (!whole.refusal.empty())
   {
-    report.refusal = whole.refused + ": it cannot be touched: " + whole.refusal;
+    report.refusal = whole.refused + ": cannot be touched: " + whole.refusal;
   }
   for (std::size_t i = 0; i < surfaces.size(); ++i)
   {

@@ -47,13 +47,13 @@ std::string refuseTogether(const SettingStore& settings)
   const bool named = !setAmong(settings, { "FieldArray", "FieldVectors", "FieldResistance" }).empty();
   if (named && !isOn(parameters.field))
   {
-    return "{FieldArray}: an array is chosen for a field without a force: give {FieldIsosurface}, {FieldFollow} or another "
+    return "{FieldArray}: an array is chosen for a field without a force: give {FieldIsosurface}, {FieldFollow} or "
+           "another "
            "one";
   }
   if (!named && isOn(parameters.field))
   {
-    return "{FieldArray}: a field is to be felt, but no array of it: give {FieldArray}, {FieldVectors} or "
-           "{FieldResistance}";
+    return "{FieldArray}: a field force is set, but no array: set {FieldArray}, {FieldVectors} or {FieldResistance}";
   }
   const std::string problem = parameters.validate();
   return problem.starts_with("friction") ? "{FrictionStatic}, {FrictionKinetic}: " + problem : problem;

@@ -45,11 +45,11 @@ std::string lostBesideTool(const PathInputs& inputs)
 {
   const std::string lost = setBeside(inputs.settings,
     { "Stiffness", "Scale", "FrictionStatic", "FrictionKinetic", "ToolLever", "ToolCoupling", "MechanismTurning" });
-  return !lost.empty() ? lost + ": a tool does not feel it; leave out this or the tool"
-         : inputs.body ? inputs.body->name + ": a tool cannot touch a soft body; leave out the tool, or give "
-                                             "the body's surface"
-         : inputs.field ? inputs.field->name + ": a tool does not feel it as a field; leave out this or the tool"
-         : inputs.surfaces.empty() ? "a tool touches surfaces, and there are none"
+  return !lost.empty()  ? lost + " has no effect on a tool; omit this option or the tool"
+         : inputs.body  ? inputs.body->name + ": a tool cannot touch a soft body; leave out the tool, or give "
+                                              "the body's surface"
+         : inputs.field ? inputs.field->name + ": a tool cannot touch a field; omit the field or the tool"
+         : inputs.surfaces.empty() ? "a tool needs surfaces, and there are none"
                                    : "";
 }
 
@@ -115,8 +115,8 @@ public:
   void finish(PathReport& report) const override
   {
     noteTicks(report, this->unsettled_, "the tool had not come to rest");
-    noteTicks(
-      report, this->leadCut_, "the hand was turned so far ahead of the tool that it was led by a part of that only");
+    noteTicks(report, this->leadCut_,
+      "the hand was rotated so far ahead of the tool that the tool followed only a part of the rotation");
   }
 
 private:
@@ -172,7 +172,7 @@ std::unique_ptr<PathKind> toolAlongPath(const PathInputs& inputs, PathReport& re
   const ToolHold hold = toolHoldOf(inputs.settings);
   report.refusal = refuseHold(hold);
   auto tool = report.refusal.empty() ? makeToolAlongPath(inputs, hold, report) : nullptr;
-  report.refusal = tool ? "" : inputs.tool->name + ": it cannot be held: " + report.refusal;
+  report.refusal = tool ? "" : inputs.tool->name + ": cannot be held: " + report.refusal;
   return tool;
 }
 

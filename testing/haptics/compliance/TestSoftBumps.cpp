@@ -9,6 +9,7 @@
 
 #include "BumpySlide.h"
 #include "haptics/contact/GodObject.h"
+#include "testing/support/Linear.h"
 
 namespace palpate::test
 {

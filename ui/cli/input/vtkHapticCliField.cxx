@@ -81,7 +81,7 @@ const Mode& ModeOf(const std::string& name)
   const auto* const found = std::ranges::find(Modes, std::string_view(name), &Mode::Name);
   if (found == Modes.end())
   {
-    throw vtkHapticCliProblem("--mode " + name + ": it is isosurface, detent, snap, compare, follow, push or drag");
+    throw vtkHapticCliProblem("--mode " + name + ": must be isosurface, detent, snap, compare, follow, push or drag");
   }
   return *found;
 }
@@ -90,23 +90,23 @@ void CheckCounts(const vtkHapticCliFieldOptions& options)
 {
   if (options.Modes.empty() || options.Arrays.empty())
   {
-    throw vtkHapticCliProblem("--field and --mode go together: an array, and how it is felt");
+    throw vtkHapticCliProblem("--field and --mode belong together: give an array and its force");
   }
   if (options.Arrays.size() != 1 && options.Arrays.size() != options.Modes.size())
   {
-    throw vtkHapticCliProblem("--field: give one array for each --mode, in their order, or one for all");
+    throw vtkHapticCliProblem("--field: give one array for each --mode, in the same order, or one for all");
   }
   const bool wall = options.Modes.size() == 1 && options.Modes.front() == Isosurface;
   if (options.Strengths_N.size() != options.Modes.size() && !(wall && options.Strengths_N.empty()))
   {
     throw vtkHapticCliProblem(
-      "--strength: give one [N] for each --mode, in their order (an isosurface of 0 is a wall)");
+      "--strength: give one force [N] for each --mode, in the same order (0 for an isosurface: a wall)");
   }
   for (const std::string& mode : options.Modes)
   {
     if (std::ranges::count(options.Modes, mode) > 1)
     {
-      throw vtkHapticCliProblem("--mode " + mode + ": it is given more than once; a mode has one strength");
+      throw vtkHapticCliProblem("--mode " + mode + " is given more than once; a mode has one strength");
     }
   }
 }
@@ -128,8 +128,8 @@ void CheckModesOfOptions(const vtkHapticCliFieldOptions& options, const vtkHapti
     const auto feels = [&one](const std::string& mode) { return one.Modes.find(mode) != std::string_view::npos; };
     if (!one.Modes.empty() && std::ranges::none_of(options.Modes, feels))
     {
-      throw vtkHapticCliProblem(one.Options + ": it says how --mode " + std::string(one.Modes) +
-                                " is felt; give that as well, or leave it out");
+      throw vtkHapticCliProblem(one.Options + " belongs to --mode " + std::string(one.Modes) +
+                                ", which is not given; add this mode, or omit the option");
     }
   }
 }
@@ -140,21 +140,21 @@ void CheckCompanions(const vtkHapticCliFieldOptions& options, const vtkHapticCli
   if (Has(options, Compare) && !settings.IsGiven("FieldOther") && options.OtherFile.empty())
   {
     throw vtkHapticCliProblem(
-      "--mode compare: give the other array with --compare-with, or other data with --with-data");
+      "--mode compare: name the other array with --compare-with, or other data with --with-data");
   }
   if (settings.IsGiven("FieldDetentLevels") &&
       (settings.IsGiven("FieldDetentSpacing") || settings.IsGiven("FieldDetentOrigin")))
   {
     throw vtkHapticCliProblem(
-      "--levels: they are in place of those of --between-levels and --first-level; leave out one of both");
+      "--levels: they are in place of those of --between-levels and --first-level; omit one of the two");
   }
   if (!options.Snap.empty() && options.Snap != SnapPoints && options.Snap != SnapLines)
   {
-    throw vtkHapticCliProblem("--snap " + options.Snap + ": it is points or lines");
+    throw vtkHapticCliProblem("--snap " + options.Snap + ": must be points or lines");
   }
   if (!options.Snap.empty() && options.Surfaces.empty())
   {
-    throw vtkHapticCliProblem("--snap " + options.Snap + ": give the file that has them with --surface");
+    throw vtkHapticCliProblem("--snap " + options.Snap + ": name the file with --surface");
   }
 }
 
@@ -169,7 +169,7 @@ void SetRange(const vtkHapticCliFieldOptions& options, const vtkHapticCliSetting
   const double low = options.Range.front(), high = options.Range.back();
   if (!(std::isfinite(low) && std::isfinite(high) && low < high))
   {
-    throw vtkHapticCliProblem("--range LOW,HIGH: two finite numbers, the first below the second");
+    throw vtkHapticCliProblem("--range LOW,HIGH: must be two finite numbers, the first below the second");
   }
   if (Has(options, "drag"))
   {
@@ -182,11 +182,11 @@ void SetRange(const vtkHapticCliFieldOptions& options, const vtkHapticCliSetting
   }
   if (low < 0.0)
   {
-    throw vtkHapticCliProblem("--range LOW,HIGH: of follow and push it is of lengths, and none is below 0");
+    throw vtkHapticCliProblem("--range LOW,HIGH: must not be below 0, because follow and push use vector lengths");
   }
   if (settings.IsGiven("FieldFullSpeed"))
   {
-    throw vtkHapticCliProblem("--range and --full-length say the same of follow and push; leave out one of both");
+    throw vtkHapticCliProblem("--range and --full-length say the same of follow and push; omit one of the two");
   }
   filter.SetNoSpeed(low);
   felt.put("FieldFullSpeed", high);
@@ -201,7 +201,7 @@ void SetMode(const vtkHapticCliFieldOptions& options, std::size_t i, palpate::Se
   if (!array.empty() && array != name)
   {
     throw vtkHapticCliProblem(
-      "--field: \"" + array + "\" and \"" + name + "\" are felt from the same numbers in space; choose one");
+      "--field: \"" + array + "\" and \"" + name + "\" need the same sampled values; choose one of them");
   }
   felt.put(mode.Array, name);
   const double strength_N = options.Strengths_N.empty() ? 0.0 : options.Strengths_N[i];
@@ -263,7 +263,7 @@ vtkSmartPointer<vtkPolyData> PlacesOf(const vtkHapticCliFieldOptions& options)
     vtkHapticCliNote(file, read.Note);
     if ((options.Snap == SnapLines ? read.Surface->GetNumberOfLines() : read.Surface->GetNumberOfPoints()) == 0)
     {
-      throw vtkHapticCliProblem(file + ": it has no " + options.Snap + " that --snap could snap to");
+      throw vtkHapticCliProblem(file + ": it has no " + options.Snap + " for --snap");
     }
     const vtkIdType before = points->GetNumberOfPoints();
     for (vtkIdType i = 0; i < read.Surface->GetNumberOfPoints(); ++i)
@@ -297,7 +297,7 @@ void CheckNoneIsGiven(const vtkHapticCliFieldOptions& options, const vtkHapticCl
   }
   if (!given.empty())
   {
-    throw vtkHapticCliProblem(given + ": it says how a field is felt; give --field and --mode as well");
+    throw vtkHapticCliProblem(given + " needs a field; give --field and --mode as well");
   }
 }
 } // namespace
@@ -344,8 +344,7 @@ void vtkHapticCliTakeField(const vtkHapticCliFieldOptions& options, const vtkHap
   if (file == files.end())
   {
     throw vtkHapticCliProblem(
-      files.front() +
-      ": it is no volume that --field could be felt of; known are vti, vtr, vts, vtu, vtm, nii and nii.gz");
+      files.front() + ": not a volume for --field; valid types are vti, vtr, vts, vtu, vtm, nii and nii.gz");
   }
   const std::string name = *file;
   files.erase(file);
@@ -380,7 +379,7 @@ void vtkHapticCliSetField(const vtkHapticCliFieldOptions& options, const vtkHapt
   }
   if (Has(options, Isosurface) && !(iso && std::isfinite(*iso)))
   {
-    throw vtkHapticCliProblem("--mode isosurface: give the value of the surface with --iso");
+    throw vtkHapticCliProblem("--mode isosurface: give the isovalue with --iso");
   }
   felt.put("FieldIsosurface", Has(options, Isosurface) ? 1.0 : 0.0);
   felt.put("FieldIsovalue", Has(options, Isosurface) ? *iso : 0.0);

@@ -77,13 +77,13 @@ std::vector<Column> ParseHeader(std::string_view line, const Place& place)
     const auto* name = std::find(Names.begin(), Names.end(), field);
     if (name == Names.end())
     {
-      throw place.Problem(
-        "the column '" + std::string(field.substr(0, 24)) + "' is not known; known are t,x,y,z " + "and qw,qx,qy,qz");
+      throw place.Problem("the column '" + std::string(field.substr(0, 24)) +
+                          "' is unknown; valid columns are t,x,y,z " + "and qw,qx,qy,qz");
     }
     const auto column = static_cast<Column>(name - Names.begin());
     if (std::find(columns.begin(), columns.end(), column) != columns.end())
     {
-      throw place.Problem("the column '" + std::string(field) + "' is there twice");
+      throw place.Problem("the column '" + std::string(field) + "' appears twice");
     }
     columns.push_back(column);
   }
@@ -142,7 +142,7 @@ void CheckRestIsBlank(std::ifstream& file, const Place& place)
   {
     if (!palpate::trimmed(line).empty())
     {
-      throw place.Problem("it is empty although more rows follow");
+      throw place.Problem("the row is empty although more rows follow");
     }
   }
 }
@@ -162,7 +162,7 @@ std::vector<palpate::PathSample> ReadRows(std::ifstream& file, const std::vector
     rows.push_back(ToPathRow(ParseRow(line, columns, place), place));
     if (rows.size() > 1 && !(rows.back().time_s > rows[rows.size() - 2].time_s))
     {
-      throw place.Problem("t does not increase; every row is one tick later than the one before");
+      throw place.Problem("t does not increase; each row must be later than the row before");
     }
   }
   return rows;
@@ -182,12 +182,12 @@ std::vector<palpate::PathSample> vtkHapticCliReadPath(const std::string& name, b
   const std::vector<Column> columns = ParseHeader(line, place);
   if (turned && std::find(columns.begin(), columns.end(), QW) == columns.end())
   {
-    throw place.Problem("a tool turns: give the columns qw,qx,qy,qz too, as a unit quaternion");
+    throw place.Problem("a tool needs its rotation: add the columns qw,qx,qy,qz, a unit quaternion");
   }
   std::vector<palpate::PathSample> rows = ReadRows(file, columns, place);
   if (rows.empty())
   {
-    throw vtkHapticCliProblem(name + ": it has a header but no rows; give at least one");
+    throw vtkHapticCliProblem(name + ": the file has a header but no rows; give at least one row");
   }
   return rows;
 }

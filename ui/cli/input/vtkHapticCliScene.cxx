@@ -37,7 +37,7 @@ void vtkHapticCliCheckIsoIsUsed(const std::vector<std::string>& files, std::opti
 {
   if (iso && std::none_of(files.begin(), files.end(), vtkHapticIsImageFile))
   {
-    throw vtkHapticCliProblem(files.front() + ": it is a mesh and has no iso value; leave out --iso");
+    throw vtkHapticCliProblem(files.front() + ": a mesh has no isovalue; omit --iso");
   }
 }
 
@@ -45,7 +45,7 @@ void vtkHapticCliCheckWhole(const palpate::WholeScene& whole)
 {
   if (!whole.refusal.empty())
   {
-    throw vtkHapticCliProblem(whole.refused + ": it cannot be touched: " + whole.refusal);
+    throw vtkHapticCliProblem(whole.refused + ": cannot be touched: " + whole.refusal);
   }
 }
 
