@@ -51,6 +51,3 @@ foreach (list IN LISTS lists)
     endif ()
   endforeach ()
 endforeach ()
-
-# CGAL 6 has new names for its trees, and warns of the old ones, which CGAL 5 has alone.
-add_compile_definitions(CGAL_NO_DEPRECATION_WARNINGS)
