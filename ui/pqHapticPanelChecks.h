@@ -3,7 +3,7 @@
 #define pqHapticPanelChecks_h
 
 class QObject;
-class QStringList;
+#include <QStringList>
 
 // What an event script may ask of the widgets in an object. Each says with qCritical() what is not so.
 

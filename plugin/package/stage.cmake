@@ -23,10 +23,10 @@ replace("${root}/lib/cmake/Palpate/PalpateConfig.cmake" "/lib/python\"" "/lib/py
 # Parts of ParaView's way of building that nobody uses once it is built.
 file(GLOB client_server "${root}/lib/libvtkHaptic*CS.a")
 file(REMOVE ${client_server})
-file(REMOVE_RECURSE "${root}/lib/paraview-5.11/plugins/Palpate/vtk")
+file(REMOVE_RECURSE "${root}/lib/paraview-${CPACK_PALPATE_PARAVIEW}/plugins/Palpate/vtk")
 
 # ParaView, pvpython, pvbatch and pvserver read this list of plugins beside their own program.
-configure_file("${CPACK_PALPATE_PACKAGE_DIR}/paraview.conf" "${root}/bin/paraview.conf" COPYONLY)
+configure_file("${CPACK_PALPATE_PACKAGE_DIR}/paraview.conf" "${root}/bin/paraview.conf" @ONLY)
 
 file(MAKE_DIRECTORY "${doc}" "${root}/share/man/man1" "${root}/share/lintian/overrides")
 configure_file("${CPACK_PALPATE_PACKAGE_DIR}/copyright" "${doc}/copyright" COPYONLY)

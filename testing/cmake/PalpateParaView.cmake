@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The plugin with its three VTK modules and the Python package, against ParaView's own VTK (never another one).
 
-find_package(ParaView 5.11 REQUIRED)
+find_package(ParaView REQUIRED)
 set(BUILD_SHARED_LIBS ON)
 
 set(palpate_plugin_modules Palpate::vtkHapticPipeline Palpate::vtkHapticInteraction Palpate::vtkHapticViews)
@@ -14,7 +14,7 @@ paraview_plugin_scan(
 paraview_plugin_build(
   RUNTIME_DESTINATION "${CMAKE_INSTALL_BINDIR}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-  LIBRARY_SUBDIRECTORY "paraview-5.11/plugins"
+  LIBRARY_SUBDIRECTORY "paraview-${PALPATE_PARAVIEW}/plugins"
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate/vtk"
   AUTOLOAD Palpate
   PLUGINS_FILE_NAME "palpate.plugins.xml"

@@ -57,9 +57,9 @@ include(GNUInstallDirs)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
-set(PALPATE_PLUGIN_DIR "${CMAKE_INSTALL_LIBDIR}/paraview-5.11/plugins")
+set(PALPATE_PLUGIN_DIR "${CMAKE_INSTALL_LIBDIR}/paraview-${PALPATE_PARAVIEW}/plugins")
 # Installed parts find one another wherever the prefix is: from bin/, lib/, the plugin's folder, lib/python/palpate/ and
 # lib/python3/dist-packages/palpate/.
 set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}" "$ORIGIN/../${PALPATE_PLUGIN_DIR}/Palpate"
-  "$ORIGIN/../../.." "$ORIGIN/../.." "$ORIGIN/../../paraview-5.11/plugins/Palpate"
-  "$ORIGIN/../../../paraview-5.11/plugins/Palpate")
+  "$ORIGIN/../../.." "$ORIGIN/../.." "$ORIGIN/../../paraview-${PALPATE_PARAVIEW}/plugins/Palpate"
+  "$ORIGIN/../../../paraview-${PALPATE_PARAVIEW}/plugins/Palpate")

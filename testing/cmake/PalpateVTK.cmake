@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The two modules that need neither ParaView nor Qt, against ParaView's VTK (the default search path has another one).
 
-file(GLOB palpate_vtk_dirs "/usr/lib/*/cmake/paraview-5.11/vtk")
+set(palpate_vtk_dirs "${ParaView_DIR}/vtk")
 find_package(VTK REQUIRED PATHS ${palpate_vtk_dirs} NO_DEFAULT_PATH)
 set(BUILD_SHARED_LIBS ON)
 

@@ -137,7 +137,7 @@ void pqHapticController::makeActions()
 
   this->MarkAction = new QAction(tr("&Mark"), this);
   this->MarkAction->setObjectName("hapticMarkAction");
-  this->MarkAction->setShortcut(Qt::CTRL + Qt::SHIFT + Qt::Key_M); // Shift is down while the mouse presses
+  this->MarkAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_M)); // Shift is down while the mouse presses
   this->MarkAction->setToolTip(tr("Set a mark at the contact"));
   this->connect(this->MarkAction, &QAction::triggered, this, &pqHapticController::mark);
 

@@ -30,7 +30,7 @@ pqHapticRecordings::pqHapticRecordings(QObject* parent) : Superclass(parent), Re
   this->RecordAction->setObjectName("hapticRecordAction");
   this->RecordAction->setCheckable(true);
   this->RecordAction->setEnabled(false);
-  this->RecordAction->setShortcut(Qt::CTRL + Qt::SHIFT + Qt::Key_R);
+  this->RecordAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
   this->RecordAction->setToolTip(tr("Record the touch, from now on or from the next touch"));
   this->connect(this->RecordAction, &QAction::toggled, this, &pqHapticRecordings::record);
 }

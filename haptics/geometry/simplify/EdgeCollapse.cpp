@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 #include "haptics/geometry/mesh/ExactPredicates.h"
@@ -27,6 +29,11 @@ using Mesh = CGAL::Surface_mesh<Point>;
 using Quadrics = sms::GarlandHeckbert_plane_policies<Mesh, Kernel>;
 using Vertex = Mesh::Vertex_index;
 using Face = Mesh::Face_index;
+/// CGAL's optional values are Boost's up to CGAL 5, and the standard library's from 6 on.
+template<class Profile>
+using MaybePoint = std::invoke_result_t<const sms::Midpoint_placement<Mesh>&, const Profile&>;
+template<class Profile>
+using MaybeCost = std::invoke_result_t<const Quadrics&, const Profile&, const MaybePoint<Profile>&>;
 
 Vec3 toVec(const Point& p)
 {
@@ -100,13 +107,15 @@ public:
     this->quadrics_.update_after_collapse(profile, kept);
   }
   template<class Profile>
-  boost::optional<double> operator()(const Profile& profile, const boost::optional<Point>& placement) const
+  MaybeCost<Profile> operator()(const Profile& profile, const MaybePoint<Profile>& placement) const
   {
     constexpr double lengthWeight = 1e-4;
-    const boost::optional<double> cost = this->quadrics_(profile, placement);
-    return cost
-             ? boost::optional<double>(*cost + lengthWeight * (toVec(profile.p1()) - toVec(profile.p0())).squaredNorm())
-             : cost;
+    MaybeCost<Profile> cost = this->quadrics_(profile, placement);
+    if (cost)
+    {
+      *cost += lengthWeight * (toVec(profile.p1()) - toVec(profile.p0())).squaredNorm();
+    }
+    return cost;
   }
 
 private:
@@ -119,14 +128,14 @@ class EndOfEdge
 public:
   EndOfEdge(const Quadrics& quadrics, const Workpiece& piece) : quadrics_(quadrics), piece_(piece) {}
   template<class Profile>
-  boost::optional<Point> operator()(const Profile& profile) const
+  MaybePoint<Profile> operator()(const Profile& profile) const
   {
     const bool keep0 = this->piece_.fixed[profile.v0()], keep1 = this->piece_.fixed[profile.v1()];
     if (keep0 || keep1)
     {
-      return keep0 && keep1 ? boost::optional<Point>() : boost::optional<Point>(keep0 ? profile.p0() : profile.p1());
+      return keep0 && keep1 ? MaybePoint<Profile>() : MaybePoint<Profile>(keep0 ? profile.p0() : profile.p1());
     }
-    const boost::optional<Point> ends[2] = { profile.p0(), profile.p1() };
+    const MaybePoint<Profile> ends[2] = { profile.p0(), profile.p1() };
     return *this->quadrics_(profile, ends[0]) <= *this->quadrics_(profile, ends[1]) ? ends[0] : ends[1];
   }
 
@@ -261,9 +270,9 @@ struct Allowed
   Ledger* ledger;
 
   template<class Profile>
-  boost::optional<Point> operator()(const Profile& profile, const boost::optional<Point>& placement) const
+  MaybePoint<Profile> operator()(const Profile& profile, const MaybePoint<Profile>& placement) const
   {
-    return placement && this->ledger->allows(profile, *placement) ? placement : boost::optional<Point>();
+    return placement && this->ledger->allows(profile, *placement) ? placement : MaybePoint<Profile>();
   }
 };
 

@@ -11,6 +11,7 @@
 
 #include "haptics/geometry/measure/RayWalk.h"
 #include "haptics/geometry/measure/WallThickness.h"
+#include "testing/support/Alternative.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"
 #include "testing/support/TreeOf.h"
@@ -41,7 +42,7 @@ public:
   {
     const Kernel::Ray_3 ray(toPoint(from_W), Kernel::Vector_3(direction_W.x(), direction_W.y(), direction_W.z()));
     const auto hit = this->tree_.first_intersection(ray);
-    const auto* const point = hit ? boost::get<Kernel::Point_3>(&hit->first) : nullptr;
+    const auto* const point = hit ? alternative<Kernel::Point_3>(hit->first) : nullptr;
     return point != nullptr
              ? std::optional<double>(std::sqrt(CGAL::to_double(CGAL::squared_distance(*point, toPoint(from_W)))))
              : std::nullopt;

@@ -11,6 +11,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include "testing/lab/backends/Backend.h"
+#include "testing/support/Alternative.h"
 
 namespace palpate::lab
 {
@@ -93,11 +94,11 @@ private:
   /// A hit is a point, or a piece of the segment that lies in the triangle's plane.
   [[nodiscard]] static Vec3 nearest(const Hit& hit, const Vec3& from_W)
   {
-    if (const auto* p = boost::get<typename Kernel::Point_3>(&hit.first))
+    if (const auto* p = test::alternative<typename Kernel::Point_3>(hit.first))
     {
       return vec(*p);
     }
-    const auto& piece = boost::get<Segment>(hit.first);
+    const auto& piece = *test::alternative<Segment>(hit.first);
     const Vec3 a = vec(piece.source()), b = vec(piece.target());
     return (a - from_W).squaredNorm() < (b - from_W).squaredNorm() ? a : b;
   }
