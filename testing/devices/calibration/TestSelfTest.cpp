@@ -29,7 +29,7 @@ Vec3 obliging(const Vec3& asked_D, double, const SelfTestState&)
   return asked_D;
 }
 
-struct Outcome
+struct SelfTested
 {
   SelfTestPlan plan;
   SelfTestState state;
@@ -52,7 +52,7 @@ struct Says
   double effectsEndAfter_s = 0.0;
 };
 
-Outcome run(const DeviceModel& model, const std::string& hand, const Wiring& wiring, const Person& person = obliging,
+SelfTested run(const DeviceModel& model, const std::string& hand, const Wiring& wiring, const Person& person = obliging,
   const std::function<void(int tick, DeviceSample& sample, SelfTestState& state)>& meddle = {}, const Says& says = {})
 {
   constexpr double pace_m_per_s = 0.1;
@@ -60,7 +60,7 @@ Outcome run(const DeviceModel& model, const std::string& hand, const Wiring& wir
   EXPECT_EQ(device.open(), "");
   DeviceInfo info = device.info();
   info.effectsEndAfter_s = says.effectsEndAfter_s;
-  Outcome outcome{ SelfTestPlan::forDevice(info, {}, says.wheel), {}, info };
+  SelfTested outcome{ SelfTestPlan::forDevice(info, {}, says.wheel), {}, info };
   Vec3 hand_D = Vec3::Zero();
   double push_s = 0.0;
   for (int tick = 1; tick < longest_ticks && outcome.state.verdict == SelfTestVerdict::None; ++tick)
@@ -97,7 +97,7 @@ double roundingError(const PushPair& pushes, std::size_t axis, double step_m)
 /// How far, as a share, a strength k f h / (f - h) is off at most: the slopes f = 1 / K and h = 1 / (K + k) of a hand
 /// of stiffness K without and with a spring k have errors of their own, each of which counts by its logarithmic
 /// derivative.
-double strengthError(const Outcome& found, std::size_t axis, double step_m, double hand_N_per_m)
+double strengthError(const SelfTested& found, std::size_t axis, double step_m, double hand_N_per_m)
 {
   const MotorAnswers& seen = found.state.motors[axis];
   const double ratio = hand_N_per_m / wallStiffness_N_per_m(found.plan, found.state, static_cast<int>(axis));
@@ -118,7 +118,7 @@ Mat3 swapped()
 
 TEST(SelfTest, ADeviceAsItShouldBeIsFoundAsItIs)
 {
-  const Outcome found = run(joystick(), "light", {});
+  const SelfTested found = run(joystick(), "light", {});
   ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
   const Calibration c = found.calibration();
   ASSERT_EQ(c.refusal(), "");
@@ -141,7 +141,7 @@ TEST(SelfTest, NoPushIsStrongerThanATenthOrLongerThanHalfASecond)
 {
   for (const DeviceModel& model : deviceModels())
   {
-    const Outcome found = run(model, "light", {});
+    const SelfTested found = run(model, "light", {});
     EXPECT_EQ(found.state.verdict, SelfTestVerdict::Passed) << model.name << ": " << found.text();
     EXPECT_LE(found.largest_N, 0.1 * std::min(model.maxForce_N, 5.0) * (1.0 + 1e-12)) << model.name;
     EXPECT_GT(found.largest_N, 0.0);
@@ -154,7 +154,7 @@ TEST(SelfTest, AnExactDeviceShowsTheStiffnessOfTheHandThatHoldsIt)
   for (const char* name : { "light", "stylus", "firm" })
   {
     const HandModel& hand = *handModel(name);
-    const Outcome found = run(*deviceModel("simulated-ideal"), name, {});
+    const SelfTested found = run(*deviceModel("simulated-ideal"), name, {});
     ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
     const Calibration c = found.calibration();
     for (const AxisCalibration& axis : c.axes)
@@ -173,7 +173,7 @@ TEST(SelfTest, EverySwappedAndTurnedSensorIsFound)
     {
       Wiring wiring;
       wiring.sensors = order * Vec3(signs & 1 ? -1.0 : 1.0, signs & 2 ? -1.0 : 1.0, 1.0).asDiagonal();
-      const Outcome found = run(joystick(), "light", wiring);
+      const SelfTested found = run(joystick(), "light", wiring);
       ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
       const Calibration c = found.calibration();
       for (int i = 0; i < 2; ++i)
@@ -195,7 +195,7 @@ TEST(SelfTest, EverySwappedAndTurnedMotorIsFoundWhateverTheSensorsAre)
       Wiring wiring;
       wiring.motors = order * Vec3(signs & 1 ? -1.0 : 1.0, signs & 2 ? -1.0 : 1.0, 1.0).asDiagonal();
       wiring.sensors = swapped() * Vec3(1.0, -1.0, 1.0).asDiagonal();
-      const Outcome found = run(joystick(), "light", wiring);
+      const SelfTested found = run(joystick(), "light", wiring);
       ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
       const Calibration c = found.calibration();
       for (int i = 0; i < 2; ++i)
@@ -212,7 +212,7 @@ TEST(SelfTest, SwappedAxesOfThreeAreFound)
   Wiring wiring;
   wiring.sensors << 0, 0, -1, 1, 0, 0, 0, 1, 0;
   wiring.motors << 0, 1, 0, 0, 0, 1, -1, 0, 0;
-  const Outcome found = run(*deviceModel("simulated-premium"), "light", wiring);
+  const SelfTested found = run(*deviceModel("simulated-premium"), "light", wiring);
   ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
   const Calibration c = found.calibration();
   for (int i = 0; i < 3; ++i)
@@ -229,7 +229,7 @@ TEST(SelfTest, AMotorThatIsWeakIsSaidAndMeasuredAgainstTheDevicesOwnSpring)
   wiring.motors(1, 1) = 0.25;
   DeviceModel smooth = joystick(); // a quarter of the push would not overcome its friction
   smooth.friction_N = 0.0;
-  const Outcome found = run(smooth, "light", wiring);
+  const SelfTested found = run(smooth, "light", wiring);
   ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
   const Calibration c = found.calibration();
   EXPECT_NEAR(c.axes[1].response_m_per_N / c.axes[0].response_m_per_N, 0.25, 0.05);
@@ -244,7 +244,7 @@ TEST(SelfTest, ADeadMotorIsAFaultAndGivesNoCalibration)
   {
     Wiring wiring;
     wiring.motors(motor, motor) = 0.0;
-    const Outcome found = run(joystick(), "light", wiring);
+    const SelfTested found = run(joystick(), "light", wiring);
     EXPECT_EQ(found.state.verdict, SelfTestVerdict::Faulty) << found.text();
     EXPECT_EQ(found.state.reason, SelfTestReason::NoMotion);
     EXPECT_EQ(findMotor(found.plan, found.state, motor).motion, MotorMotion::None);
@@ -265,7 +265,7 @@ DeviceModel fineJoystick()
 
 TEST(SelfTest, WallsAndViscosityThatAreRightAreFeltOnEachSideOfEachAxis)
 {
-  const Outcome found = run(fineJoystick(), "light", {});
+  const SelfTested found = run(fineJoystick(), "light", {});
   ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
   EXPECT_EQ(heldProofOf(found.plan, found.state), HeldProof::Felt) << found.text();
   EXPECT_EQ(found.calibration().held, HeldProof::Felt);
@@ -290,7 +290,7 @@ TEST(SelfTest, OneWallThatIsWrongOnOneSideKeepsAllWallsWithTheProgram)
       wiring.sides[side] = share;
       DeviceModel model = fineJoystick();
       model.maxStiffness_N_per_m = 1e4; // or the simulated device would not give the stiffest
-      const Outcome found = run(model, "light", wiring);
+      const SelfTested found = run(model, "light", wiring);
       EXPECT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
       EXPECT_EQ(heldProofOf(found.plan, found.state), proof) << share << " on side " << side << ": " << found.text();
       EXPECT_EQ(found.calibration().held, proof);
@@ -306,7 +306,7 @@ TEST(SelfTest, ADamperThatDrivesOrDoesNothingIsFelt)
   {
     Wiring wiring;
     wiring.brake = brake;
-    const Outcome found = run(fineJoystick(), "light", wiring);
+    const SelfTested found = run(fineJoystick(), "light", wiring);
     EXPECT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
     EXPECT_EQ(heldProofOf(found.plan, found.state), proof) << found.text();
   }
@@ -325,7 +325,7 @@ TEST(SelfTest, AWallThatTakesTheHandAwayIsLetGoInThatTickAndTheRestIsStillTested
       taken = true;
     }
   };
-  const Outcome found = run(fineJoystick(), "light", {}, obliging, takesAway);
+  const SelfTested found = run(fineJoystick(), "light", {}, obliging, takesAway);
   EXPECT_TRUE(taken);
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
   EXPECT_EQ(found.calibration().held, HeldProof::WrongWay);
@@ -335,7 +335,7 @@ TEST(SelfTest, AMotorThatPushesAlongBothAxesIsAFault)
 {
   Wiring wiring;
   wiring.motors(1, 0) = 0.8;
-  const Outcome found = run(fineJoystick(), "light", wiring);
+  const SelfTested found = run(fineJoystick(), "light", wiring);
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Faulty) << found.text();
   EXPECT_EQ(found.state.reason, SelfTestReason::BothAxes);
   EXPECT_NE(found.text().find("two axes at once"), std::string::npos) << found.text();
@@ -345,7 +345,7 @@ TEST(SelfTest, TwoMotorsBehindOneAxisOfAStickAreAFault)
 {
   Wiring wiring;
   wiring.motors << 1, 1, 0, 0, 0, 0, 0, 0, 1;
-  const Outcome found = run(fineJoystick(), "light", wiring);
+  const SelfTested found = run(fineJoystick(), "light", wiring);
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Faulty) << found.text();
   EXPECT_EQ(found.state.reason, SelfTestReason::SharedAxis);
 }
@@ -354,7 +354,7 @@ TEST(SelfTest, ADeviceThatAnswersOnceThePushIsOverIsAFault)
 {
   Wiring wiring;
   wiring.late_ticks = 200;
-  const Outcome found = run(fineJoystick(), "light", wiring);
+  const SelfTested found = run(fineJoystick(), "light", wiring);
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Faulty) << found.text();
   EXPECT_EQ(found.state.reason, SelfTestReason::AnswersLate);
   EXPECT_NE(found.text().find("only after the force pulse"), std::string::npos) << found.text();
@@ -366,7 +366,7 @@ TEST(SelfTest, ADeviceThatAnswersOnlySomePushesIsAFault)
   {
     Wiring wiring;
     wiring.failsEach = failsEach;
-    const Outcome found = run(fineJoystick(), "light", wiring);
+    const SelfTested found = run(fineJoystick(), "light", wiring);
     EXPECT_EQ(found.state.verdict, SelfTestVerdict::Faulty) << found.text();
     EXPECT_EQ(found.state.reason, SelfTestReason::Sometimes) << failsEach;
   }
@@ -376,7 +376,7 @@ TEST(SelfTest, ADeviceWhoseForceFadesIsNotTakenAtItsWord)
 {
   Wiring wiring;
   wiring.keeps = 0.9; // six pushes lie between the two that are compared: 0.53 of the first
-  const Outcome found = run(fineJoystick(), "light", wiring);
+  const SelfTested found = run(fineJoystick(), "light", wiring);
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Inconclusive) << found.text();
   EXPECT_EQ(found.state.reason, SelfTestReason::Fades);
   EXPECT_NE(found.text().find("let the motors cool"), std::string::npos) << found.text();
@@ -385,7 +385,7 @@ TEST(SelfTest, ADeviceWhoseForceFadesIsNotTakenAtItsWord)
 TEST(SelfTest, ADeviceThatGoesOnPushingWhenNobodyRenewsItIsAFault)
 {
   // A simulated device does what it was told last for ever.
-  const Outcome found = run(fineJoystick(), "light", {}, obliging, {}, { false, 0.2 });
+  const SelfTested found = run(fineJoystick(), "light", {}, obliging, {}, { false, 0.2 });
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Faulty) << found.text();
   EXPECT_EQ(found.state.reason, SelfTestReason::NoExpiry);
   EXPECT_NE(found.text().find("do not expire"), std::string::npos) << found.text();
@@ -405,7 +405,7 @@ TEST(SelfTest, AWheelThatCallsItselfAStickIsFoundByPushing)
 {
   for (const bool secondMotorToo : { false, true })
   {
-    const Outcome found = run(fineJoystick(), "light", wheelWiring(secondMotorToo));
+    const SelfTested found = run(fineJoystick(), "light", wheelWiring(secondMotorToo));
     ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
     EXPECT_TRUE(found.state.oneAxis);
     const Calibration c = found.calibration();
@@ -435,7 +435,7 @@ TEST(SelfTest, WhoSaysThatItIsAWheelIsAskedForOneAxisOnly)
   bool askedForMore = false;
   const auto look = [&](int, DeviceSample&, SelfTestState& state)
   { askedForMore = askedForMore || (state.stage == SelfTestStage::End && state.axis > 0); };
-  const Outcome found = run(fineJoystick(), "light", wheelWiring(false), obliging, look, { true, 0.0 });
+  const SelfTested found = run(fineJoystick(), "light", wheelWiring(false), obliging, look, { true, 0.0 });
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
   EXPECT_FALSE(askedForMore);
   EXPECT_EQ(found.calibration().axisCount, 1);
@@ -443,7 +443,7 @@ TEST(SelfTest, WhoSaysThatItIsAWheelIsAskedForOneAxisOnly)
 
 TEST(SelfTest, OfAStickThatSomebodyCallsAWheelOnlyXIsKept)
 {
-  const Outcome found = run(fineJoystick(), "light", {}, obliging, {}, { true, 0.0 });
+  const SelfTested found = run(fineJoystick(), "light", {}, obliging, {}, { true, 0.0 });
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
   EXPECT_EQ(found.calibration().axisCount, 1);
 }
@@ -454,7 +454,7 @@ TEST(SelfTest, PositionsWhereNoHandCanBeEndIt)
   {
     const auto leaps = [leap_m](int tick, DeviceSample& sample, SelfTestState&)
     { sample.pose_D.p.x() += tick == 700 ? leap_m : 0.0; };
-    const Outcome found = run(joystick(), "light", {}, obliging, leaps);
+    const SelfTested found = run(joystick(), "light", {}, obliging, leaps);
     EXPECT_EQ(found.state.verdict, SelfTestVerdict::Aborted);
     EXPECT_EQ(found.state.reason, SelfTestReason::Impossible);
     EXPECT_NE(found.text().find("impossible positions"), std::string::npos) << found.text();
@@ -504,7 +504,7 @@ TEST(SelfTest, ALimitedRangeIsFoundAndSaid)
 {
   Wiring wiring;
   wiring.travel_m.x() = 0.4 * joystick().travel_m;
-  const Outcome found = run(joystick(), "light", wiring);
+  const SelfTested found = run(joystick(), "light", wiring);
   ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
   const Calibration c = found.calibration();
   EXPECT_NEAR(c.axes[0].high_m - c.axes[0].low_m, 0.8 * joystick().travel_m, 2.0 * joystick().encoderStep_m);
@@ -516,7 +516,7 @@ TEST(SelfTest, AnAxisThatIsNotMeasuredIsNotWaitedForForEver)
 {
   Wiring wiring;
   wiring.sensors(0, 0) = 0.0;
-  const Outcome found = run(joystick(), "light", wiring);
+  const SelfTested found = run(joystick(), "light", wiring);
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Inconclusive);
   EXPECT_EQ(found.state.reason, SelfTestReason::NotMoved);
   EXPECT_EQ(found.largest_N, 0.0);
@@ -531,7 +531,7 @@ TEST(SelfTest, AHandThatMovesByItselfMakesItInconclusiveAndIsSaid)
     const bool pushed = state.stage >= SelfTestStage::Settle;
     return pushed ? Vec3(asked_D + Vec3(swing_m * std::sin(2.0 * M_PI * turns_Hz * time_s), 0, 0)) : asked_D;
   };
-  const Outcome swinging = run(joystick(), "stylus", {}, swings);
+  const SelfTested swinging = run(joystick(), "stylus", {}, swings);
   EXPECT_EQ(swinging.state.verdict, SelfTestVerdict::Inconclusive);
   EXPECT_NE(swinging.text().find("the hand moved during"), std::string::npos) << swinging.text();
 
@@ -541,7 +541,7 @@ TEST(SelfTest, AHandThatMovesByItselfMakesItInconclusiveAndIsSaid)
     constexpr double speed_m_per_s = 3e-3;
     return state.stage >= SelfTestStage::Settle ? Vec3(asked_D + Vec3(0, speed_m_per_s * (time_s - 40.0), 0)) : asked_D;
   };
-  const Outcome creeping = run(*deviceModel("simulated-premium"), "firm", {}, creeps);
+  const SelfTested creeping = run(*deviceModel("simulated-premium"), "firm", {}, creeps);
   EXPECT_EQ(creeping.state.verdict, SelfTestVerdict::Inconclusive) << creeping.text();
   EXPECT_EQ(creeping.state.reason, SelfTestReason::PushUnclear);
   EXPECT_FALSE(calibrationFrom(creeping.plan, creeping.state, creeping.device, "2026-01-31"));
@@ -551,7 +551,7 @@ TEST(SelfTest, SomebodyWhoNeverHoldsStillIsNotPushed)
 {
   const auto fidgets = [](const Vec3&, double time_s, const SelfTestState&)
   { return Vec3(Vec3(std::sin(20.0 * time_s), std::cos(20.0 * time_s), 0.0) * 5e-3); };
-  const Outcome found = run(joystick(), "firm", {}, fidgets);
+  const SelfTested found = run(joystick(), "firm", {}, fidgets);
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Inconclusive);
   EXPECT_EQ(found.state.reason, SelfTestReason::NeverStill);
   EXPECT_EQ(found.largest_N, 0.0);
@@ -559,7 +559,7 @@ TEST(SelfTest, SomebodyWhoNeverHoldsStillIsNotPushed)
 
 TEST(SelfTest, SomebodyWhoDoesNothingIsAskedNoLongerThanHalfAMinute)
 {
-  const Outcome found =
+  const SelfTested found =
     run(joystick(), "light", {}, [](const Vec3&, double, const SelfTestState&) { return Vec3(Vec3::Zero()); });
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Inconclusive);
   EXPECT_EQ(found.state.reason, SelfTestReason::NotMoved);
@@ -577,7 +577,7 @@ TEST(SelfTest, ADeviceThatRunsAwayLosesItsForceInThatTick)
       state.stage = SelfTestStage::Settle; // nobody can lead it to its ends
     }
   };
-  const Outcome found = run(free, "none", {}, obliging, stays);
+  const SelfTested found = run(free, "none", {}, obliging, stays);
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Aborted) << found.text();
   EXPECT_TRUE(found.state.reason == SelfTestReason::TooFar || found.state.reason == SelfTestReason::TooFast);
   EXPECT_EQ(found.atEnd_N, Vec3::Zero());
@@ -622,7 +622,7 @@ TEST(SelfTest, ADeviceThatIsLostEndsIt)
 {
   Wiring wiring;
   wiring.lostAfter_ticks = 500;
-  const Outcome found = run(joystick(), "light", wiring);
+  const SelfTested found = run(joystick(), "light", wiring);
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Aborted);
   EXPECT_EQ(found.state.reason, SelfTestReason::Lost);
 }
