@@ -237,7 +237,7 @@ class InAField(CommandLineTest):
         command = ("touch", "f.vti", "--path", "path.csv", "--csv", "out.csv", "--stiffness", STIFFNESS, "--field", "f", "--mode",
                    "detent", "--between-levels", distance, "--first-level", 0, "--strength")
         self.assertEqual(self.succeed(*command, 0.9 * most).stderr, "")
-        self.assertIn(f"hold with at most {most:.2g} N", self.succeed(*command, 3 * most).stderr)
+        self.assertIn(f"and with at most {most:.2g} N", self.succeed(*command, 3 * most).stderr)
         pulled = [abs(row["force_z"]) for row in self.read_rows()]
         self.assertLessEqual(max(pulled), most * (1 + 1e-9))
         self.assertGreater(max(pulled), 0.99 * most)
@@ -305,7 +305,7 @@ class InAField(CommandLineTest):
         self.write_path([(0.0, 8.0, 8.0, 9.0)])
         command = ("touch", "f.vti", "--path", "path.csv", "--csv", "out.csv", "--field", "f", "--mode", "isosurface", "--iso", 8)
         self.assertEqual(self.succeed(*command).stderr, "")
-        self.refused(*command, "--radius", 1, saying=["--radius", "a field alone"])
+        self.refused(*command, "--radius", 1, saying=["--radius", "only a field"])
         self.write_off("plane.off", SQUARE_POINTS, SQUARE_FACES)
         self.assertIn("by a point", self.succeed(*command, "--radius", 0.5, "--surface", "plane.off").stderr)
         # Half a spacing up and down in turn along x alone is a wave, and the data

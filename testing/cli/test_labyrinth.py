@@ -149,7 +149,7 @@ class PlayTest(CommandLineTest):
         self.assertEqual(lines[0], "simulated-joystick: press 1 for corridor; 2 ends, Ctrl-C too.")
         self.assertIn("gives up", lines[1])
         self.assertEqual([line.partition(": ")[2].split(" after ")[0] for line in lines[2:-1]],
-                         ["hold button 1", "guides your hand to the start", "find the exit by touch", "arrived"])
+                         ["hold button 1", "the device guides your hand to the start", "find the exit by touch", "arrived"])
         self.assertEqual(lines[-1], "1 arrival")
 
     def test_every_maze_of_the_gallery_has_its_button_in_the_order_of_the_list(self):

@@ -149,7 +149,7 @@ class Materials(CommandLineTest):
     def test_what_the_coupling_cuts_off_is_said(self):
         self.write_path([(0.0, 0.0, 0.0, 1.0)])
         touch = ("touch", "square.vtp", "--path", "path.csv", "--csv", "out.csv", "--stiffness", 512, "--stiffness-array", "x")
-        said = "at most 512 N/m is felt"
+        said = "at most 512 N/m is rendered"
         self.assertIn(said, self.succeed(*touch, "--stiffness-to", "100,513").stderr)
         self.assertNotIn(said, self.succeed(*touch, "--stiffness-to", "100,512").stderr)
 

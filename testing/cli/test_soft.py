@@ -135,7 +135,7 @@ class Soft(CommandLineTest):
                              for n in range(200)])
             run = self.succeed("touch", "sheet.vtu", "--young", 50e3, "--fixed", "zmin", "--radius", ball, "--model",
                                "linear", "--path", "path.csv", "--csv", "out.csv")
-            self.assertEqual("sheet.vtu: it was pressed through itself" in run.stderr, told, run.stderr)
+            self.assertEqual("was pressed through itself" in run.stderr, told, run.stderr)
             self.assertEqual(len(self.read_rows()), 200)
 
     def test_what_is_no_body_is_refused_in_one_line(self):

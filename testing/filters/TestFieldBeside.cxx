@@ -178,7 +178,7 @@ TEST(FieldBesideData, ComparesWithAnArrayOfOtherDataOfAnotherKind)
   vtkHapticFieldArrays gone = scalarF();
   gone.Other = "gone";
   EXPECT_THAT(
-    vtkHapticToField(imageWith(5, "f", height), gone, { other }).Problem, HasSubstr("compared with: its array"));
+    vtkHapticToField(imageWith(5, "f", height), gone, { other }).Problem, HasSubstr("its array"));
 }
 
 TEST(FieldBesideData, SnapsToLinesAndVerticesAndToTheBarePointsOfACloud)

@@ -212,7 +212,7 @@ TEST_F(HapticSessionField, ThatCannotBeFeltIsRefusedByNameAndARightArrayTakesThe
     errorsOf(this->session_, [&] { EXPECT_FALSE(this->session_->AddField("ball", distances(20, 1.0))); });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_TRUE(test::says(errors[0], { "array", "\"gone\"", "exist" }));
-  EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("\"gone\" is not there"));
+  EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("\"gone\""));
   EXPECT_FALSE(this->session_->FinishField());
   this->session_->SetSetting("FieldArray", "distance");
   EXPECT_STREQ(this->session_->GetProblem(), "");
@@ -365,7 +365,7 @@ TEST_F(HapticSessionField, HoldsTheHandAtChosenLevelsAndRefusesWhatAreNone)
   EXPECT_LT(this->force().x(), -0.01);
   const auto errors = errorsOf(this->session_, [&] { this->session_->SetSetting("FieldDetentLevels", "8, high"); });
   ASSERT_EQ(errors.size(), 1u);
-  EXPECT_THAT(errors[0], HasSubstr("'high' is no number"));
+  EXPECT_THAT(errors[0], HasSubstr("'high' is not a number"));
   EXPECT_STREQ(this->session_->GetSettingText("FieldDetentLevels"), "8, 14");
 }
 

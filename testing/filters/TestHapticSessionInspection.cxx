@@ -264,7 +264,7 @@ TEST_F(HapticSessionInspection, SourcesOfTheirOwnKeepTheirTextAndWhatCannotBeLea
   other->GetSourceMaterial("ball", material);
   EXPECT_THAT(material, ::testing::ElementsAre(250.0, 0.5, 0.25));
   const char* const header = "Source,Touched,Stiffness,FrictionStatic,FrictionKinetic\n";
-  for (const auto& [bad, why] : { std::pair{ "ball,2,inf,-1,-1\n", "ball: Touched is 0 or 1, not '2'" },
+  for (const auto& [bad, why] : { std::pair{ "ball,2,inf,-1,-1\n", "ball: Touched must be 0 or 1, not '2'" },
          std::pair{ "ball,1,-5,-1,-1\n", "ball: " }, std::pair{ "ball,1,inf,-1\n", "ball: it has 4 fields" } })
   {
     const auto errors = errorsOf(

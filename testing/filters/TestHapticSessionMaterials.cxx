@@ -194,7 +194,7 @@ TEST_F(HapticSessionMaterials, OneSourceIsSofterThanTheOthersOrNotTouchedAtAll)
   EXPECT_TRUE(this->session_->AddSurface("surface", plane, nullptr)) << "that is no problem";
   this->session_->CommitScene();
   EXPECT_FALSE(this->session_->FinishScene());
-  EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("surface: it is switched off"));
+  EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("surface: the source is switched off"));
   this->session_->SetSourceTouched("surface", true);
   this->show(plane);
 

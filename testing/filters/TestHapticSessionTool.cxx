@@ -187,7 +187,7 @@ TEST_F(HapticSessionTool, WhoseHandleIsFarAwayIsRefusedInWords)
 
 TEST_F(HapticSessionTool, WithoutItsSourceOrWithDataThatCannotBeHeldSaysSoAndTheBallTouches)
 {
-  EXPECT_THAT(this->session_->GetToolText(), HasSubstr("Cube1 is not there"));
+  EXPECT_THAT(this->session_->GetToolText(), HasSubstr("Cube1 does not exist"));
   vtkNew<vtkPolyData> nothing;
   const auto refused = [this](const std::function<void()>& change) { return errorsOf(this->session_, change).size(); };
   EXPECT_EQ(refused([&] { this->session_->AddTool("Cube1", nothing); }), 1u);

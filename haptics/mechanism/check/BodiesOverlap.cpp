@@ -9,6 +9,7 @@
 
 #include "haptics/geometry/measure/RayWalk.h"
 #include "haptics/geometry/tree/SurfaceData.h"
+#include "haptics/mechanism/check/InnerVertices.h"
 #include "haptics/mechanism/check/MechanismFaults.h"
 
 namespace palpate
@@ -54,79 +55,6 @@ const SurfaceTree& surfaceOf(const PressedBody& body)
   return *body.scene->surfaces()[body.touch.surface].tree;
 }
 
-/// Twice three times the volume that a closed surface encloses; negative where its normals point inwards.
-double sixVolumes(const TriangleMesh& mesh)
-{
-  double volume = 0.0;
-  const Vec3& origin_W = mesh.vertices_W.front();
-  for (const auto& [a, b, c] : mesh.triangles)
-  {
-    const Vec3 p = mesh.vertices_W[a] - origin_W, q = mesh.vertices_W[b] - origin_W, r = mesh.vertices_W[c] - origin_W;
-    volume += p.cross(q).dot(r);
-  }
-  return volume;
-}
-
-/// For each vertex of a closed surface a direction to the outer side of all of its triangles; zero where there is none.
-std::vector<Vec3> directionsOutwards(const TriangleMesh& mesh)
-{
-  constexpr int mostRounds = 64;
-  constexpr double leastShare = 0.05; // of its length along each normal
-  const double sign = sixVolumes(mesh) < 0.0 ? -1.0 : 1.0;
-  std::vector<Vec3> out_W(mesh.vertices_W.size(), Vec3::Zero());
-  std::vector<bool> wrong;
-  for (int round = 0; round < mostRounds; ++round) // the perceptron's, which finds a direction if there is one
-  {
-    wrong.assign(out_W.size(), false);
-    for (const auto& triangle : mesh.triangles)
-    {
-      const Vec3& a = mesh.vertices_W[triangle[0]];
-      const Vec3 normal_W =
-        sign * (mesh.vertices_W[triangle[1]] - a).cross(mesh.vertices_W[triangle[2]] - a).normalized();
-      for (const std::uint32_t v : triangle)
-      {
-        const bool behind = normal_W.dot(out_W[v]) <= leastShare * out_W[v].norm() && normal_W != Vec3::Zero();
-        out_W[v] += behind ? normal_W : Vec3::Zero();
-        wrong[v] = wrong[v] || behind;
-      }
-    }
-    if (std::ranges::find(wrong, true) == wrong.end())
-    {
-      break;
-    }
-  }
-  for (std::size_t v = 0; v < out_W.size(); ++v)
-  {
-    out_W[v] = wrong[v] ? Vec3::Zero() : out_W[v].normalized().eval();
-  }
-  return out_W;
-}
-
-/// The vertices of a closed surface, each a little inside of it. So faces that lie in one plane and vertices that
-/// coincide with those of another body are in no special place: the edges between these vertices run in the body, and
-/// each of their points that lies in another body is a point of both.
-std::vector<Vec3> verticesInside(const TriangleMesh& mesh)
-{
-  std::vector<double> shortest_u(mesh.vertices_W.size(), std::numeric_limits<double>::infinity());
-  for (const auto& triangle : mesh.triangles)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      const std::uint32_t a = triangle[c], b = triangle[(c + 1) % 3];
-      const double length_u = (mesh.vertices_W[b] - mesh.vertices_W[a]).norm();
-      shortest_u[a] = std::min(shortest_u[a], length_u);
-      shortest_u[b] = std::min(shortest_u[b], length_u);
-    }
-  }
-  std::vector<Vec3> inside_W = directionsOutwards(mesh);
-  for (std::size_t v = 0; v < inside_W.size(); ++v)
-  {
-    const Vec3 out_W = std::isfinite(shortest_u[v]) ? Vec3(touches * shortest_u[v] * inside_W[v]) : Vec3::Zero();
-    inside_W[v] = mesh.vertices_W[v] - out_W;
-  }
-  return inside_W;
-}
-
 /// The surface of a soft body, which encloses a part of space where it is closed.
 struct SoftSurface
 {
@@ -137,18 +65,11 @@ struct SoftSurface
 std::vector<Edge> edgesOf(const SoftSurface& body)
 {
   const TriangleMesh& mesh = body.tree.mesh();
-  const std::vector<Vec3> at_W = body.closed ? verticesInside(mesh) : mesh.vertices_W;
+  const std::vector<Vec3> at_W = body.closed ? verticesInside(mesh, touches) : mesh.vertices_W;
   std::vector<Edge> edges;
-  for (const auto& triangle : mesh.triangles)
+  for (const auto& [low, high] : edgesOf(mesh))
   {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      const std::uint32_t a = triangle[c], b = triangle[(c + 1) % 3];
-      if (!body.closed || a < b) // the other triangle at the edge has it from b to a
-      {
-        edges.push_back({ at_W[a], at_W[b] });
-      }
-    }
+    edges.push_back({ at_W[low], at_W[high] });
   }
   return edges;
 }

@@ -12,6 +12,7 @@
 
 #include "haptics/mechanism/check/BodiesOverlap.h"
 #include "testing/support/MechanismRig.h"
+#include "testing/support/TreeOf.h"
 
 namespace palpate::test
 {
@@ -64,7 +65,8 @@ const Cells boxCells{ 6, 6, 2 };
 
 std::shared_ptr<const PressedBody> softBox(const std::string& name, const Vec3& middle_W)
 {
-  return springBody(name, latticeBox(boxCells, middle_W), 1.0, 2e-3);
+  const SurfaceTree tree = treeOf(*latticeBox(boxCells, middle_W)); // whose mesh has the order of a tree
+  return springBody(name, std::make_shared<const TriangleMesh>(tree.mesh()), 1.0, 2e-3);
 }
 
 bool sharesRoom(const Vec3& sizeA, const Vec3& sizeB, const Vec3& apart)

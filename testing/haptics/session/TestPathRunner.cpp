@@ -189,7 +189,7 @@ TEST(PathRunner, WhatAToolDoesNotFeelIsRefusedByItsName)
   {
     PathInputs set = inputs;
     set.settings.put(setting, set.settings.number(setting) + 1.0);
-    EXPECT_THAT(refusalOf(set), StartsWith("{" + std::string(setting) + "}: a tool does not feel it"));
+    EXPECT_THAT(refusalOf(set), StartsWith("{" + std::string(setting) + "} has no effect on a tool"));
   }
   for (const char* setting : { "ToolLever", "MechanismTurning" })
   {
@@ -227,9 +227,9 @@ TEST(PathRunner, WallsInAPlaneAreOfCurvesAlone)
 {
   PathInputs inputs = floorAndHand();
   inputs.settings.put("LinesAsWalls", static_cast<double>(AutoChoice::On));
-  EXPECT_THAT(refusalOf(inputs), StartsWith("floor: a plane world is made of lines"));
+  EXPECT_THAT(refusalOf(inputs), StartsWith("floor: a plane world"));
   inputs.settings.put("ForceShading", 1.0);
-  EXPECT_THAT(refusalOf(inputs), StartsWith("{ForceShading}: "));
+  EXPECT_THAT(refusalOf(inputs), StartsWith("{ForceShading} cannot be combined"));
 }
 
 TEST(PathRunner, ARadiusOfLinesWithoutLinesIsRefused)
@@ -255,10 +255,10 @@ TEST(PathRunner, AFieldWithoutAnArrayAndAnArrayThatIsFeltInNoWayAreRefused)
 {
   PathInputs inputs = floorAndHand();
   inputs.settings.put("FieldDrag", 1.0);
-  EXPECT_THAT(refusalOf(inputs), HasSubstr("no array of it"));
+  EXPECT_THAT(refusalOf(inputs), HasSubstr("no array"));
   inputs.settings.put("FieldDrag", 0.0);
   inputs.settings.put("FieldArray", std::string("f"));
-  EXPECT_THAT(refusalOf(inputs), HasSubstr("without a force"));
+  EXPECT_THAT(refusalOf(inputs), HasSubstr("no force"));
 }
 
 TEST(PathRunner, ASentenceGetsTheNamesThatAPersonKnows)

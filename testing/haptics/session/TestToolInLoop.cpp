@@ -185,7 +185,7 @@ TEST_F(ToolInLoop, CannotTouchWhatBendsAndSaysSo)
   surfaces.front().from = std::make_shared<const VertexStart>(std::move(start_W), surfaces.front().tree->contentHash());
   this->begin(std::make_shared<const Scene>(2, surfaces, 0.1), cubeTool());
   this->hold(0.03, 5);
-  EXPECT_NE(this->session.toolRefusal().find("bend"), std::string::npos);
+  EXPECT_NE(this->session.toolRefusal().find("deforming"), std::string::npos);
   EXPECT_EQ(this->hold(halfTool - 0.005, 5).force_W, Vec3(0, 0, 0));
   this->session.setScene(sheet);
   this->hold(0.03, 5);

@@ -17,7 +17,7 @@ int main(int, char** words)
 {
   const double moved_mm = std::atof(words[2]);
   vtkNew<vtkSphereSource> ball;
-  ball->SetSetting("Radius", 50.0);
+  ball->SetRadius(50.0);
   ball->SetCenter(moved_mm, 0.0, 0.0);
   ball->SetThetaResolution(60);
   ball->SetPhiResolution(61);
