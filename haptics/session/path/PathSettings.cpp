@@ -47,9 +47,7 @@ std::string refuseTogether(const SettingStore& settings)
   const bool named = !setAmong(settings, { "FieldArray", "FieldVectors", "FieldResistance" }).empty();
   if (named && !isOn(parameters.field))
   {
-    return "{FieldArray}: an array is chosen for a field without a force: give {FieldIsosurface}, {FieldFollow} or "
-           "another "
-           "one";
+    return "{FieldArray}: a field array is set, but no force: set {FieldIsosurface}, {FieldFollow} or another force";
   }
   if (!named && isOn(parameters.field))
   {

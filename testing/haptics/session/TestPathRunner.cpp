@@ -201,7 +201,7 @@ TEST(PathRunner, WhatAToolDoesNotFeelIsRefusedByItsName)
   bare.surfaces.clear();
   EXPECT_THAT(refusalOf(bare), HasSubstr("there are none"));
   inputs.path.front().hand_W.p.z() = 0.5; // half of the cube is in the floor
-  EXPECT_THAT(refusalOf(inputs), AllOf(StartsWith("cube: "), HasSubstr("begin where it is free")));
+  EXPECT_THAT(refusalOf(inputs), AllOf(StartsWith("cube: "), HasSubstr("free position")));
 }
 
 TEST(PathRunner, AToolAddsItsTurnAndTorqueToEachTick)
