@@ -19,7 +19,7 @@ struct NearWall
   double gap_m = 0.0;           ///< >= 0; 0: touched
 };
 
-/// At most one wall in each of the directions 0, 90, 180 and 270 degrees, which is what a force-feedback joystick can
+/// At most one wall in each of the directions 0, 90, 180 and 270 degrees, which a force-feedback joystick can
 /// hold by itself. Wall i keeps the handle at direction(i) . p_D >= offset_m[i].
 struct AxisWalls
 {
@@ -45,7 +45,7 @@ struct AxisWalls
   const AxisWalls& held, const AxisWalls& wanted, const Vec3& handle_D, double most_m) noexcept;
 
 /// Whether `now` is worth sending to a device that holds `sent`: another set of walls, or one that moved by at least
-/// `step_m`, which is what the device can tell apart [m].
+/// `step_m`, the resolution of the device [m].
 [[nodiscard]] bool differ(const AxisWalls& sent, const AxisWalls& now, double step_m) noexcept;
 
 /// The walls as part of a command, springs of that stiffness that together push with no more than `largest_N`: of two
@@ -57,7 +57,7 @@ void command(const AxisWalls& walls, double stiffness_N_per_m, DeviceCommand& co
 /// Whether all that a device is to close by itself are numbers; a largest force may be infinite, for it cuts nothing.
 [[nodiscard]] bool isFinite(const DeviceCommand& command) noexcept;
 
-/// What the walls of a command do to a handle at p_D [m] at rest [N].
+/// Force of the walls of a command on a handle at rest at p_D [m], in [N].
 [[nodiscard]] Vec3 forceOfWalls(const DeviceCommand& command, const Vec3& p_D) noexcept;
 
 /// How a device that holds walls is used. Off by default: whether the device holds them depends on device and world.

@@ -8,7 +8,7 @@ namespace palpate
 struct PassivityPlan
 {
   bool enabled = false;
-  double delay_ticks = 0.0; ///< what lies between command and effect beyond the hold itself
+  double delay_ticks = 0.0; ///< delay between command and effect in addition to the zero-order hold
   double reserve = 0.5;     ///< damping of the spring that is followed, in units of K T
   double repay = 1.0;       ///< most damping that repays energy, in units of K T
 
@@ -27,7 +27,7 @@ struct EnergyMeter
   bool touching = false;
 };
 
-/// What the controller looks at in one tick.
+/// Input of the controller in one tick.
 struct SpringTick
 {
   double stretch_m = 0.0;      ///< |proxy - device|, 0: free

@@ -27,22 +27,22 @@ struct StabilityLimits
 
   /// b / (T/2 + delay) less |B|: passive whoever holds the device (Colgate & Schenkel 1997), without controller.
   double passive_N_per_m = unlimited;
-  /// 2 c / D: friction eats what the encoder's steps give (Abbott & Okamura 2005).
+  /// 2 c / D: friction dissipates the energy of the encoder's steps (Abbott & Okamura 2005).
   double quantised_N_per_m = unlimited;
   /// Exact eigenvalues of the loop, nobody holding the device.
   double stable_N_per_m = unlimited;
   double device_N_per_m = unlimited;
-  /// Of what turns, as it is at the tool's lever: eigenvalues of the loop of its inertia. Times the lever's square it
-  /// is in N m/rad.
+  /// For rotation, referred to the tool's lever arm: eigenvalues of the loop of its inertia. Times the lever's square
+  /// it is in N m/rad.
   double turning_N_per_m = unlimited;
-  /// What the coupling is limited to: a share of the stable ones, never above the device's own.
+  /// Limit of the coupling: a share of the stable stiffnesses, never above the device's own.
   double largest_N_per_m = unlimited;
   StiffnessLimit decides = StiffnessLimit::None;
   /// Force of one encoder step at the largest stiffness [N]; 0 if the step is not known.
   double grain_N = 0.0;
 };
 
-/// What a loop is run with.
+/// Parameters of a loop.
 struct LoopSettings
 {
   double period_s = 1e-3;
@@ -53,7 +53,7 @@ struct LoopSettings
   friend bool operator==(const LoopSettings&, const LoopSettings&) = default;
 };
 
-/// From what the device says about itself, at a period, with a damping and a passivity plan. Where the device's link
+/// From the description of the device, at a period, with a damping and a passivity plan. Where the device's link
 /// takes longer for a force than that period, the period is the link's. Without the controller the loop is taken as
 /// held by a light hand (200 N/m, 2 N s/m, 20 g; 0.5 N m/rad, 5 mN m s, 5e-5 kg m2): many devices have so little
 /// damping of their own that nothing but the hand keeps a wall still. Not real-time safe.

@@ -10,12 +10,12 @@
 namespace palpate
 {
 
-/// What a game has left behind so far, for whoever looks now and then: the way of the proxy, and the labyrinth that the
+/// The record of a game so far, for an occasional reader: the way of the proxy, and the labyrinth that the
 /// device's buttons asked for.
 class GameLog
 {
 public:
-  /// What is seen of the game at one look.
+  /// The state of the game at one reading.
   struct Look
   {
     std::uint64_t tick = 0; ///< 0: nothing has been computed yet
@@ -38,7 +38,7 @@ private:
   double apart_u_ = 1.0;
   WayTrace trace_;
   double time_s_ = 0.0;
-  std::uint32_t buttons_ = ~0u; ///< at the last look; what is down at the first was not pressed
+  std::uint32_t buttons_ = ~0u; ///< at the last reading; a button down at the first reading was not pressed
   int wish_ = 0;
 };
 

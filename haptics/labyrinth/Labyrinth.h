@@ -30,8 +30,8 @@ struct Labyrinth
 /// all one point, a number that is not finite, corridors without width.
 [[nodiscard]] std::string refuseWorld(const Labyrinth& labyrinth);
 
-/// Empty, or one sentence that names the labyrinth and says why no hand can be led through it: what refuseWorld() says,
-/// no place to start, no exit.
+/// Empty, or one sentence that names the labyrinth and says why no hand can be led through it: the refusals of
+/// refuseWorld(), no place to start, no exit.
 [[nodiscard]] std::string refuse(const Labyrinth& labyrinth);
 
 /// A rectangle in the plane.

@@ -31,7 +31,7 @@ struct GamePlan
   bool on = false;
   Vec3 start_W = Vec3::Zero(), exit_W = Vec3::Zero(); ///< [u]
   double exitReach_u = 0.0;                           ///< arrived this near to the exit
-  double lead_m_per_s = 0.08;                         ///< of what the hand is drawn by
+  double lead_m_per_s = 0.08;                         ///< of the guiding spring
   double stiffness_N_per_m = 200.0;                   ///< of the spring between the two
   double damping_Ns_per_m = 8.0; ///< of the hand while it is led: no spring makes it faster than force / damping
   double largest_N = 1.0;        ///< of the spring: who holds back harder is not moved
@@ -58,13 +58,13 @@ struct GamePlan
 struct GameState
 {
   GamePhase phase = GamePhase::Off;
-  Vec3 drawn_D = Vec3::Zero(); ///< by what the hand is drawn [m]
+  Vec3 drawn_D = Vec3::Zero(); ///< extension of the guiding spring [m]
   bool creeps = false;         ///< it has been at the start, and pulls beyond
   double phase_s = 0.0;        ///< since this phase began
   double time_s = 0.0;         ///< of exploring
 };
 
-/// What a tick tells the game.
+/// Input of the game in a tick.
 struct GameTick
 {
   Vec3 hand_D = Vec3::Zero();     ///< [m]
@@ -77,7 +77,7 @@ struct GameTick
   double loop_s = 1e-3; ///< between two forces: dt_s, or the period of a device that closes springs itself
 };
 
-/// What the game asks of the tick.
+/// Output of the game for a tick.
 struct GameForce
 {
   Vec3 lead_D = Vec3::Zero();    ///< [N]

@@ -33,7 +33,7 @@ namespace palpate
   return std::nullopt;
 }
 
-/// What a person asks for who has nothing but the device.
+/// Requests of a person who has only the device.
 struct MazeCall
 {
   enum class Kind : std::uint8_t
@@ -48,7 +48,7 @@ struct MazeCall
   int maze = 0; ///< to play, from 1 on
 };
 
-/// Buttons 1 to `mazes` choose, the next one ends. What must be held is `deadMan`, or, where that asks for nothing, the
+/// Buttons 1 to `mazes` choose, the next one ends. The dead-man switch is `deadMan`, or, without one, the
 /// button that chose. Letting go of that button gives the game up, and so does holding any other button than the
 /// dead-man's for a second.
 class MazeMenu
@@ -58,10 +58,10 @@ public:
 
   MazeMenu(int mazes, const DeadMan& deadMan) noexcept : mazes_(mazes), deadMan_(deadMan) {}
 
-  /// To be called with the newest buttons, `dt_s` after the last time. What is down at first was not pressed.
+  /// To be called with the newest buttons, `dt_s` after the last time. A button down at first was not pressed.
   [[nodiscard]] MazeCall look(GamePhase phase, std::uint32_t buttons, double dt_s) noexcept;
 
-  /// What has to be held while this labyrinth, from 1 on, is played.
+  /// The dead-man switch while this labyrinth, from 1 on, is played.
   [[nodiscard]] DeadMan heldFor(int maze) const noexcept;
   [[nodiscard]] bool chooserHolds() const noexcept { return this->deadMan_ == DeadMan{}; }
 

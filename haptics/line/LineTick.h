@@ -25,7 +25,7 @@ struct LineState
   bool tracked = false;  ///< s_m is of the tick before
 };
 
-/// What one tick works on; x of the device is the way along the line.
+/// Input of one tick; x of the device is the position along the line.
 struct LineTickInput
 {
   DeviceSample sample;

@@ -12,7 +12,7 @@ namespace palpate
 struct LinePlace
 {
   double s_m = 0.0;         ///< along the line, as far as the hand turns
-  double potential_J = 0.0; ///< what it costs to be there: the hand is drawn downhill
+  double potential_J = 0.0; ///< potential: the hand is drawn downhill
   double friction_N = 0.0;  ///< that holds it there
 };
 
@@ -31,7 +31,7 @@ struct LineWorld
   [[nodiscard]] std::string refusal(double largest_N_per_m) const;
 };
 
-/// What draws a hand at s_m along the line, without friction [N]:
+/// Force on a hand at s_m along the line, without friction [N]:
 ///
 ///     -dV/ds - k_d (s - nearest detent) + k (stop - s) beyond a stop,    k_d = 2 detent_N / detentEvery_m
 ///

@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// What a body of a mechanism is.
+/// Kind of a body of a mechanism.
 enum class MechanismBodyKind : std::uint8_t
 {
   Held,  ///< rigid and in the hand: its frame is the hand's, turned by pose_W.q; its rod runs from the origin along +z
@@ -20,7 +20,7 @@ enum class MechanismBodyKind : std::uint8_t
   World, ///< does not move; its frame is W
 };
 
-/// A body by what a person says of it.
+/// A body, as described by a person.
 struct MechanismBody
 {
   std::string name;
@@ -61,8 +61,8 @@ struct MechanismLaw
   Vec3 point_B = Vec3::Zero();
   Vec3 axis_A = Vec3::UnitZ();
   Vec3 axis_B = Vec3::UnitZ();
-  double strength_N = unlimited; ///< Break, Puncture: what it holds
-  double tear_N = unlimited;     ///< Puncture, Insertion: what the hole holds across the shaft
+  double strength_N = unlimited; ///< Break, Puncture: largest force
+  double tear_N = unlimited;     ///< Puncture, Insertion: largest force of the hole across the shaft
   double friction = 0.0;         ///< Friction: Coulomb's coefficient; Puncture: above 0 the tip pricks, else it slides
   double dryFriction_N = 0.0;    ///< DryFriction, Puncture, Insertion
   double stiffness_N_per_u = unlimited; ///< Spring, Limit; unlimited: stiff
@@ -73,7 +73,7 @@ struct MechanismLaw
   friend bool operator==(const MechanismLaw&, const MechanismLaw&) = default;
 };
 
-/// Bodies and what joins them.
+/// Bodies and the constraints between them.
 struct Mechanism
 {
   static constexpr std::size_t mostBodies = 8;
@@ -84,7 +84,7 @@ struct Mechanism
   std::vector<MechanismLaw> laws;
 };
 
-/// What one word names a kind by, in scene files and tables: "contact", "attachment", ... "insertion".
+/// The word for a kind in scene files and tables: "contact", "attachment", ... "insertion".
 [[nodiscard]] const char* nameOf(LawKind kind) noexcept;
 /// "held", "rigid", "soft", "world".
 [[nodiscard]] const char* nameOf(MechanismBodyKind kind) noexcept;

@@ -42,11 +42,11 @@ struct PlannedLaw
   SurfacePoint place_B; ///< likewise
 };
 
-/// What the tick follows. Immutable; of fixed size, so that a mailbox or a triple buffer carries it, and a recording.
+/// The plan of the tick. Immutable; of fixed size, so that a mailbox or a triple buffer carries it, and a recording.
 struct MechanismPlan
 {
   std::uint64_t revision = 0; ///< another for each that is handed on; above 0
-  double lever_u = 1.0;       ///< turns are counted by what its end goes
+  double lever_u = 1.0;       ///< rotations are measured by the displacement of its end
   int bodyCount = 0;
   int lawCount = 0;
   int held = -1; ///< which body is in the hand; -1: none
@@ -54,7 +54,7 @@ struct MechanismPlan
   std::array<PlannedLaw, Mechanism::mostLaws> laws{};
 };
 
-/// Where a hand has what it holds of a mechanism, which may be turned in the hand.
+/// Pose of the held body in the hand; the body may rotate in the hand.
 [[nodiscard]] inline Pose heldBy(const Pose& hand_W, const MechanismPlan& plan) noexcept
 {
   return plan.held >= 0 ? Pose{ hand_W.p, hand_W.q * plan.bodies[plan.held].pose_W.q } : hand_W;

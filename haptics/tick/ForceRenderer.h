@@ -27,7 +27,7 @@ struct RendererState : TickStages::States
 {
 };
 
-/// What one tick works on. The scene may be null.
+/// Inputs of one tick. The scene may be null.
 struct TickInput
 {
   std::uint64_t tick = 0;
@@ -38,11 +38,11 @@ struct TickInput
   const Scene* scene = nullptr;
   const Scene* previousScene = nullptr;     ///< in the tick that takes a new scene: the one before, still alive
   const Brick* brick = nullptr;             ///< the field around the hand; may be null
-  const ToolContacts* tool = nullptr;       ///< what the tool in the hand touches; null: the hand touches with its ball
+  const ToolContacts* tool = nullptr;       ///< contacts of the tool in the hand; null: the hand touches with its ball
   const FeltMechanism* mechanism = nullptr; ///< in the hand in place of ball and tool; may be null
-  MechanismTick* mechanismTick = nullptr;   ///< what it is computed in; not null where there is one
-  const PressedBody* body = nullptr;        ///< what gives way; null: nothing does. The scene is the body's, then
-  SoftRoom* softRoom = nullptr;             ///< what contact with it is computed in; not null where there is a body
+  MechanismTick* mechanismTick = nullptr;   ///< workspace; not null with a tool
+  const PressedBody* body = nullptr;        ///< soft body; null: none. With a body the scene is that of the body
+  SoftRoom* softRoom = nullptr;             ///< workspace of its contact; not null with a body
   LatenessVerdict lateness;
   std::span<const HapticEvent> events;
 };

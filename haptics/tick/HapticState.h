@@ -26,7 +26,7 @@ enum class EngageState : std::uint8_t
 
 [[nodiscard]] const char* name(EngageState state) noexcept;
 
-/// What a field did in a tick.
+/// Result of a field in a tick.
 struct FieldReport
 {
   Vec3 force_D = Vec3::Zero();   ///< the part of the force that is the field's [N]
@@ -40,7 +40,7 @@ struct FieldReport
   EnergyMeter energy;            ///< of its springs
 };
 
-/// What a tool did in a tick.
+/// Result of a tool in a tick.
 struct ToolState
 {
   bool held = false;                                ///< one is in the hand
@@ -54,12 +54,12 @@ struct ToolState
   double injected_J = 0.0; ///< by contacts that were replaced in this tick: energy of the new ones less the old ones'
 };
 
-/// What a soft body did in a tick.
+/// Result of a soft body in a tick.
 struct SoftReport
 {
   bool felt = false;             ///< there is one
   bool pressed = false;          ///< and it gives way under the ball
-  double age_s = 0.0;            ///< of what its packet was made from
+  double age_s = 0.0;            ///< of the state at which its snapshot was made
   double stored_J = 0.0;         ///< elastic energy under the hand: of body and coupling
   double added_N = 0.0;          ///< along the force, so that the hand gets back no more than it gave
   Vec3 yielded_W = Vec3::Zero(); ///< how far the surface under the ball has gone [u]
@@ -73,7 +73,7 @@ struct KnownReport
   std::uint64_t beyondTicks = 0; ///< until now
 };
 
-/// What a law does, as a person is told.
+/// State of a constraint, for a person.
 struct LawReport
 {
   LawPhase phase = LawPhase::Open;
@@ -107,14 +107,14 @@ struct LawChanges
   }
 };
 
-/// What a mechanism did in a tick. Bodies and laws are in the order of its description.
+/// Result of a mechanism in a tick. Bodies and laws are in the order of its description.
 struct MechanismNow
 {
   bool held = false;          ///< one is in the hand, and has been somewhere
   std::uint64_t revision = 0; ///< of its plan
   int bodyCount = 0;
   int lawCount = 0;
-  Pose hand_W;                                      ///< where the hand would have what it holds [u]
+  Pose hand_W;                                      ///< pose of the held body without contact [u]
   std::array<Pose, Mechanism::mostBodies> pose_W{}; ///< of held and rigid bodies [u]
   std::array<LawReport, Mechanism::mostLaws> laws{};
   LawChanges changes;
@@ -123,7 +123,7 @@ struct MechanismNow
   bool capped = false;     ///< the solver goes on in the next tick
 };
 
-/// What the tick did, as the view, the panel and the recording see it.
+/// Result of a tick for view, panel and recording.
 struct HapticState
 {
   std::uint64_t tick = 0;
@@ -159,9 +159,9 @@ struct HapticState
   bool infeasible = false;
   bool pinned = false;       ///< moving surfaces leave the ball less room than it needs
   bool frozen = false;       ///< the position stays the same to the bit under force: does the device still measure?
-  bool letGo = false;        ///< what must be held is not
+  bool letGo = false;        ///< the dead-man switch is released
   std::uint32_t buttons = 0; ///< that are down, as DeviceSample has them
-  bool deviceHolds = false;  ///< the device closes walls and viscosity itself; force_D is what they give
+  bool deviceHolds = false;  ///< the device renders walls and viscosity itself; force_D is their force
   std::int32_t walls = 0;    ///< that the device holds
   double guideShare = 0.0;   ///< of the guide to a plane that acts, 0..1
   GamePhase game = GamePhase::Off;
@@ -170,7 +170,7 @@ struct HapticState
   double gain = 0.0;              ///< engage ramp, 0..1
   double stiffnessFactor = 1.0;   ///< below 1: cut because the loop runs late
   double stiffness_N_per_m = 0.0; ///< of the coupling in this tick, after every limit
-  bool stiffnessLimited = false;  ///< to what the device and the rate can hold
+  bool stiffnessLimited = false;  ///< to the stable stiffness of device and rate
   EnergyMeter energy;
   FieldReport field;
   ToolState tool;

@@ -6,7 +6,7 @@
 namespace palpate::stage
 {
 
-/// How far the length of what must be a unit may be off.
+/// Tolerance for the length of a unit vector or quaternion.
 inline constexpr double unitRounding = 1e-6;
 
 [[nodiscard]] inline bool nonNegative(double value) noexcept

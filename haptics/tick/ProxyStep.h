@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// What the scene of a tick is to the one before.
+/// Relation of a tick's scene to the previous one.
 struct SceneStep
 {
   bool otherGeometry = false; ///< other surfaces than before, not only the same in other places
@@ -20,7 +20,7 @@ struct SceneStep
 
 [[nodiscard]] SceneStep sceneStep(const TickInput& input, const KnownPart& known, const RendererState& state) noexcept;
 
-/// Where the proxy came to, and what going along with the scene cost.
+/// Position of the proxy, and the work of its motion with the scene.
 struct ProxyStep
 {
   ContactResult contact;
@@ -28,8 +28,8 @@ struct ProxyStep
   bool pinned = false;
 };
 
-/// What the proxy is moved with: the plan with this tick's stiffness, from where the ball comes in a new scene or map,
-/// whether the map has put the hand elsewhere, whether anything is to be touched.
+/// Parameters of the proxy's motion: the plan with this tick's stiffness, from where the ball comes in a new scene or
+/// map, whether the map has put the hand elsewhere, whether anything is to be touched.
 struct ProxyTick
 {
   const TickInput& input;

@@ -13,7 +13,7 @@ namespace palpate
 [[nodiscard]] ContactResult moveOnBody(
   const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, double share, RendererState& state) noexcept;
 
-/// What the worker of the body is to know of a tick.
+/// Report of a tick to the worker of the body.
 [[nodiscard]] BodyHand bodyHandOf(
   const TickInput& input, const TickOutput& output, const RendererState& state) noexcept;
 

@@ -10,12 +10,12 @@ struct TickContext;
 
 /// A stage of the tick is a struct of static members, in a file of its own in tick/stages/:
 ///   name                    of its part of a recording
-///   step(TickContext&)      what it does in a tick; real-time safe
+///   step(TickContext&)      one tick; real-time safe
 /// and, where it has use for them,
-///   Plan                    what a person or program sets of it: its members become members of HapticParameters
+///   Plan                    its settings: the members become members of HapticParameters
 ///   planFields(visit, p...) names each member of one plan, or of several at once, for writing, reading and comparing
 ///   refuse(const Plan&)     empty, or one sentence that names the value that cannot be used
-///   State                   what it remembers from tick to tick: its members become members of RendererState
+///   State                   its state from tick to tick: the members become members of RendererState
 ///   stateFields(visit, s...) names each member that a recording begins with
 ///   rest(TickContext&)      what it does instead in a tick that does not know where the hand is
 ///   feels(const TickContext&) whether there is anything that it could push the hand with

@@ -28,28 +28,28 @@ namespace palpate
 /// The tick. A force of one's own is added to rendered_D between Coupling and Blend. Engage lets it start small;
 /// Protect limits whatever has been rendered.
 using TickStages = StageList< //
-  stage::Requests,            // what the person asks for
+  stage::Requests,            // requests of the person
   stage::Samples,             // whether the hand is where the device says
   stage::Stiffness,           // of the coupling in this tick
   stage::Hand,                // where it is and how fast
   stage::Clutch,              // or where it stays
   stage::Surroundings,        // whether all around it is known
   stage::GameLead,            // of a labyrinth, before contact
-  stage::SoftLead,            // what gives way, before contact
+  stage::SoftLead,            // soft body, before contact
   stage::Contact,             // where the proxy rests
-  stage::Soft,                // what gives way, after contact
+  stage::Soft,                // soft body, after contact
   stage::Tool,                // or the tool
-  stage::HeldMechanism,       // or what is joined to others
+  stage::HeldMechanism,       // or a mechanism
   stage::Coupling,            // spring and damper between the two
-  stage::Field,               // what the numbers around the hand do
+  stage::Field,               // field around the hand
   stage::Guide,               // to a plane
   stage::ConstantForce,       // the same wherever the hand is
-  stage::HandGuard,           // what no hand does ends the force
+  stage::HandGuard,           // an impossible motion ends the force
   stage::Blend,               // a replaced scene never steps
   stage::GameArrival,         // of a labyrinth, after contact
   stage::Engage,              // how much of the force is let through
-  stage::HeldWalls,           // what a device closes itself
+  stage::HeldWalls,           // walls in the device's own loop
   stage::Protect,             // limits
-  stage::Report>;             // what is told of the tick
+  stage::Report>;             // report of the tick
 
 } // namespace palpate

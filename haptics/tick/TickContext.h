@@ -27,7 +27,7 @@ struct TurnPull
   return input.scene != nullptr ? planFor(*input.scene, plan) : plan;
 }
 
-/// What the stages of one tick work on, and what one leaves to those after it. Lives for a tick, on the stack.
+/// Data of the stages of one tick, and results for later stages. Lives for a tick, on the stack.
 struct TickContext
 {
   const TickInput& input;
@@ -43,14 +43,14 @@ struct TickContext
   std::optional<Vec3> turn_D = {};  ///< likewise how it has turned: a small rotation vector [rad]
   Vec3 handBefore_W = Vec3::Zero(); ///< where the hand was in the scene when it was known last [u]
   bool otherMap = false;            ///< than in the tick before
-  bool knownChanged = false;        ///< the hand left what is known around it, or is back there
-  GameForce game = {};              ///< what a labyrinth asks of this tick
+  bool knownChanged = false;        ///< the hand left its known surroundings, or returned
+  GameForce game = {};              ///< request of a labyrinth in this tick
   bool seatFailed = false;          ///< the ball found no place
   Vec3 pull_D = Vec3::Zero();       ///< from the device to where contact draws it [m]
   TurnPull turn = {};               ///< likewise for how it is turned
   bool toolWaits = false;           ///< a tool stands nowhere yet, for it met the scene wherever the hand was
   double stretch_m = 0.0;           ///< of a plain spring that holds as much energy as the contact
-  Vec3 coupled_D = Vec3::Zero();    ///< force of contact and what stands beside it, before blend and limits [N]
+  Vec3 coupled_D = Vec3::Zero();    ///< force of contact and its additions, before blend and limits [N]
 
   /// Nothing that pushes has a place.
   [[nodiscard]] bool homeless() const noexcept { return this->seatFailed || this->toolWaits; }
@@ -67,11 +67,8 @@ struct TickContext
     return this->input.scene != nullptr && !this->input.scene->empty() && !this->s.beyondKnown;
   }
 
-  /// What the hand touches with, when nothing else is in it.
-  [[nodiscard]] bool holdsBall() const noexcept
-  {
-    return !this->touchesByMesh() && this->input.mechanism == nullptr;
-  }
+  /// The proxy of the hand without tool or mechanism.
+  [[nodiscard]] bool holdsBall() const noexcept { return !this->touchesByMesh() && this->input.mechanism == nullptr; }
 
   /// Something couples the hand to the scene by a spring: contact, or the laws of a mechanism.
   [[nodiscard]] bool coupled() const noexcept { return this->touchable() || this->input.mechanism != nullptr; }
@@ -79,7 +76,7 @@ struct TickContext
   /// Whether there is anything that could push the hand, of any stage.
   [[nodiscard]] bool feelable() const noexcept;
 
-  /// That the hand is coupled by: what the device and the rate can hold is shared between them.
+  /// Springs of the hand: they share the stable stiffness of device and rate.
   [[nodiscard]] int springs() const noexcept
   {
     const int field = this->input.brick != nullptr ? springsOf(*this->input.brick, this->p.field) : 0;

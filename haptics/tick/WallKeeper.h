@@ -20,12 +20,12 @@ struct HeldWallState
   double each_N = std::numeric_limits<double>::infinity();  ///< largest force of one wall then
 };
 
-/// What is known in a tick after contact.
+/// Data of a tick after contact.
 struct WallTick
 {
   const Scene& scene;
   const ContactPlan& contact;
-  const GodObjectState& state; ///< where the virtual location rests and what it touches
+  const GodObjectState& state; ///< position of the virtual location and its contacts
   const WorkspaceMap& map;
   Vec3 handle_D = Vec3::Zero();   ///< [m]
   double stiffness_N_per_m = 0.0; ///< of the walls

@@ -41,8 +41,8 @@ struct PlaneCurves
 
 /// Segments as they come in, (a, b, b) as segmentsOf() makes them, as curves in the plane z = 0 of plane_WP. A point is
 /// in the plane if it is no further from it than single precision rounds the largest coordinate. Points that are not
-/// finite are left to cleanMesh(), which counts what it drops. Refuses a point out of the plane, an index out of range,
-/// curves without segments and more than mostSegments.
+/// finite are left to cleanMesh(), which counts the dropped ones. Refuses a point out of the plane, an index out of
+/// range, curves without segments and more than mostSegments.
 [[nodiscard]] PlaneCurves curvesInPlane(const TriangleMesh& segments, const Pose& plane_WP = {});
 
 /// The plane world as walls: each segment becomes a rectangle from -halfHeight_u to +halfHeight_u about the plane. A
@@ -61,7 +61,7 @@ struct LoweredWalls
 [[nodiscard]] LoweredWalls lowerWalls(const TriangleMesh& walls, const Pose& plane_WP = {});
 
 /// How high walls should stand for discs up to radius_u: above the disc, and else no higher than the segments are long,
-/// for what is taller than long is found more slowly. A power of two, so that scaling by it rounds nothing [u].
+/// because taller grids are searched more slowly. A power of two, so that scaling by it rounds nothing [u].
 [[nodiscard]] double wallHalfHeight(const CurveSet& curves, double radius_u);
 
 } // namespace palpate

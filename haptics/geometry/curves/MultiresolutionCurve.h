@@ -14,7 +14,8 @@ namespace palpate
 struct CurveDetail
 {
   Vec3 focus_W = Vec3::Zero(); ///< where the hand is
-  double limit_u = 0.0; ///< error allowed within reach; what cannot be felt is the least force over the stiffness
+  double limit_u =
+    0.0; ///< error allowed within reach; the imperceptible error is the smallest force divided by the stiffness
   double reach_u = 0.0; ///< how far from the focus the hand may touch before the choice is made again
   double growth = 0.0;  ///< error allowed per distance beyond reach
 
@@ -36,7 +37,7 @@ struct CurveRun
 /// A polyline at many levels of detail, after Pai & Reissel 1997: each level halves the points of the one below, and
 /// the points that are left out bound its error. The bound of a run is the distance of its farthest point from the
 /// segment that stands for the run. The bound is proven for run and segment alike: the distance to a segment is convex,
-/// so what lies between two points is as near, and the nearest points run without a gap from one end of the segment to
+/// so a part between two points is as near, and the nearest points run without a gap from one end of the segment to
 /// the other. Sums of the details left out level by level, which need not look at every point, would be larger: for
 /// noise as many times as there are levels.
 ///
@@ -56,7 +57,7 @@ public:
   [[nodiscard]] int levels() const noexcept { return static_cast<int>(this->levelBound_u_.size()); }
   /// Indices of the points of a level, ascending.
   [[nodiscard]] std::vector<std::uint32_t> level(int level) const;
-  /// The whole first, halves behind what they are halves of.
+  /// The whole first, halves behind their parent.
   [[nodiscard]] const std::vector<CurveRun>& runs() const noexcept { return this->runs_; }
   /// No run of this level or a finer one has a larger bound [u]; falls from level to level and is 0 at the last.
   [[nodiscard]] double bound_u(int level) const noexcept

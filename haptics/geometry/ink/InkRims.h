@@ -23,7 +23,7 @@ public:
   [[nodiscard]] Eigen::Vector2d inSpace_u(const Vec3& p) const { return p.head<2>().cwiseProduct(this->pixel_u_); }
   [[nodiscard]] double length_u(const Vec3& a, const Vec3& b) const { return this->inSpace_u(b - a).norm(); }
 
-  /// What is blank between two pixels with ink: their distance without the half pixel of ink at each of its ends.
+  /// Blank distance between two pixels of a stroke: their distance without the half pixel of ink at each of its ends.
   [[nodiscard]] double blank_u(const Vec3& a, const Vec3& b) const
   {
     const double steps = std::max((b - a).cwiseAbs().maxCoeff(), 1.0);

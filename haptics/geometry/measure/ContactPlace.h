@@ -12,7 +12,7 @@
 namespace palpate
 {
 
-/// The place of a scene where a proxy rests, and what the surface is like there.
+/// The place of a scene where a proxy rests, and the properties of the surface there.
 struct ContactPlace
 {
   std::string surface;          ///< name of it

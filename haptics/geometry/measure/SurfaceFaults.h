@@ -34,7 +34,7 @@ struct ThinPlace
   double thickness_u = 0.0;
 };
 
-/// What a person wants to see of a surface before trusting it. Numbers are those of the mesh as it came in.
+/// Faults of a surface that matter before its use. Numbers are those of the mesh as it came in.
 struct SurfaceFaults
 {
   std::vector<SurfaceHole> holes;   ///< the longest first
@@ -43,7 +43,7 @@ struct SurfaceFaults
 };
 
 /// Finds them; equal places count as one, triangles that repeat a place are passed over. A surface may be one-sided:
-/// what then contradicts itself is counted for one side or the other. Walls below `thin_u` are thin; 0: none is looked
+/// contradictions are counted for one side or the other. Walls below `thin_u` are thin; 0: none is looked
 /// for. O(n log n). Refuses nothing: a mesh that cannot be touched has no faults to name.
 [[nodiscard]] SurfaceFaults findFaults(const TriangleMesh& mesh, double thin_u);
 

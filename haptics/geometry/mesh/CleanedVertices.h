@@ -16,7 +16,7 @@ namespace palpate
 class CleanedVertices
 {
 public:
-  /// What cleanMesh() made of `raw`: its vertices [u], their sources, and whether it dropped triangles for where their
+  /// Result of cleanMesh() for `raw`: its vertices [u], their sources, and whether it dropped triangles for where their
   /// corners were, collinear or not finite. O(n log n).
   CleanedVertices(std::shared_ptr<const TriangleMesh> raw, const std::vector<Vec3>& clean_W,
     std::vector<std::uint32_t> source, bool droppedByPlace);

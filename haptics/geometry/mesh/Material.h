@@ -13,7 +13,7 @@ namespace palpate
 
 struct TriangleMesh;
 
-/// What a surface is made of. The defaults are a wall as stiff as the coupling, with the friction of the contact plan.
+/// Material of a surface. The defaults are a wall as stiff as the coupling, with the friction of the contact plan.
 ///
 /// The stiffness k is the one that is felt. A spring k behind the coupling's K would be felt as K k / (K + k). So the
 /// wall is made so much stiffer that both in series are k, up to a rigid wall, which is felt as K: felt is the smaller

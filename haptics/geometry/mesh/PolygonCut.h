@@ -12,11 +12,11 @@
 namespace palpate
 {
 
-/// What became of a polygon. A polygon whose triangles are not all of it would let a hand through.
+/// Result for a polygon. A polygon whose triangles are not all of it would let a hand through.
 struct PolygonCut
 {
-  std::size_t holeEdges = 0; ///< edges round what could not be filled: a corner is not finite; 0: it is filled
-  bool lasts = true; ///< false: corners in one place may part and what crosses itself may open, so cut it anew then
+  std::size_t holeEdges = 0; ///< edges round an unfilled part, because a corner is not finite; 0: filled
+  bool lasts = true; ///< false: corners in one place may part and self-intersections may open, so cut it anew then
 };
 
 /// "2 holes of 5 and 7 edges: ...", for a person; "" of none. `holeEdges`: as cutPolygon() gave them.

@@ -18,7 +18,7 @@ struct TriangleMesh
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// What cleaning found. Counts of triangles unless said otherwise.
+/// Result of cleaning. Counts of triangles unless said otherwise.
 struct CleanReport
 {
   std::size_t trianglesIn = 0;

@@ -12,19 +12,19 @@ namespace palpate
 class BuildWatch
 {
 public:
-  /// So much is to be done, beside what was expected before.
+  /// Adds work to the expected amount.
   void expect(std::size_t triangles) noexcept { this->expected_ += triangles; }
   /// So much of it is done.
   void advance(std::size_t triangles) noexcept { this->done_ += triangles; }
-  /// Of what is expected, 0 to 1; 1 where nothing is.
+  /// Completed share of the expected work, 0 to 1; 1 without work.
   [[nodiscard]] double share() const noexcept
   {
-    const std::size_t done = this->done_; // first: what is done was expected before
+    const std::size_t done = this->done_; // first: completed work was expected before
     const std::size_t expected = this->expected_;
     return expected == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(expected);
   }
 
-  /// Ends the work before its next step; what it gives then is nothing.
+  /// Ends the work before its next step, without a result.
   void cancel() noexcept { this->cancelled_ = true; }
   [[nodiscard]] bool cancelled() const noexcept { return this->cancelled_; }
 

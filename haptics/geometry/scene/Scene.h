@@ -23,7 +23,7 @@ struct StandIn
   double bound_u = 0.0;   ///< proven: no point of either is further from the other [u]
 };
 
-/// One touchable surface: its tree in W and what it is made of. Immutable and shared between revisions of a scene.
+/// One touchable surface: its tree in W and its material. Immutable and shared between revisions of a scene.
 struct Surface
 {
   std::string name;
@@ -33,10 +33,10 @@ struct Surface
   std::shared_ptr<const MaterialFields> fields = {}; ///< of the tree's vertices, or null
   std::shared_ptr<const VertexStart> from = {};      ///< given: its vertices come from there; the tree has its bounds
   StandIn standsFor = {};
-  std::uint64_t frame = 0; ///< names what the vertices are given in, whatever the pose
+  std::uint64_t frame = 0; ///< names the frame of the vertices, at any pose
 };
 
-/// Names what a surface stands for, which is itself where it stands for no other.
+/// Names the original of a surface, which is itself without a replacement.
 [[nodiscard]] inline std::uint64_t fullContentOf(const Surface& surface) noexcept
 {
   return surface.standsFor.full != 0 ? surface.standsFor.full : surface.tree->contentHash();
@@ -66,14 +66,14 @@ public:
   [[nodiscard]] bool bends() const noexcept { return this->bends_; }
   /// True if any surface is anything else than a plain wall.
   [[nodiscard]] bool hasMaterials() const noexcept { return this->hasMaterials_; }
-  /// One leaf a surface, around all of its way: what a query walks before it walks a surface.
+  /// One leaf a surface, around all of its path: the first level of a query.
   [[nodiscard]] const BoxTree& surfaceTree() const noexcept { return this->surfaceTree_; }
   /// Radius of the thickest curves [u]; 0 where there are none.
   [[nodiscard]] double mostCoat_u() const noexcept { return this->mostCoat_u_; }
   /// Radius of the thinnest curves [u]; 0 where there are none.
   [[nodiscard]] double leastCoat_u() const noexcept { return this->leastCoat_u_; }
   [[nodiscard]] bool empty() const noexcept { return this->surfaces_.empty(); }
-  /// Hash of all vertices, triangles, materials and what surfaces stand for, in order, wherever the surfaces are.
+  /// Hash of all vertices, triangles, materials and originals of surfaces, in order, wherever the surfaces are.
   [[nodiscard]] std::uint64_t geometryHash() const noexcept { return this->geometryHash_; }
   /// The same of the surfaces that these come from: a scene of that hash goes over into this one without a step.
   [[nodiscard]] std::uint64_t continuesGeometry() const noexcept { return this->continuesGeometry_; }

@@ -29,11 +29,11 @@ struct SurfaceInput
     lineRadius_u = {};  ///< given: the mesh holds curves (segmentsOf()) of this radius [u], felt without texture
   bool ordered = false; ///< the mesh is a tree's own: vertices and triangles keep their numbers, nothing is cleaned
   StandIn standsFor = {};
-  std::uint64_t frame = 0; ///< names the frame S of the mesh: what bends in one bends under any pose of it
+  std::uint64_t frame = 0;                 ///< names the frame S of the mesh: a deformation in S holds under any pose
   std::vector<std::size_t> holeEdges = {}; ///< edges round polygons that the mesh has no triangles of: reported
 };
 
-/// What became of one input.
+/// Result for one input.
 struct SurfaceReport
 {
   std::string name;
@@ -43,7 +43,7 @@ struct SurfaceReport
   bool refitted = false;            ///< the vertices of a known mesh have moved: its tree was refitted, not built
   std::vector<std::size_t> holeEdges = {}; ///< as the input had them
 
-  /// What was kept, dropped and left open, in one line for a person.
+  /// Kept, dropped and open parts, in one line for a person.
   [[nodiscard]] std::string summary() const;
 };
 
@@ -62,8 +62,9 @@ class SceneBuilder
 {
 public:
   explicit SceneBuilder(unsigned workers = 1);
-  /// `felt`: what is felt now, if surfaces are to move from there (movingFrom): refitted trees have bounds of that way.
-  /// `watch`: is told how far it is. Cancelled, there is no scene, and the next build finds what was finished.
+  /// `felt`: the present scene, if surfaces are to move from there (movingFrom): refitted trees have bounds of that
+  /// way. `watch`: is told how far it is. A cancelled build gives no scene, and the next build reuses the finished
+  /// parts.
   [[nodiscard]] SceneBuildResult build(
     const std::vector<SurfaceInput>& inputs, const Scene* felt = nullptr, BuildWatch* watch = nullptr);
   /// True if meshes and fields of all inputs were in the previous build: then build() takes no time worth a worker.
@@ -80,7 +81,7 @@ private:
     std::shared_ptr<const SurfaceTree> retired; ///< the tree before, for its memory
     std::shared_ptr<const CleanedVertices> vertices;
     std::vector<std::uint32_t> sourceVertex;
-    std::shared_ptr<const MaterialFields> rawFields; ///< what `fields` were fitted from
+    std::shared_ptr<const MaterialFields> rawFields; ///< source of `fields`
     Material material;                               ///< and with
     std::shared_ptr<const MaterialFields> fields;
     SurfaceReport report;

@@ -18,7 +18,7 @@ struct TouchConditions
   double resolution_m = 0.0;         ///< smallest motion the device tells apart; 0: not known
 };
 
-/// What a mesh's facets add to a smooth surface through its vertices, and whether a hand feels that.
+/// Deviation of a mesh's facets from a smooth surface through its vertices, and its perceptibility.
 ///
 /// Each triangle's curvature comes from the dihedral angles at its edges. At an edge the normal has turned from that of
 /// one face towards that of the other, in proportion to how far each face reaches; the change of the normal from edge
@@ -33,8 +33,8 @@ struct ScenePlan
   double deviation_u = 0.0;        ///< largest sagitta in the scene
   double deviation_m = 0.0;        ///< the same at the hand
   double forceError = 0.0;         ///< relative, at the penetration: deviation / penetration
-  bool felt = false;               ///< above `noticed` and above what the device resolves
-  std::size_t trianglesNeeded = 0; ///< so many, spread alike, bring the deviation to what is not felt
+  bool felt = false;               ///< above `noticed` and above the resolution of the device
+  std::size_t trianglesNeeded = 0; ///< this number of triangles, spread alike, makes the deviation imperceptible
 
   /// Difference in force a hand just notices, relative.
   static constexpr double noticed = 0.07;

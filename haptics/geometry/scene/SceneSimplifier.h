@@ -25,19 +25,19 @@ struct SimplifyRules
   std::size_t leastFine = 64;         ///< with fewer fine segments curves are left as they are
   std::stop_token stop = {};
 
-  /// Segments are fine if a hand of 1 m/s goes over more than 32 of them in a tick, half of what a tick has passes for
+  /// Segments are fine if a hand of 1 m/s goes over more than 32 of them in a tick, half of the passes of a tick
   /// [u].
   [[nodiscard]] double fineBelow_u() const noexcept { return 1e-3 / 32 * this->touch.scale_u_per_m; }
 };
 
-/// What is known of the surfaces of a scene beside their triangles; entries that are missing say nothing.
+/// Traits of the surfaces of a scene besides their triangles; missing entries are defaults.
 struct SurfaceTraits
 {
   std::vector<bool> deforms;                 ///< its vertices have moved before
   std::vector<std::optional<Pose>> walls_WP; ///< given: it is walls, raised from lines across that plane
 };
 
-/// What is felt of one surface, and why.
+/// The part of one surface in use, and the reason.
 struct SurfaceChoice
 {
   std::string name;
@@ -56,7 +56,7 @@ struct SimplerScene
   std::vector<SurfaceChoice> choices;
 };
 
-/// What is felt of each surface at first: all its triangles. O(surfaces + segments of curves).
+/// Initial choice for each surface: all triangles. O(surfaces + segments of curves).
 [[nodiscard]] std::vector<SurfaceChoice> chooseAtFirst(
   const Scene& full, const SurfaceTraits& traits, const SimplifyRules& rules);
 
@@ -64,7 +64,7 @@ struct SimplerScene
 /// than half of their triangles (planTouch()), and with that proven (simplifyWithin()). Curves with fine segments are
 /// felt at one level of detail, the coarsest that nobody notices (coarserSurface()). A level that is fine near the hand
 /// and coarser beyond brings nothing more: of a line of 300,000 points up to 37 stay instead of 110, a tick costs the
-/// same 2.2 us, and the level would have to follow the hand (lab: `plane-cost`). What was found for a surface is kept
+/// same 2.2 us, and the level would have to follow the hand (lab: `plane-cost`). The result for a surface is kept
 /// while the surface stays in the scenes. Any thread but the servo's, one at a time.
 class SceneSimplifier
 {

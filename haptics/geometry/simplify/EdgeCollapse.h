@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// What is left when all edges have collapsed that may.
+/// The result after all allowed edge collapses.
 struct CollapsedMesh
 {
   TriangleMesh mesh; ///< with vertices that no triangle has, and equal ones where it was cut open: cleanMesh mends it
@@ -19,7 +19,7 @@ struct CollapsedMesh
 };
 
 /// Collapses edges onto one of their ends in the order of Garland & Heckbert's quadrics (1997), as long as every vertex
-/// and every middle of a triangle that went stays within the limit [u] of what replaced it and no triangle turns over;
+/// and every middle of a triangle that went stays within the limit [u] of its replacement and no triangle turns over;
 /// between those points nothing is watched. Vertices for which `fixed` (one a vertex) is true stay. Null when CGAL
 /// cannot hold the surface. O(n log n) in its triangles. Any thread but the servo's; deterministic.
 [[nodiscard]] std::optional<CollapsedMesh> collapseEdges(

@@ -21,7 +21,7 @@ namespace palpate
 [[nodiscard]] std::vector<bool> verticesNearOtherSheets(const SurfaceTree& surface, double distance_u,
   const std::vector<std::uint32_t>& triangles, const std::stop_token& stop = {});
 
-/// How many triangles the above looks at for one, on average, counted for up to `samples` of them: what it costs.
+/// How many triangles the above looks at for one, on average, counted for up to `samples` of them: its cost.
 [[nodiscard]] double trianglesWithin(const SurfaceTree& surface, double distance_u, std::size_t samples);
 
 /// Two triangles that meet elsewhere than in the vertices they share, in exact arithmetic; none where the surface is

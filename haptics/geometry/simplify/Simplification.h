@@ -19,10 +19,10 @@ struct Simplification
 };
 
 /// Collapses edges onto one of their ends in the order of Garland & Heckbert's quadrics (1997), as long as every vertex
-/// that went stays near what replaced it. Then the result is proven: all points of both surfaces lie within the limit
-/// of the other one (SurfaceDistance), and the new surface crosses itself nowhere but where the first one does, with
-/// the same triangles (exact predicates). Every vertex is one of the original's. Sheets closer together than twice the
-/// limit are left as they are, so that they cannot merge, and so are the triangles at edges of three or more.
+/// that was removed stays near its replacement. Then the result is proven: all points of both surfaces lie within the
+/// limit of the other one (SurfaceDistance), and the new surface crosses itself nowhere but where the first one does,
+/// with the same triangles (exact predicates). Every vertex is one of the original's. Sheets closer together than twice
+/// the limit are left as they are, so that they cannot merge, and so are the triangles at edges of three or more.
 ///
 /// Refused are a surface that cannot be proven, curves, and a surface that would not lose half of its triangles, which
 /// a sample of the surface says first. Where triangles are so fine that looking for other sheets would take too long, a

@@ -7,7 +7,7 @@
 namespace palpate
 {
 
-/// What a simplified surface must keep.
+/// Limits of a simplified surface.
 struct SimplifyLimits
 {
   double limit_u = 0.0; ///< no point of either surface may be further from the other, > 0 [u]

@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// Connected parts of a surface, spread over all of it: what is tried on them says what the surface would give.
+/// Connected parts of a surface, spread over all of it: trials on them predict the result for the surface.
 struct SurfacePatches
 {
   TriangleMesh mesh;                    ///< of the triangles of all parts, with only their vertices

@@ -18,8 +18,8 @@ namespace palpate
 inline constexpr std::uint32_t ownsEdge0 = 1u;
 inline constexpr std::uint32_t ownsVertex0 = 8u;
 
-/// What is kept of a face beside its corners, in the order of the leaves. The corners are the mesh's own: a second copy
-/// of them would be two thirds of what a face takes.
+/// Data of a face besides its corners, in the order of the leaves. The corners are the mesh's own: a second copy
+/// of them would be two thirds of the memory of a face.
 struct FacePlane
 {
   Vec3 normal_W; ///< unit, right-handed for the stored corners
@@ -48,7 +48,7 @@ struct alignas(16) BallQuad
   std::array<float, 4> radius;
 };
 
-/// What bounds a surface at another place of its way: boxes for each node of the tree, balls for each quad of discs.
+/// Bounds of a surface at another point of its path: boxes for each node of the tree, balls for each quad of discs.
 struct PlaceBounds
 {
   std::vector<NodeBoxes> nodes;
@@ -86,7 +86,7 @@ struct Leaf
 struct SurfaceData
 {
   TriangleMesh mesh;
-  double coat_u = 0.0; ///< above 0 for curves, which are segments: what is felt begins so far from them
+  double coat_u = 0.0; ///< above 0 for curves, which are segments: distance of the touched surface from them
   std::vector<FacePlane> faces;
   std::vector<DiscQuad> discs; ///< two a leaf
   std::vector<Leaf> leaves;

@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// What a surface keeps of its vertices where they are, beside the hierarchy: the part that building it and moving
+/// Data of a surface about its vertices in place, beside the hierarchy: the part that building it and moving
 /// its vertices have in common. Internal to haptics/geometry.
 
 /// From this FaceRecord::sliver on a normal is computed exactly, for its rounding is 1e-8 and more.

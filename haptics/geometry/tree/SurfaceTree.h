@@ -68,7 +68,7 @@ public:
   [[nodiscard]] std::uint64_t wayName() const noexcept;
   /// Hash of the triangles as the tree has ordered them: where it is the same, features have the same numbers.
   [[nodiscard]] std::uint64_t topologyHash() const noexcept;
-  /// What contact computes from; internal to haptics/.
+  /// Data for contact; internal to haptics/.
   [[nodiscard]] const SurfaceData& data() const noexcept { return *this->data_; }
 
 private:

@@ -15,7 +15,7 @@ namespace palpate
 /// room for trees that do not halve exactly.
 inline constexpr int mostPending = 96;
 
-/// Visits the leaves that matter, nearest first. Nodes: std::vector<TreeNode>, or what gives the same by [] and
+/// Visits the leaves that matter, nearest first. Nodes: std::vector<TreeNode>, or a type with the same [] and
 /// empty(). `entriesOf(node)` says how far both children are; a child is kept where `reaches(distance)`, and taken up
 /// later where `admits(distance)`, which may count the visits. `onLeaf(index)`.
 template<class Nodes, class EntriesOf, class Reaches, class Admits, class OnLeaf>

@@ -17,7 +17,7 @@ struct VertexStart
 {
   std::vector<Vec3> vertices_W; ///< one for each vertex of the tree's mesh, in its order [u]
   std::uint64_t continues = 0;  ///< content of the surface that was felt there; 0: of none
-  /// How the start is made of the places of the tree's VertexWay; what is left to 1 is the share of the tree's own
+  /// How the start is made of the places of the tree's VertexWay; the rest to 1 is the share of the tree's own
   /// vertices.
   std::array<double, 2> ofPlaces;
   std::uint64_t hash = 0; ///< of vertices and content

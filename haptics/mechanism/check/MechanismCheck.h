@@ -19,11 +19,11 @@ struct MechanismSoft
   const PressedBody* body = nullptr;
 };
 
-/// What a mechanism becomes, and what is wrong with it.
+/// Properties of a mechanism, and its faults.
 struct MechanismCheck
 {
   std::vector<std::string> faults;    ///< a sentence each, with the name of the law or body; none: it can be felt
-  std::vector<std::string> remarks;   ///< what follows from others, what turns freely, what is badly conditioned
+  std::vector<std::string> remarks;   ///< redundant constraints, free rotations, bad conditioning
   std::vector<std::string> redundant; ///< names of laws of which a row follows from others
   std::vector<std::string> free;      ///< names of bodies that can move where no law holds them
   std::vector<std::pair<std::string, std::string>> overlaps;     ///< bodies that share room as they stand, by name

@@ -45,23 +45,23 @@ public:
   /// Once surfaces that moved rest: whether they had left the ball no room and it is now in one that it was outside of.
   /// Then the ball comes from outside again, and cameAround() says so.
   bool takeOutSqueezed();
-  /// Plans again, from all triangles on, if what the choice depends on has changed.
+  /// Plans again, from all triangles on, after a change of the inputs of the choice.
   void follow(const SimplifyPlan& plan);
 
-  /// What the scene taken last, or its motion, has brought around the hand; the hand stays outside of it.
+  /// Surfaces that the last scene, or its motion, moved over the hand; the hand stays outside of them.
   [[nodiscard]] const std::optional<CameAround>& cameAround() const noexcept { return this->around_; }
 
   /// As the session has it.
   [[nodiscard]] const BuiltScene& built() const noexcept { return this->built_; }
   [[nodiscard]] bool isSimpler() const noexcept { return this->built_.scene != this->full_.scene; }
-  /// What is felt of each surface, and why.
+  /// The part in use of each surface, and the reason.
   [[nodiscard]] const std::vector<SurfaceChoice>& choices() const noexcept { return this->choices_; }
   /// From the commit of that scene until the servo could have it [s].
   [[nodiscard]] double handOver_s() const noexcept { return this->handOver_s_; }
   /// Whether the session's last tick felt this scene, or nothing is felt: then the ball may change. In the tick of a
   /// swap a pressed hand changes over.
   [[nodiscard]] bool isTaken();
-  /// Whether what moved has rested for a while: its poses may go into the vertices, which costs less to touch.
+  /// Whether the moved surfaces have rested for a while: its poses may go into the vertices, which costs less to touch.
   [[nodiscard]] bool rests();
 
 private:

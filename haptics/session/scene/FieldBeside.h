@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// What a hand snaps to that a person gave, in W [u].
+/// Snap targets given by a person, in W [u].
 struct SnapPlaces
 {
   std::vector<Vec3> points_W;

@@ -19,11 +19,11 @@ struct BrickWish
   Vec3 centre_W = Vec3::Zero();  ///< around this place [u]
   double reach_u = 0.0;          ///< as far as that, or as far as the memory of a brick allows
   std::uint64_t revision = 0;    ///< its number
-  std::optional<double> level{}; ///< value of the scalar whose surface is felt: what its noise is measured beside
+  std::optional<double> level{}; ///< isovalue in use: reference for its noise
   bool smoothLevels = false;     ///< smooth levels are felt: how steep the scalar is in all of the data is asked too
 };
 
-/// What the noise of a scalar made of it.
+/// Effect of the noise of a scalar.
 struct FieldSmoothness
 {
   int passes = 0;                ///< of smoothing that it had
@@ -44,7 +44,7 @@ struct MadeBrick
   double error = 0.0; ///< largest difference to the data's own cells that was found, of the range of the values; 0: the
                       ///< points are the data's
   double finerReach_u =
-    std::numeric_limits<double>::infinity(); ///< how far the hand may go before what is finer around it has to be
+    std::numeric_limits<double>::infinity(); ///< allowed motion of the hand before the finer block around it has to be
                                              ///< looked at anew; infinite: never
   std::string
     whyNoCells{}; ///< why surfaces are not felt in the data's own cells; "": they are, or the points tell the same

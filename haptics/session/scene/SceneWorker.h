@@ -26,19 +26,19 @@ public:
   SceneWorker(const SceneWorker&) = delete;
   SceneWorker& operator=(const SceneWorker&) = delete;
 
-  /// `refusals`: lines of what is not among the surfaces, at the head of the report. While a build is running the
+  /// `refusals`: lines about refused inputs, at the head of the report. While a build is running the
   /// newest commit waits for it; one that only moves surfaces is done at once. `stamp_s`: when it was so, on the
-  /// caller's clock. `part`: of what they are a part.
+  /// caller's clock. `part`: the whole that they are a part of.
   void commit(std::vector<SceneSurface> surfaces, std::string refusals, double stamp_s, const ScenePart& part = {});
-  /// What is felt now, from where vertices of the next builds come; null: from nowhere. The commit that waits begins:
+  /// The present scene, from where vertices of the next builds come; null: from nowhere. The commit that waits begins:
   /// commits may come faster than builds for as long as they like, and each build is felt and followed by the next.
   void follow(std::shared_ptr<const Scene> felt);
   /// Nothing comes from elsewhere any more: the next trees have no room for ways.
   void forget() { this->felt_.reset(); }
   [[nodiscard]] bool building() const { return this->task_.running(); }
-  /// How much of what was committed is built, 0 to 1; 1 where nothing is to be built.
+  /// Built share of the commit, 0 to 1; 1 without a build.
   [[nodiscard]] double share() const { return this->building() ? this->watch_->share() : 1.0; }
-  /// What was committed is not wanted: the build ends before its next step, and gives nothing.
+  /// Cancels the commit: the build ends before its next step, without a result.
   void cancel();
 
   /// The newest scene that is done, once. A commit that waits begins with follow().
@@ -64,7 +64,7 @@ private:
   std::shared_ptr<const Scene> felt_;
   std::shared_ptr<BuildWatch> watch_;                                ///< over the running build
   double largestRadius_u_ = std::numeric_limits<double>::infinity(); ///< of the last scene that was not only moved
-  LatestTask<BuiltScene> task_;                                      ///< last: it ends before what it uses
+  LatestTask<BuiltScene> task_;                                      ///< last: it ends before the members it uses
 };
 
 } // namespace palpate

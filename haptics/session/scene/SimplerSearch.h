@@ -12,7 +12,7 @@
 namespace palpate
 {
 
-/// What was found, and the largest ball whose work fits into a tick there [u].
+/// The result, and the largest ball whose work fits into a tick there [u].
 struct FoundScene : SimplerScene
 {
   double largestRadius_u = 0.0; ///< 0 without a scene
@@ -28,7 +28,7 @@ public:
     std::uint64_t revision);
   /// Nothing is wanted any more.
   void cancel() { this->task_.cancel(); }
-  /// What was found for the scene followed last, once, when it is done; nothing else.
+  /// The result for the last scene, once, when it is done; otherwise nothing.
   std::optional<FoundScene> poll() { return this->task_.poll(); }
   /// The same, waiting for it. Nothing if nothing is looked for.
   std::optional<FoundScene> wait() { return this->task_.wait(); }
@@ -44,7 +44,7 @@ private:
   FoundScene look(Order order);
 
   SceneSimplifier simplifier_;  ///< the running task's while there is one
-  LatestTask<FoundScene> task_; ///< last: it ends before what it uses
+  LatestTask<FoundScene> task_; ///< last: it ends before the members it uses
 };
 
 } // namespace palpate

@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// Whether simpler surfaces are looked for, and by what rules.
+/// Whether simpler surfaces are searched, and the rules.
 struct SimplifyPlan
 {
   SimplifyRules rules;

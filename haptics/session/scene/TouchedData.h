@@ -40,7 +40,7 @@ struct LineSurface
 [[nodiscard]] LineSurface wallsAcross(
   const TouchedLines& lines, double ballRadius_u, const std::optional<Pose>& plane_WP = std::nullopt);
 
-/// A scene of which everything is there, or what is refused.
+/// A complete scene, or the refusal.
 struct WholeScene
 {
   std::shared_ptr<const Scene> scene; ///< null with a refusal

@@ -4,7 +4,7 @@
 namespace palpate
 {
 
-/// A setting that may be left to what is touched and the device, in the order of its choices.
+/// A setting with an automatic choice by data and device, in the order of its choices.
 enum class AutoChoice
 {
   Auto,

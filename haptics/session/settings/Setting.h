@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// What the values of a setting are.
+/// Kind of the values of a setting.
 enum class SettingKind
 {
   Flag,     ///< 0 or 1
@@ -40,12 +40,12 @@ struct SettingPlaces
   std::string_view option{}; ///< of `palpate touch`, without dashes; "": none
 };
 
-/// What a person or a program can set of a session, described for all who offer it.
+/// A setting of a session, described for all interfaces.
 struct Setting
 {
   std::string_view name; ///< of its property
   SettingKind kind = SettingKind::Number;
-  std::string_view unit;     ///< "" for what has none; u is a scene unit
+  std::string_view unit;     ///< "" without a unit; u is a scene unit
   std::string_view title;    ///< of its row in the panel, & before its letter; "": it has none
   std::string_view sentence; ///< what it is
   TakesEffect effect = TakesEffect::NextTick;
@@ -63,7 +63,7 @@ struct Setting
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 };
 
-/// What a session says of itself.
+/// A read-out of a session.
 struct Readout
 {
   enum class Kind
@@ -76,7 +76,7 @@ struct Readout
   };
   std::string_view name; ///< of its property
   Kind kind = Kind::Number;
-  std::string_view unit;     ///< "" for what has none
+  std::string_view unit;     ///< "" without a unit
   std::string_view title;    ///< of its row in the panel; "": it has none of its own
   std::string_view sentence; ///< what it is
   int elements = 1;
@@ -100,7 +100,8 @@ struct Readout
 /// Its title as a sentence has it: in small letters, without the mark of a letter; its name where it has no title.
 [[nodiscard]] std::string spoken(const Setting& setting);
 
-/// Empty, or one line that says why `values` cannot be and what can. `said`: what the person calls the setting.
+/// Empty, or one line with the reason against `values` and the allowed values. `said`: the name of the setting for the
+/// person.
 [[nodiscard]] std::string refuse(const Setting& setting, std::span<const double> values, std::string_view said);
 
 } // namespace palpate

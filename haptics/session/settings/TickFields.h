@@ -18,7 +18,7 @@ void setField(HapticParameters& parameters, const Setting& setting, std::span<co
 
 [[nodiscard]] std::vector<double> fieldOf(const HapticParameters& parameters, const Setting& setting);
 
-/// What a session begins with: the table's default in every field that a setting names, the stages' own in the others.
+/// Initial values of a session: the table's default in every field that a setting names, the stages' own in the others.
 [[nodiscard]] HapticParameters sessionDefaults();
 
 } // namespace palpate

@@ -23,7 +23,7 @@ struct BodyShape
   double mostGradient = 0.0;     ///< largest |F - 1|
   Vec3 worst_W = Vec3::Zero();   ///< and the middle, at rest, of where it is
   bool struck = false;           ///< the hand is faster than the body's inertia would let it follow
-  double throughItself_u = 0.0;  ///< how much of the line below what presses most lies in the body twice; 0: none
+  double throughItself_u = 0.0;  ///< overlap length of the body with itself below the largest contact force; 0: none
 };
 
 /// The message for a body that has passed through itself.
@@ -33,11 +33,11 @@ inline constexpr const char* throughItselfText = "the body was pressed through i
 /// A soft body as it is to be seen.
 struct SeenBody
 {
-  std::shared_ptr<const CheckedTetras> asMade; ///< what its vertices are, of what came in
+  std::shared_ptr<const CheckedTetras> asMade; ///< map from its vertices to the input
   std::shared_ptr<const BodyShape> shape;      ///< how it bends; null: it does not yet
 };
 
-/// A soft body and the scene that it is felt in: makes, one after the other, what the servo takes. A worker's.
+/// A soft body and its scene: makes the snapshots for the servo, one after the other. Used by a worker.
 class BodyMaker
 {
 public:
@@ -46,16 +46,16 @@ public:
   [[nodiscard]] static std::unique_ptr<BodyMaker> make(const SoftBodyInput& input, const std::string& name,
     std::uint64_t revision, std::string& refusal, const std::stop_token& stop = {});
 
-  /// What is touched beside it; null: nothing. A surface of its name is the body's own, and gives way to it. From the
-  /// next packet on.
+  /// Other surfaces that are touched; null: none. A surface of its name is the body's own, and gives way to it. From
+  /// the next packet on.
   void touch(std::shared_ptr<const Scene> beside);
-  /// The body under what the hand presses with, for a hand that has so long until the next packet [s]; as many steps to
-  /// its rest as are asked for. Null if a factor failed: what was before goes on.
+  /// The body under the force of the hand, for a hand that has so long until the next packet [s]; as many steps to
+  /// its rest as are asked for. Null if a factorisation failed: the previous snapshot stays in use.
   [[nodiscard]] std::shared_ptr<const PressedBody> press(
     const BodyHand& hand, double period_s, int newtonSteps = usualSteps);
 
   [[nodiscard]] BodyShape shape() const;
-  /// Whether it has passed through itself below what presses it, in any of its packets.
+  /// Whether the body has passed through itself below a contact, in any of its snapshots.
   [[nodiscard]] bool wentThroughItself() const noexcept { return this->wentThroughItself_; }
   [[nodiscard]] const CheckedTetras& checked() const noexcept { return this->checked_; }
 
@@ -77,7 +77,7 @@ private:
   PacketMaker packets_;
   SceneBuilder builder_;
   std::shared_ptr<const Scene> beside_;
-  std::shared_ptr<const Scene> scene_; ///< the last one; null: what is beside it is another since
+  std::shared_ptr<const Scene> scene_; ///< the last one; null: the other surfaces have changed since
   std::uint64_t first_; ///< the revision before its first packet: forces on older ones are at another body's vertices
   std::uint64_t revision_;
   Vec3 hand_W_ = Vec3::Zero();                   ///< of the last packet

@@ -19,7 +19,7 @@ struct SoftLinks;
 struct SoftStatus : WorkStatus
 {
   std::shared_ptr<const BodyShape> shape;      ///< how it bends; null: it does not yet
-  std::shared_ptr<const CheckedTetras> asMade; ///< what its vertices are, of what came in
+  std::shared_ptr<const CheckedTetras> asMade; ///< map from its vertices to the input
 };
 
 /// A soft body and the scene beside it.

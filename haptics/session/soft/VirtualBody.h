@@ -6,7 +6,7 @@
 namespace palpate
 {
 
-/// A soft body in virtual time: what is made from one tick arrives one period later, on any machine.
+/// A soft body in virtual time: a snapshot of one tick arrives one period later, on any machine.
 class VirtualBody
 {
 public:
@@ -16,13 +16,13 @@ public:
   /// Before a tick at that time: the body that it takes; `hand`: of the tick before. What it gave before lives on
   /// until the call after this one. Null if its first packet cannot be made.
   [[nodiscard]] const PressedBody* at(double time_s, const BodyHand& hand);
-  /// What was given last.
+  /// The last snapshot.
   [[nodiscard]] const std::shared_ptr<const PressedBody>& now() const noexcept { return this->now_; }
 
 private:
   BodyMaker& maker_;
   double period_s_;
-  double due_s_ = 0.0; ///< when what is under way arrives
+  double due_s_ = 0.0; ///< arrival time of the pending snapshot
   std::shared_ptr<const PressedBody> before_, now_, underWay_;
 };
 

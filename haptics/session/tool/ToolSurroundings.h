@@ -27,7 +27,8 @@ struct ToolSurroundings
 /// See noWayOut(), of the first surface that it is said of.
 [[nodiscard]] std::string noWayOutOf(const Scene& scene, const ToolMesh& tool, const Pose& tool_W);
 
-/// Refuses what bends, what has no triangles, and what reaches too far for the tool. As slow as building a tree is.
+/// Refuses deforming surfaces, surfaces without triangles, and a scene that is too large for the tool. As slow as
+/// building a tree is.
 [[nodiscard]] ToolSurroundings surroundingsOf(const Scene& scene, const ToolMesh& tool);
 
 } // namespace palpate

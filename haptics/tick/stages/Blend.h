@@ -13,7 +13,7 @@ namespace palpate::stage
 
 /// F = F_new + (F_old - F_new) decaying, and so the torque: a replaced scene, another map, a tool or a mechanism that
 /// is taken, replaced or laid down, a law that is broken by hand, a body that begins or ends to give way, a hand that
-/// leaves what is known around it or comes back never steps (Mark et al. 1996). Not for the first scene, not for
+/// leaves or re-enters its known surroundings never steps (Mark et al. 1996). Not for the first scene, not for
 /// surfaces that only move or bend, and not a safety limit.
 struct Blend
 {
@@ -35,8 +35,8 @@ struct Blend
 
   struct State
   {
-    Vec3 lastRendered_D = Vec3::Zero();       ///< what the scene asked for last tick [N]
-    Vec3 blend_D = Vec3::Zero();              ///< what is left of the force of the scene before [N]
+    Vec3 lastRendered_D = Vec3::Zero();       ///< the scene's force in the last tick [N]
+    Vec3 blend_D = Vec3::Zero();              ///< the rest of the force of the previous scene [N]
     Vec3 lastRenderedTorque_D = Vec3::Zero(); ///< likewise the torque [N m]
     Vec3 blendTorque_D = Vec3::Zero();
     bool blendTool = false;           ///< a tool was held that touches by its mesh

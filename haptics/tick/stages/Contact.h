@@ -70,13 +70,13 @@ struct Contact
     double radius_u = 0.0;     ///< of the last tick: another ball is seated where the old one was, once there is room
     std::uint64_t ballLed = 0; ///< number of the lead that was followed last
     std::uint64_t sceneRevision = 0;
-    std::uint64_t sceneGeometry = 0; ///< what surfaces it had, wherever they were
+    std::uint64_t sceneGeometry = 0; ///< its surfaces, at any pose
     double sceneAge_s = 0.0;         ///< since the scene was taken: how far its surfaces have moved
     double shownAge_s = 0.0;         ///< since one of another revision was: packets of a soft body bring many of one
-    double shownShare = 1.0;         ///< how far what is in all of these has moved, 0..1
+    double shownShare = 1.0;         ///< progress of the motion of all surfaces, 0..1
   };
   /// Touched features are no part of a recording: they are numbers of surfaces and triangles, and nobody knows yet of
-  /// which. The age of what is shown is told, and felt by nobody.
+  /// which. The age of visible data is reported, and has no effect on the force.
   template<class Visit, class... S>
   static void stateFields(const Visit& visit, S&... s)
   {

@@ -9,7 +9,7 @@
 namespace palpate::stage
 {
 
-/// Takes what the person asks for: force, or none.
+/// Takes the person's request: force, or none.
 struct Requests
 {
   static constexpr std::string_view name = "requests";

@@ -14,8 +14,8 @@
 namespace palpate::stage
 {
 
-/// Where the hand is and how fast, and whether it holds what must be held. Who lets go is not pushed, and starts again
-/// from a small force.
+/// Where the hand is and how fast, and whether the dead-man switch is held. After a release there is no force, and the
+/// force starts again from a small force.
 struct Hand
 {
   static constexpr std::string_view name = "hand";
@@ -73,7 +73,7 @@ struct Hand
   static void rest(TickContext& tick) noexcept;
 };
 
-/// Ends the force where the hand does what no hand does, or a contact gives what no wall gives.
+/// Ends the force after an impossible motion of the hand, or an impossible energy of a contact.
 struct HandGuard
 {
   static constexpr std::string_view name = "hand guard";

@@ -13,7 +13,7 @@
 namespace palpate::stage
 {
 
-/// What a device closes at its own rate: the walls round the virtual location, or the spring that leads the hand to
+/// Rendered by the device at its own rate: the walls round the virtual location, or the spring that leads the hand to
 /// the start of a labyrinth. The force on the hand is the device's business then.
 struct HeldWalls
 {

@@ -51,7 +51,7 @@ struct Protect
 
   struct State
   {
-    Vec3 lastForce_D = Vec3::Zero();  ///< what the hand got last tick [N]
+    Vec3 lastForce_D = Vec3::Zero();  ///< force on the hand in the last tick [N]
     bool ownForce = false;            ///< and that was the coupling's own force, unlimited
     Vec3 lastTorque_D = Vec3::Zero(); ///< [N m]
     double turned_J = 0.0;            ///< work of all torques so far

@@ -8,7 +8,7 @@
 namespace palpate::stage
 {
 
-/// What is told of a tick whether it knows where the hand is or not.
+/// Report of a tick with or without hand position.
 struct Report
 {
   static constexpr std::string_view name = "report";

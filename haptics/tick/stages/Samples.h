@@ -9,8 +9,8 @@
 namespace palpate::stage
 {
 
-/// Judges what the device and the loop say. A tick that does not know where the hand is gives no force: the stages
-/// after this one rest.
+/// Judges the samples of the device and the loop. A tick that does not know where the hand is gives no force: the
+/// stages after this one rest.
 struct Samples
 {
   static constexpr std::string_view name = "samples";

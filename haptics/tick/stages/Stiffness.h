@@ -11,7 +11,7 @@
 namespace palpate::stage
 {
 
-/// How stiff the coupling is in this tick: what was asked for, no more than the device and the rate can hold, less
+/// Stiffness of the coupling in this tick: the setting, limited by the device and the rate, and reduced
 /// where the loop runs late, shared where a field holds the hand too.
 struct Stiffness
 {
@@ -20,7 +20,7 @@ struct Stiffness
   struct Plan
   {
     double stiffness_N_per_m = 1000.0;
-    bool limitStiffness = true; ///< to what the device and the rate can hold (StabilityLimits)
+    bool limitStiffness = true; ///< to the stable stiffness of device and rate (StabilityLimits)
     double stiffnessLimit_N_per_m = std::numeric_limits<double>::infinity(); ///< set by the session from the device
   };
   template<class Visit, class... P>

@@ -13,9 +13,10 @@
 namespace palpate::stage
 {
 
-/// Whether contact knows what is around hand and proxy, where the scene is a part of a whole that is elsewhere. Beyond
-/// that part, or while another has been asked for and does not come, nothing can be touched: the proxy waits where all
-/// was known, and goes on from there in a part that has both places. Where it cannot it begins anew at the hand.
+/// Whether contact knows the surroundings of hand and proxy, where the scene is a part of a whole that is elsewhere.
+/// Beyond that part, or while another has been asked for and does not come, nothing can be touched: the proxy waits
+/// where all was known, and goes on from there in a part that has both places. Where it cannot it begins anew at the
+/// hand.
 struct Surroundings
 {
   static constexpr std::string_view name = "surroundings";

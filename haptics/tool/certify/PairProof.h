@@ -24,7 +24,7 @@ struct CachedPlane
   Vec3 n = Vec3::Zero();
 };
 
-/// What a step has to keep free between a pair.
+/// Required gap of a step between a pair.
 struct Clearance
 {
   double gap_u = 0.0;  ///< to be proven everywhere

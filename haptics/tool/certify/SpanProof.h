@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// A part of a step, from one share to another, with the tool's turns at both: what a proof is asked for.
+/// A part of a step, from one share to another, with the tool's rotations at both: input of a proof.
 struct Span
 {
   double from = 0.0, to = 1.0;

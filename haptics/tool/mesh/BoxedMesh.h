@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// A box that lies along what it holds, as it is walked: all points centre + axes * h with |h_i| <= half_i. The axes
+/// A box aligned with its content, for the traversal: all points centre + axes * h with |h_i| <= half_i. The axes
 /// are unit and square to one another to a float's rounding only; the half sides make up for it.
 struct OrientedBox
 {
@@ -24,7 +24,7 @@ class StoredBox
 {
 public:
   StoredBox() = default;
-  /// Axes as columns, a rotation. `points` are the corners of what it holds.
+  /// Axes as columns, a rotation. `points` are the corners of its content.
   StoredBox(const Mat3& axes, const std::vector<Vec3>& points);
 
   [[nodiscard]] Vec3 centre() const noexcept { return { this->centre_[0], this->centre_[1], this->centre_[2] }; }
@@ -42,7 +42,7 @@ private:
   std::array<float, 3> half_{};
 };
 
-/// A triangle's edges and corners that can never be what touches first: an edge between faces of one plane, a vertex
+/// A triangle's edges and corners that can never be the first contact: an edge between faces of one plane, a vertex
 /// inside of such faces or along a straight edge. They only save work.
 struct FlatFlags
 {
@@ -53,8 +53,8 @@ struct FlatFlags
   [[nodiscard]] bool all() const noexcept { return this->bits == 63; }
 };
 
-/// Triangles in the order of a tree of oriented boxes: the rigid shape of a tool, in its body frame B, or of what it
-/// touches, in W. Immutable.
+/// Triangles in the order of a tree of oriented boxes: the rigid shape of a tool, in its body frame B, or of the scene
+/// it touches, in W. Immutable.
 class BoxedMesh
 {
 public:
@@ -67,7 +67,7 @@ public:
     [[nodiscard]] bool leaf() const noexcept { return this->count > 0; }
   };
 
-  /// `clean` as cleanMesh makes it. What bends by less than `flat_u` counts as flat.
+  /// `clean` as cleanMesh makes it. Bends below `flat_u` count as flat.
   BoxedMesh(TriangleMesh clean, double flat_u);
 
   [[nodiscard]] const TriangleMesh& mesh() const noexcept { return this->mesh_; }

@@ -6,7 +6,7 @@
 namespace palpate
 {
 
-/// What a mesh weighs in the distance between two poses, for a mass of one.
+/// Weights of a mesh in the distance between two poses, for a mass of one.
 struct MassMetric
 {
   Vec3 centre_W = Vec3::Zero();
@@ -17,7 +17,7 @@ struct MassMetric
 
 /// A closed mesh whose triangles are all turned the same way counts as a solid of even density, anything else as a
 /// sheet of even thickness: open and flat meshes have no volume to weigh. `raw` as it came, since its corners' order is
-/// lost by cleaning; `clean` is what cleanMesh made of it and has area.
+/// lost by cleaning; `clean` is the result of cleanMesh and has area.
 [[nodiscard]] MassMetric massMetric(const TriangleMesh& raw, const CleanResult& clean);
 
 /// The same about a point where a hand holds it, as a sheet: turns are about that point, and the lever is

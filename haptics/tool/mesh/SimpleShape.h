@@ -30,7 +30,7 @@ struct SimpleShape
 /// inside of a closed surface, each way straight out of it meets the mesh within these. Builds a tree: not for a tick.
 [[nodiscard]] std::optional<SimpleShape> simpleShapeOf(const TriangleMesh& clean, double share);
 
-/// What it is, and how near: a part of a sentence.
+/// Shape and error bound: a part of a sentence.
 [[nodiscard]] std::string describe(const SimpleShape& shape);
 
 } // namespace palpate

@@ -42,7 +42,7 @@ struct ToolMesh
 /// refused far outside of the tool.
 [[nodiscard]] Outcome<ToolMesh> makeTool(const TriangleMesh& raw, const std::optional<Vec3>& handle_W = std::nullopt);
 
-/// What a tool of this size can touch: built for its rest gap. A scene that is clean, in W.
+/// The scene for a tool of this size, built for its rest gap. A scene that is clean, in W.
 [[nodiscard]] std::shared_ptr<const BoxedMesh> makeToolScene(TriangleMesh clean, const ToolMesh& tool);
 
 /// Why a tool cannot stand at a pose in a scene, empty when it can: numbers that are not finite, a quaternion that is

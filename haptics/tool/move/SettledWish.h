@@ -13,12 +13,12 @@ struct SettledWish
   int rounds = 0;           ///< that it took
 };
 
-/// The law of rubbedWish(), for a tool that is really moved: what is left of it would creep from update to update.
-/// Solved in turn: what pushes for given rubbing, exactly, and what rubs for given pushes, by projection onto the
-/// discs. A tool comes to rest where friction just holds it, and there this settles where a sweep over contacts goes on
-/// for thousands. Which of more contacts than there are directions push may change from round to round: of random sets
-/// of two to five one in a hundred misses the power of Coulomb's law by 3e-5 of the wish's square at a friction of 0.3,
-/// by 3e-3 at 1, by a sixth at 3. Takes tens of times as long as a tick may.
+/// The law of rubbedWish(), for a tool that really moves: a residual would creep from update to update.
+/// Solved in turn: the normal multipliers for given friction, exactly, and the friction for given normal multipliers,
+/// by projection onto the discs. A tool comes to rest where friction just holds it, and there this settles where a
+/// sweep over contacts goes on for thousands. Which of more contacts than there are directions push may change from
+/// round to round: of random sets of two to five one in a hundred misses the power of Coulomb's law by 3e-5 of the
+/// wish's square at a friction of 0.3, by 3e-3 at 1, by a sixth at 3. Takes tens of times as long as a tick may.
 [[nodiscard]] SettledWish settledWish(const ToolContacts& set, const Vec6& wish, double friction) noexcept;
 
 } // namespace palpate

@@ -21,7 +21,7 @@ struct StepLimits
 struct PlannedStep
 {
   ScrewStep step;
-  Vec6 full = Vec6::Zero();      ///< what the rows leave of the wish: the step is a part of it, and bent
+  Vec6 full = Vec6::Zero();      ///< the target motion within the rows: the step is a part of it, and bent
   std::vector<double> pressures; ///< of the rows, in the metric in which a way of 1 u costs 1
 };
 

@@ -17,7 +17,7 @@ struct DoubtfulPair
   std::uint32_t index = 0;
 };
 
-/// How much of a step is proven, and what is in its way.
+/// Proven share of a step, and its obstacle.
 struct StepVerdict
 {
   double share = 1.0;

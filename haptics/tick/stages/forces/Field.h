@@ -15,7 +15,7 @@
 namespace palpate::stage
 {
 
-/// What the numbers around the hand do to it, beside whatever surfaces are touched. Its springs and that of the contact
+/// Force of the field around the hand, besides touched surfaces. Its springs and that of the contact
 /// share the stiffness that device and rate can hold: their sum has a potential where each has, and is no stiffer than
 /// one. Where a field ends its force fades.
 struct Field

@@ -14,7 +14,7 @@
 namespace palpate
 {
 
-/// What of a law a recording begins with.
+/// Initial state of a constraint in a recording.
 template<class Visit, class Law>
 void membersOf(const Visit& visit, Law& law) requires std::is_same_v<std::remove_const_t<Law>, LawState>
 {
@@ -44,15 +44,15 @@ void membersOf(const Visit& visit, Event& event) requires std::is_same_v<std::re
 namespace stage
 {
 
-/// A mechanism in the hand in place of ball and tool: what its laws draw the hand to, as a way and as a turn. Both go
-/// through the same spring, damper, meter and limits as the pull of the ball does.
+/// A mechanism in the hand in place of ball and tool: the pull of its constraints on the hand, as displacement and
+/// rotation. Both go through the same spring, damper, meter and limits as the pull of the ball does.
 struct HeldMechanism
 {
   static constexpr std::string_view name = "mechanism";
 
   struct Plan
   {
-    /// Of the spring by which the hand turns what it holds; 0: the turn is free, as always where the device has no
+    /// Rotational stiffness between hand and held body; 0: free rotation, as always where the device has no
     /// torque. A softer spring of the hand makes this one softer by as much.
     double mechanismTurning_N_m_per_rad = 0.0;
   };

@@ -11,8 +11,8 @@
 namespace palpate::stage
 {
 
-/// Takes the newest packet of a soft body before contact. The force stays as it is under the new one; what that needs
-/// fades.
+/// Takes the newest packet of a soft body before contact. The force is continuous under the new one; the offset that
+/// this needs fades.
 struct SoftLead
 {
   static constexpr std::string_view name = "soft";
@@ -39,7 +39,7 @@ struct SoftLead
     SoftState soft;
     EnergyBalance softBalance;
     std::uint64_t softRevision = 0; ///< of the packet of the last tick; 0: none
-    double softAge_s = 0.0;         ///< of what it was made from
+    double softAge_s = 0.0;         ///< of the state at which it was made
     std::uint64_t softTick = 0;     ///< the last one on a body; 0: none
   };
   /// Like the features of the ball, the contacts of before are no part of a recording.

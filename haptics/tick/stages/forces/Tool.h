@@ -13,8 +13,8 @@
 namespace palpate::stage
 {
 
-/// A tool in the hand in place of the ball: what its newest contacts draw the hand to, as a way and as a turn. Both go
-/// through the same spring, damper, meter and limits as the pull of the ball does.
+/// A tool in the hand in place of the ball: the pull of its newest contacts on the hand, as displacement and rotation.
+/// Both go through the same spring, damper, meter and limits as the pull of the ball does.
 struct Tool
 {
   static constexpr std::string_view name = "tool";
@@ -42,7 +42,7 @@ struct Tool
   {
     ToolLead toolLead;
     ToolBlend toolBlend;
-    ToolContacts toolSet;             ///< of the last tick: what it stored is asked once more when another comes
+    ToolContacts toolSet;             ///< of the last tick: its stored energy is needed when another set arrives
     Pose toolHand_W;                  ///< where the hand had it last
     bool toolLoose = false;           ///< the clutch was held: the hand takes the tool anew
     Vec3 toolTurned_m = Vec3::Zero(); ///< sum of all turns of the hand times the lever
@@ -66,7 +66,7 @@ struct Tool
 
   static void step(TickContext& tick) noexcept;
   static void rest(TickContext& tick) noexcept;
-  /// How fast the hand turns, as the tip of the lever of what it holds goes [m/s]. Once a tick.
+  /// Rotational speed of the hand at the lever arm of the held body [m/s]. Once per tick.
   [[nodiscard]] static Vec3 turning_D(TickContext& tick, double lever_m) noexcept;
 };
 
