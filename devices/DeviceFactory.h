@@ -16,7 +16,7 @@ namespace palpate
 
 class EvdevBus; // its header has the kernel's macros
 
-/// What a device may need to be made; each kind takes its own part.
+/// Options for the creation of a device; each kind uses its own part.
 struct DeviceOptions
 {
   HandPath stroke;             ///< simulated devices
@@ -25,10 +25,10 @@ struct DeviceOptions
   std::string recordingFile;   ///< replay
   double period_s = 1e-3;
   std::shared_ptr<HidBus> hid;     ///< where real devices are looked for; null: this computer
-  std::optional<Calibration> felt; ///< what a check of this session felt of a device that no serial number tells apart
+  std::optional<Calibration> felt; ///< result of a check in this session for a device without a distinct serial number
   bool wheel = false;              ///< the person says that it is one, whatever it calls itself
   std::shared_ptr<EvdevBus> evdev; ///< the same, behind the kernel's drivers; null: this computer unless `hid` is given
-  std::string calibrationFolder;   ///< what was found out about devices is applied from here; empty: nothing is
+  std::string calibrationFolder;   ///< folder of calibrations that are applied; empty: none
 };
 
 /// One device this build knows.
@@ -37,28 +37,28 @@ struct KnownDevice
   std::string name;
   std::string what; ///< one line for a person
   DeviceInfo info;
-  std::string problem;      ///< empty, or why it cannot be used now and what to do
+  std::string problem;      ///< empty, or the reason against its use now, and the remedy
   bool hasTwin = false;     ///< another one is plugged in that nothing tells apart: see twinNote
   bool hasGrip = false;     ///< it can tell whether it is gripped
   bool forPrograms = false; ///< its hand is led by a program: a person alone cannot use it
 };
 
-/// Of a device with a twin, for a person. What a check found out about one of the two may be wrong for the other.
+/// Of a device with a twin, for a person. The calibration of one of the two may be wrong for the other.
 inline constexpr const char* twinNote = "Another attached device has the same kind and no distinct serial number: no "
                                         "calibration is used or saved. Attach only one of them.";
 
-/// Of a device without a grip sensor, for a person who chose the grip as what must be held.
+/// Of a device without a grip sensor, for a person who chose the grip as dead-man switch.
 inline constexpr const char* noGripNote =
   "The device has no grip sensor: with the grip as dead-man switch it renders no force; choose a button.";
 
 /// All devices this build knows and all that are plugged in, usable or not.
 [[nodiscard]] std::vector<KnownDevice> knownDevices(const DeviceOptions& options = {});
 
-/// What a person most likely means: the first that is plugged in, can be used and pushes, else the first that is
+/// The most likely choice: the first that is plugged in, can be used and pushes, else the first that is
 /// plugged in and can be used, else the mouse.
 [[nodiscard]] std::string preferredDevice(const std::vector<KnownDevice>& devices);
 
-/// Puts what is known of each from a calibration into what it says of itself, or what is wrong with that file.
+/// Adds the calibration of each device to its description, or the fault of that file.
 void applyCalibrations(
   std::vector<KnownDevice>& devices, const std::string& calibrationFolder, const std::optional<Calibration>& felt = {});
 
@@ -68,7 +68,7 @@ struct MadeDevice
 {
   std::unique_ptr<HapticDevice> device;
   std::string problem;
-  std::string warning = {}; ///< of a device that can be used: what a person should know
+  std::string warning = {}; ///< of a usable device: notes for a person
   bool hasTwin = false;     ///< as KnownDevice says
 };
 [[nodiscard]] MadeDevice makeDevice(const std::string& name, const DeviceOptions& options);

@@ -19,7 +19,7 @@ struct Glide
   double fastest_m_per_s = std::numeric_limits<double>::infinity();
 };
 
-/// A device whose poses a program feeds. What is fed last holds; before the first there is no hand.
+/// A device whose poses a program feeds. The last pose holds; before the first there is no hand.
 class FedDevice final : public HapticDevice
 {
 public:
@@ -38,7 +38,7 @@ public:
   void feed(const DeviceSample& sample) noexcept { this->feed(sample, this->places_); }
   /// The same, and the hand is there at the next tick: where the old place means nothing any more.
   void place(const DeviceSample& sample) noexcept { this->feed(sample, ++this->places_); }
-  /// There is no hand until it is fed again, and then it is there at once: while what a pose means changes.
+  /// There is no hand until it is fed again, and then it is there at once: while the meaning of a pose changes.
   void withdraw() noexcept
   {
     ++this->places_;

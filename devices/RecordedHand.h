@@ -26,8 +26,8 @@ struct RecordedHand
 
 [[nodiscard]] RecordedHand recordedHand(const Recording& recording);
 
-/// What a person is told while a recording is played on other surfaces than those it was made on; "" while that is not
-/// known, or they are the same. `shown`: the geometry hash of what is touched now, 0 where nothing is.
+/// The message while a recording is played on other surfaces than the recorded ones; "" while that is not
+/// known, or they are the same. `shown`: the geometry hash of the present scene, 0 without one.
 [[nodiscard]] std::string otherSceneSentence(const RecordedHand& hand, std::uint64_t shown);
 
 } // namespace palpate

@@ -25,7 +25,7 @@ public:
   [[nodiscard]] DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept override;
   void write(const DeviceCommand&) noexcept override {}
 
-  /// What is played, once it is open.
+  /// The recording, once the device is open.
   [[nodiscard]] const RecordedHand& hand() const noexcept { return this->hand_; }
 
 private:

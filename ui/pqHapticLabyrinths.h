@@ -36,7 +36,7 @@ private:
   void again();
   void end();
   void hideWalls(bool hidden);
-  /// What the buttons of the device asked for.
+  /// Requests by the buttons of the device.
   void grant(int wish);
   /// The way is shown from the exit on, unless somebody asks for it before.
   void followTrace();
@@ -47,14 +47,14 @@ private:
   void open(const QString& world);
   /// Why the chosen world cannot be played, or nothing.
   QString refusal(const QString& world) const;
-  /// Plays what the source gives. What the session sets for that goes to its proxy too, so that panel and state file
-  /// say the same.
+  /// Plays the labyrinth of the source. The settings for the game go to the session's proxy too, so that panel and
+  /// state file say the same.
   void begin();
   void keepSettings();
   /// Another session has settings of its own.
   void forgetSettings();
 
-  /// An element of a property that a game sets, and what it was before.
+  /// An element of a property that a game sets, and its previous value.
   struct Setting
   {
     const char* Name;

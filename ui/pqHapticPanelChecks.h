@@ -5,7 +5,7 @@
 class QObject;
 #include <QStringList>
 
-// What an event script may ask of the widgets in an object. Each says with qCritical() what is not so.
+// Checks of the widgets in an object for event scripts. Each reports a failure with qCritical().
 
 /// Tab goes through these fields in this order.
 bool pqHapticHasTabOrder(QObject* object, const QStringList& names);

@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// What a checked device says of itself. The device's workspace is the largest ball between its ends. Walls that were
+/// The description of a checked device. The device's workspace is the largest ball between its ends. Walls that were
 /// felt are left to the device; those of a simulated one need no proof. A device with one axis is a wheel.
 [[nodiscard]] DeviceInfo calibratedInfo(DeviceInfo info, const Calibration& calibration);
 

@@ -12,7 +12,7 @@
 namespace palpate
 {
 
-/// What stands behind one axis of a device's frame D: x to the right, y up or away, z towards the person. The driver
+/// Sensor and motor of one axis of a device's frame D: x to the right, y up or away, z towards the person. The driver
 /// has axes of its own, which a maker may have swapped or turned round, for measuring and for pushing separately.
 struct AxisCalibration
 {
@@ -28,7 +28,7 @@ struct AxisCalibration
   friend bool operator==(const AxisCalibration&, const AxisCalibration&) = default;
 };
 
-/// What a self-test found out about one device.
+/// The result of a self-test of one device.
 struct Calibration
 {
   static constexpr int mostAxes = 3;
@@ -40,7 +40,7 @@ struct Calibration
   std::array<AxisCalibration, mostAxes> axes{};
   HeldProof held = HeldProof::Unfelt; ///< of the walls and the viscosity that it closes by itself
 
-  /// Empty, or one phrase that names what cannot be: an axis twice, no range, a number that is not finite.
+  /// Empty, or one phrase that names the fault: an axis twice, no range, a number that is not finite.
   [[nodiscard]] std::string refusal() const;
 
   friend bool operator==(const Calibration&, const Calibration&) = default;

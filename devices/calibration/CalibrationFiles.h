@@ -22,17 +22,17 @@ namespace palpate
 /// What is known of a device. The problem names a file that cannot be used and why; empty too where there is none.
 using KeptCalibration = Outcome<std::optional<Calibration>>;
 
-/// The calibration of a device. Where its file is damaged, the file from before is taken, but for what that file says
+/// The calibration of a device. Where its file is damaged, the previous file is used, except for its statements
 /// of walls that the device holds; `problem` says so.
 [[nodiscard]] KeptCalibration loadCalibration(
   const std::string& folder, const std::string& device, const std::string& serial);
 
 /// Keeps a calibration, and beside it the calibration that it replaces. The file is whole at every moment; if it cannot
-/// be written, the old one stays. What was felt of a device's walls is not kept without a serial number: the next
+/// be written, the old one stays. Measured walls are not kept without a serial number: the next
 /// device of that name may be another one. Empty, or one sentence that names the file and why.
 [[nodiscard]] std::string saveCalibration(const std::string& folder, const Calibration& calibration);
 
-/// What a check felt of walls and viscosity, where that is a fault, takes the place of what a kept calibration says:
+/// A fault of walls or viscosity in a check replaces the statement of a kept calibration:
 /// trust ends without being asked for. Empty, or one sentence that names the file and why it could not be written.
 [[nodiscard]] std::string takeBackTrust(
   const std::string& folder, const std::string& device, const std::string& serial, HeldProof proof);

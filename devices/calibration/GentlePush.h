@@ -27,13 +27,13 @@ constexpr double lapse_s = 0.15;
 [[nodiscard]] double lapsingShare(double time_s) noexcept;
 } // namespace push
 
-/// What a push did along one axis of measurement.
+/// The effect of a push along one axis of measurement.
 struct PushAnswer
 {
   double moved_m = 0.0;          ///< at the end, with sign
   double early_m = 0.0;          ///< while there was hardly any force yet
   double response_m_per_N = 0.0; ///< slope of the motion over the force, once it moved; < 0: against it
-  double mean_m = 0.0;           ///< of the way while the force rose, with sign: what brakes makes it less
+  double mean_m = 0.0;           ///< of the displacement while the force rose, with sign: braking reduces it
   double most_m = 0.0;           ///< the largest way, with sign, even after the force
   double reached_s = 0.0;        ///< when it was nearly that far
   double last_m = 0.0;           ///< just before the force ends
@@ -41,7 +41,7 @@ struct PushAnswer
 };
 
 /// Watches a push and the rest after it: where the hand was at which force. Friction shifts the force at which motion
-/// begins, not the slope of what follows. Real-time safe.
+/// begins, not the slope afterwards. Real-time safe.
 class PushRecord
 {
 public:

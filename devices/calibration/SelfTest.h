@@ -17,7 +17,7 @@
 namespace palpate
 {
 
-/// What a self-test may do with a device. Fixed while it runs.
+/// Limits of a self-test. Fixed while it runs.
 struct SelfTestPlan
 {
   int axes = 0;             ///< with force, 1 .. 3; 0: there is nothing to test
@@ -41,7 +41,7 @@ struct SelfTestPlan
   [[nodiscard]] std::string refusal() const;
 };
 
-/// What the test waits for, in this order; Settle to Rest again for each push of each motor.
+/// Phases of the test, in this order; Settle to Rest again for each push of each motor.
 enum class SelfTestStage : std::uint8_t
 {
   Still,  ///< the hand holds still
@@ -50,7 +50,7 @@ enum class SelfTestStage : std::uint8_t
   Settle, ///< the hand holds still before a push
   Brace,  ///< the device holds its wall where the hand is, or brakes, before a push against that
   Push,
-  Rest,  ///< without force; what the push still does is watched
+  Rest,  ///< without force; the motion after the push is observed
   Shake, ///< the device vibrates
   Done,
 };
@@ -60,7 +60,7 @@ enum class SelfTestVerdict : std::uint8_t
   None, ///< the test still runs
   Passed,
   Faulty,       ///< a motor does not move its axis, or not as a device should
-  Inconclusive, ///< the hand did not do what was asked, so nothing is known
+  Inconclusive, ///< the hand did not follow the instruction, so there is no result
   Aborted,      ///< something unexpected: the force was taken away at once
 };
 
@@ -72,14 +72,14 @@ enum class SelfTestReason : std::uint8_t
   NotMoved,     ///< nobody moved the device to the end that was asked for
   NotAlongAxis, ///< two ends of one axis do not lie along one axis of the device, or two axes share one
   NotInMiddle,  ///< the hand did not bring the device back
-  PushUnclear,  ///< the motion was not what the pushes ask for: the hand moves by itself
+  PushUnclear,  ///< the motion did not match the pushes: the hand moves by itself
   NoMotion,     ///< a motor moves nothing
   BothAxes,     ///< one motor moves two axes
   SharedAxis,   ///< two motors move one axis
   AnswersLate,  ///< the axis moves after the push is over
   Sometimes,    ///< some pushes only move the axis
   Fades,        ///< the second push moved the axis much less
-  NoExpiry,     ///< what is not renewed goes on
+  NoExpiry,     ///< commands that are not renewed continue
   TooFar,
   TooFast,
   NotFinite,
@@ -91,16 +91,16 @@ enum class SelfTestReason : std::uint8_t
   Silent,  ///< the device never said where the hand is
 };
 
-/// Pushes of one motor along both directions: [0] up, [1] down, each with what all three axes did.
+/// Pushes of one motor along both directions: [0] up, [1] down, each with the motion of all three axes.
 using PushPair = std::array<std::array<PushAnswer, 3>, 2>;
 
-/// What it did along one axis. Real-time safe.
+/// Its effect along one axis. Real-time safe.
 [[nodiscard]] inline const PushAnswer& along(const PushPair& answers, std::size_t direction, int axis) noexcept
 {
   return answers[direction][static_cast<std::size_t>(axis)];
 }
 
-/// Twice, of what must be the same again.
+/// Twice, for values that must repeat.
 struct MotorAnswers
 {
   std::array<PushPair, 2> free{};
@@ -134,8 +134,7 @@ struct SelfTestState
   std::array<Vec3, 3> low_D{}, high_D{}; ///< where the hand was at the ends of each axis
   bool oneAxis = false;                  ///< of two nobody moved the second one
   std::array<MotorAnswers, 3> motors{};
-  HeldProof broke =
-    HeldProof::Unfelt; ///< what the device holds by itself took the hand away: it holds nothing any more
+  HeldProof broke = HeldProof::Unfelt; ///< the device's own walls moved the hand away: they are switched off
   ShakeFinding shake = ShakeFinding::NotTried;
 
   double still_s = 0.0; ///< for how long the position has not left the box from least_D to most_D
@@ -164,7 +163,7 @@ void stopSelfTest(SelfTestState& state) noexcept;
 /// How much of the test is done, 0 .. 1.
 [[nodiscard]] double selfTestProgress(const SelfTestPlan& plan, const SelfTestState& state) noexcept;
 
-/// Where a hand that does what it is asked goes now, in D [m]: for simulated hands.
+/// Target of a hand that follows the instructions, in D [m]: for simulated hands.
 [[nodiscard]] Vec3 askedPlace_D(const SelfTestPlan& plan, const SelfTestState& state) noexcept;
 
 } // namespace palpate

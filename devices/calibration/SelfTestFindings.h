@@ -12,7 +12,7 @@
 namespace palpate
 {
 
-/// What lies behind an axis of D, from where the hand was at its ends.
+/// Sensor and motor of an axis of D, from the positions of the hand at its ends.
 struct AxisFinding
 {
   bool found = false; ///< the ends lie along one axis of the driver
@@ -33,7 +33,7 @@ enum class MotorMotion : std::uint8_t
   Clear,
 };
 
-/// What a motor moves, from what its pushes did.
+/// The axis that a motor moves, from the effect of its pushes.
 struct MotorFinding
 {
   MotorMotion motion = MotorMotion::Unclear;
@@ -42,11 +42,11 @@ struct MotorFinding
   double response_m_per_N = 0.0;
 };
 
-/// What the device's own walls and viscosity did along one axis: [0] of a push up by its motor, [1] down.
+/// The effect of the device's own walls and viscosity along one axis: [0] of a push up by its motor, [1] down.
 struct HeldFinding
 {
   HeldProof proof = HeldProof::Unfelt;
-  std::array<double, 2> walls{};   ///< how stiff, as a share of what was asked for; < 0: it pulls through
+  std::array<double, 2> walls{};   ///< stiffness, as a share of the requested one; < 0: it pulls through
   std::array<double, 2> braking{}; ///< share of the way that was left while it braked; > 1: it drives
 };
 
@@ -66,13 +66,13 @@ struct HeldFinding
 [[nodiscard]] int motorOf(const SelfTestPlan& plan, const SelfTestState& state, int sensor) noexcept;
 /// Of all axes: the worst.
 [[nodiscard]] HeldProof heldProofOf(const SelfTestPlan& plan, const SelfTestState& state) noexcept;
-/// What a motor was told and nobody renewed has ended by itself; nothing: it was not tried, or nothing was seen.
+/// A command that was not renewed has expired; nothing: not tried, or not observed.
 [[nodiscard]] std::optional<bool> endedByItself(
   const SelfTestPlan& plan, const SelfTestState& state, int motor) noexcept;
 /// Why the pushes show that the device does not work, or that they show nothing; None: it works.
 [[nodiscard]] SelfTestReason judgePushes(const SelfTestPlan& plan, const SelfTestState& state) noexcept;
 
-/// What a passed test says about the device, to be kept; none where it did not pass. `date`: YYYY-MM-DD.
+/// The calibration from a passed test; none if the test did not pass. `date`: YYYY-MM-DD.
 [[nodiscard]] std::optional<Calibration> calibrationFrom(
   const SelfTestPlan& plan, const SelfTestState& state, const DeviceInfo& device, const std::string& date);
 

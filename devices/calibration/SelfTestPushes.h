@@ -12,9 +12,9 @@ namespace palpate
 [[nodiscard]] bool givesForce(const SelfTestState& state) noexcept;
 /// One tick of the stages Settle to Shake.
 void advancePushes(const SelfTestPlan& plan, SelfTestState& state) noexcept;
-/// What the device is told in this tick.
+/// The command to the device in this tick.
 [[nodiscard]] DeviceCommand pushCommand(const SelfTestPlan& plan, const SelfTestState& state) noexcept;
-/// What the device holds by itself may take the hand away: then it holds nothing any more, and the test goes on.
+/// The device's own walls may move the hand away: then they are switched off, and the test continues.
 /// Everything else that is unexpected ends it.
 void judgeDanger(const SelfTestPlan& plan, SelfTestReason danger, SelfTestState& state) noexcept;
 

@@ -7,7 +7,7 @@
 namespace palpate
 {
 
-/// What a push of the self-test is for.
+/// Purpose of a push of the self-test.
 enum class PushKind : std::uint8_t
 {
   WarmUp, ///< friction keeps a hand where it last came from: the first pushes only loosen it
@@ -21,7 +21,7 @@ enum class PushKind : std::uint8_t
   Lapse,   ///< by a constant force that nobody renews
 };
 
-/// One push of one motor. Repetition 0 and 1 are told apart: what differs between them is not the device's.
+/// One push of one motor. Repetitions 0 and 1 are compared: a difference between them does not come from the device.
 struct PushRound
 {
   PushKind kind = PushKind::WarmUp;
@@ -29,7 +29,7 @@ struct PushRound
   std::uint8_t repetition = 0;
 };
 
-/// All pushes of one motor, each with what it is compared with close by: a hand does not stay the same for long.
+/// All pushes of one motor, each with its reference close by: a hand does not stay the same for long.
 inline constexpr std::array<PushRound, 19> pushRounds{ {
   { PushKind::WarmUp, true, 0 },
   { PushKind::WarmUp, false, 0 },

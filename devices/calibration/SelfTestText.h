@@ -9,10 +9,10 @@
 namespace palpate
 {
 
-/// What the person is to do now, in one sentence; empty once there is a verdict.
+/// The present instruction, in one sentence; empty once there is a verdict.
 [[nodiscard]] std::string askOf(const SelfTestPlan& plan, const SelfTestState& state);
 
-/// What was found, in lines; empty before there is a verdict. `link`: how the link to the device went meanwhile.
+/// The result, in lines; empty before there is a verdict. `link`: how the link to the device went meanwhile.
 [[nodiscard]] std::string resultOf(const SelfTestPlan& plan, const SelfTestState& state, const LinkReport& link = {});
 
 } // namespace palpate

@@ -6,9 +6,9 @@
 namespace palpate
 {
 
-/// What a device holds by itself along one axis: a spring over position, a damper over velocity, friction over the sign
-/// of velocity. The condition block of the USB Physical Interface Devices class 1.0; the same as DirectInput's and
-/// Apple's.
+/// A condition in the device's own loop along one axis: a spring over position, a damper over velocity, friction over
+/// the sign of velocity. The condition block of the USB Physical Interface Devices class 1.0; the same as DirectInput's
+/// and Apple's.
 ///
 /// `deadBand` is counted from the centre to either side, in the unit of the metric. Linux and SDL count the whole width
 /// instead: twice as much. Whoever converts a corridor must halve its width.
@@ -33,10 +33,10 @@ struct Condition
 /// Real-time safe.
 [[nodiscard]] double conditionForce(const Condition& condition, double m) noexcept;
 
-/// What keeps the metric at or above `edge`, pushing with `coefficient` per unit below it.
+/// The condition that keeps the metric at or above `edge`, pushing with `coefficient` per unit below it.
 [[nodiscard]] Condition lowerWall(double edge, double coefficient) noexcept;
 
-/// What brakes a velocity with `coefficient` per unit.
+/// The condition that brakes a velocity with `coefficient` per unit.
 [[nodiscard]] Condition damper(double coefficient) noexcept;
 
 /// The corridor from `low` to `high`, low <= high, with a wall at each end.

@@ -21,7 +21,7 @@ struct DeviceLoopOptions
   RealtimeBrokers brokers;  ///< who is asked for real-time priority where the user's limits do not allow it
 };
 
-/// An open device and a tick that is called once a period with what the device says, in a thread of its own or in
+/// An open device and a tick that is called once per period with the sample of the device, in a thread of its own or in
 /// virtual time in the owner's. All methods are the owner's. `Tick` has, real-time safe and noexcept,
 ///
 ///     void before(double dt_s, const State& state)

@@ -6,7 +6,7 @@
 namespace palpate
 {
 
-/// What a device is believed to hold by itself. A descriptor only offers: firmwares are known whose walls pull the hand
+/// Trusted conditions in the device's own loop. A descriptor only offers: firmwares are known whose walls pull the hand
 /// through, or do nothing. So it is believed once a hand has felt it, and not before.
 struct HeldTrust
 {
@@ -15,7 +15,7 @@ struct HeldTrust
   friend bool operator==(const HeldTrust&, const HeldTrust&) = default;
 };
 
-/// Of what a device offers, what it is believed.
+/// The trusted part of a device's offers.
 [[nodiscard]] constexpr DeviceAbilities believed(DeviceAbilities offered, HeldTrust trust) noexcept
 {
   offered.holdsWalls = offered.holdsWalls && trust.walls;
@@ -29,10 +29,10 @@ class WallHolder
 public:
   virtual ~WallHolder() = default;
 
-  /// What it is believed from now on; what it is not is left to the host: walls become forces, viscosity nothing. Any
+  /// The trusted part from now on; the rest is left to the host: walls become forces, viscosity nothing. Any
   /// thread, but not while another one reads the device's info.
   virtual void trust(HeldTrust trust) noexcept = 0;
-  /// What it offers, believed or not.
+  /// Its offers, trusted or not.
   [[nodiscard]] virtual DeviceAbilities offered() const = 0;
 };
 

@@ -15,7 +15,7 @@ namespace palpate
 /// the reader misses it. Pure.
 [[nodiscard]] std::string describeFailedWrite(const std::string& error);
 
-/// Why there is no force after a device was lost, whether it is back, and what to do. Pure.
+/// Reason for no force after the loss of a device, its return, and the remedy. Pure.
 [[nodiscard]] std::string describeLoss(const LinkReport& link);
 
 } // namespace palpate

@@ -17,7 +17,7 @@
 namespace palpate
 {
 
-/// What the kernel says that an event device has, each bit by its number in linux/input-event-codes.h.
+/// Abilities of an event device according to the kernel, each bit by its number in linux/input-event-codes.h.
 struct EvdevTraits
 {
   std::bitset<FF_CNT> forces;
@@ -25,7 +25,7 @@ struct EvdevTraits
   std::bitset<KEY_CNT> keys;
 };
 
-/// What became of an effect that was given to the kernel.
+/// Result of the upload of an effect to the kernel.
 enum class EvdevTaken : std::uint8_t
 {
   Yes,
@@ -51,9 +51,9 @@ public:
   [[nodiscard]] virtual bool erase(int effect) noexcept = 0;
   /// Starts an effect by its number, or sets FF_GAIN or FF_AUTOCENTER, 0 .. 0xFFFF. False: the device is gone.
   [[nodiscard]] virtual bool tell(std::uint16_t code, std::int32_t value) noexcept = 0;
-  /// What the driver says of a setting by that name; most say nothing.
+  /// The driver's value of a setting by that name; most drivers have none.
   [[nodiscard]] virtual std::optional<int> setting(const std::string& name) noexcept = 0;
-  /// What the system said about the last failure, for a person.
+  /// The system's message for the last failure, for a person.
   [[nodiscard]] virtual std::string error() const = 0;
 };
 

@@ -16,14 +16,14 @@ struct FoundEvdev
   std::string name; ///< for the factory: the same as long as the same devices are plugged in
   HidEntry entry;
   EvdevKind kind;
-  std::string problem;  ///< empty, or why it cannot be used and what to do
+  std::string problem;  ///< empty, or the reason against its use, and the remedy
   bool hasTwin = false; ///< another one is plugged in that neither kind nor serial number tells apart
 };
 
-/// The devices that the kernel's own driver pushes, and joysticks without force that are not HID. What speaks PID is
-/// left out, with all that is behind its plug: it is driven past that driver, and two that drive one device undo each
-/// other. So are HID devices without force: whoever looks through HID says why they cannot be used. What can be used is
-/// opened for a moment to see whether it may be.
+/// The devices that the kernel's own driver pushes, and joysticks without force that are not HID. Devices of the PID
+/// class are left out, with all that is behind its plug: it is driven past that driver, and two that drive one device
+/// undo each other. So are HID devices without force: whoever looks through HID says why they cannot be used. What can
+/// be used is opened for a moment to see whether it may be.
 [[nodiscard]] std::vector<FoundEvdev> findEvdevDevices(EvdevBus& bus);
 
 } // namespace palpate

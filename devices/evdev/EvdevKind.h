@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// What kind of force-feedback device an event device is, and where its hand is told.
+/// The kind of an event device with force feedback, and the axes of its hand.
 struct EvdevKind
 {
   PidKind pushes;                     ///< said as of a device of the PID class
@@ -20,7 +20,7 @@ struct EvdevKind
 };
 
 /// A wheel has one motor however many axes its pedals have. The kernel says of none which axes it pushes: a wheel is
-/// what has a wheel's axis or gear buttons, or one of the known numbers of maker and product.
+/// devices with a wheel's axis or gear buttons, or one of the known numbers of maker and product.
 [[nodiscard]] EvdevKind evdevKind(const EvdevTraits& traits, const HidEntry& entry);
 
 /// It is made for a hand to lead: a joystick, wheel or pad, with force or without.

@@ -11,8 +11,8 @@
 namespace palpate
 {
 
-/// What the kernel's files say about event devices: that needs no permission, so a person learns of a device that may
-/// not be opened, too. `event` is the device's folder, such as /sys/class/input/event3.
+/// Information of the kernel's files about event devices: that needs no permission, so a person learns of a device that
+/// may not be opened, too. `event` is the device's folder, such as /sys/class/input/event3.
 
 /// The numbers of the bits that are set in a line such as "3 0 100f": words of 64 bits, the highest first. What is no
 /// such line has none.

@@ -13,7 +13,7 @@ namespace palpate
 
 struct EffectSettings;
 
-/// What makes and changes effects on a joystick, whatever language it speaks: the PID class over hidraw, or the
+/// Creates and changes effects on a joystick, in either protocol: the PID class over hidraw, or the
 /// kernel's driver over evdev. Blocks are numbers of effects that the engine gives out; forces and positions are shares
 /// of the device's largest, -1 .. 1. Blocking: one thread, not the servo's. Each bool says whether it was taken.
 class EffectEngine
@@ -35,9 +35,9 @@ public:
   /// enableActuators, disableActuators, stopAll or reset; true too where there is no such control.
   [[nodiscard]] virtual bool control(HidUsage what) noexcept = 0;
 
-  /// What a constant force becomes in the device's own numbers: equal ones need not be sent twice.
+  /// A constant force in the device's own numbers: equal ones need not be sent twice.
   [[nodiscard]] virtual std::int64_t constantForceSteps(double share) const noexcept = 0;
-  /// What the system said about the last failure.
+  /// The system's message for the last failure.
   [[nodiscard]] virtual std::string error() const = 0;
 };
 

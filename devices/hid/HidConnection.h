@@ -20,8 +20,8 @@ struct HidEntry
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
   std::string serial; ///< empty where it has none
-  std::string name;   ///< what its maker calls it
-  HidUsage usage = 0; ///< what it is for, where the system says so
+  std::string name;   ///< the maker's name for it
+  HidUsage usage = 0; ///< its purpose, if the system reports it
 };
 
 /// An open HID device. Calls may block: on USB a write takes a frame, and seconds once the device has stopped
@@ -39,7 +39,7 @@ public:
   [[nodiscard]] virtual bool setFeature(std::span<const std::uint8_t> report) noexcept = 0;
   /// The report whose ID stands in report[0]: its length [bytes], -1 when it did not come.
   [[nodiscard]] virtual int getFeature(std::span<std::uint8_t> report) noexcept = 0;
-  /// What the system said about the last failure, for a person.
+  /// The system's message for the last failure, for a person.
   [[nodiscard]] virtual std::string error() const = 0;
   /// Lets time pass.
   virtual void wait(int duration_ms) noexcept = 0;

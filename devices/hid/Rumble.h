@@ -17,7 +17,7 @@ struct Vibration
 
 struct RumbleOptions
 {
-  double maxForce_N = 5.0;        ///< what counts as the whole of a force
+  double maxForce_N = 5.0;        ///< the full scale of a force
   double largestShare = 0.6;      ///< of the device's vibration
   double fullSpeed_m_per_s = 0.1; ///< a hand that slides that fast shakes as strongly as it presses
 };

@@ -39,9 +39,9 @@ public:
   {
     Nothing,    ///< another report, or a short one
     Part,       ///< its part of the cap
-    OutOfRange, ///< the same, cut to what the descriptor allows
+    OutOfRange, ///< the same, cut to the range of the descriptor
   };
-  /// Takes into `cap` what `report`, as read, says.
+  /// Reads the values of `report` into `cap`.
   [[nodiscard]] Said take(std::span<const std::uint8_t> report, Cap& cap) const noexcept;
 
 private:

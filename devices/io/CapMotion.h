@@ -16,7 +16,7 @@ struct CapMotionOptions
 };
 
 /// Where a SpaceMouse leads the hand: its cap moves by a millimetre only, so a press is a velocity, and the pose is
-/// what it adds up to. D has x to the right, y away from the person and z up; HID has y towards the person and z down,
+/// its sum. D has x to the right, y away from the person and z up; HID has y towards the person and z down,
 /// turns right-handed about its axes: D is HID turned by half a turn about x. Real-time safe; deterministic.
 class CapMotion
 {

@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// The threads of one open device, each calling one function again and again. Each owns what it works on, so that one
+/// The threads of one open device, each calling one function again and again. Each owns its data, so that one
 /// that hangs in the system can be left behind.
 class DeviceThreads
 {
@@ -20,7 +20,7 @@ public:
     std::function<bool()> pass;  ///< false: there is nothing to do now
     int idle_ms = 1;             ///< then it waits that long
     int priority = 0;            ///< of the real-time kind, 0: the usual one
-    std::function<void()> leave; ///< what its thread does last
+    std::function<void()> leave; ///< last action of its thread
     std::shared_ptr<void> keeps; ///< lives as long as the thread
   };
 

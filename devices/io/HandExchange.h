@@ -13,7 +13,7 @@
 namespace palpate
 {
 
-/// What the reader, the writer and the servo of a pushed device tell one another: the newest hand, the newest command,
+/// Data exchanged by the reader, the writer and the servo of a pushed device: the newest hand, the newest command,
 /// and whether the device is there. The servo never waits.
 class HandExchange
 {
@@ -42,7 +42,7 @@ public:
   [[nodiscard]] Heard heard() noexcept;
   void command(const DeviceCommand& command) noexcept;
 
-  /// What the device is to do now. Writer thread.
+  /// The present command of the device. Writer thread.
   [[nodiscard]] PidOutput::Wish wish() noexcept;
   /// From now on nothing, until the servo has asked for no force once: only a person brings it back. Writer thread.
   void mute() noexcept { this->muted_ = true; }

@@ -34,7 +34,7 @@ public:
   {
     const std::lock_guard lock(this->mutex_);
     this->device_ = std::move(device);
-    this->message_ = this->lostFor_; // why it went, not what kept it away since
+    this->message_ = this->lostFor_; // the reason for its loss, not for its absence since
     found();
   }
   /// Does something while nobody lets go of `device`; nothing if it has been let go of.

@@ -6,17 +6,17 @@
 
 class QVBoxLayout;
 
-/// A button of the panel that unfolds what stands below it, folded at first.
+/// A button of the panel that unfolds its content below, folded at first.
 class pqHapticFold : public QToolButton
 {
   Q_OBJECT
   typedef QToolButton Superclass;
 
 public:
-  /// Both are added to `column`. What is folded is named `name`, the button nameButton.
+  /// Both are added to `column`. The folded widget is named `name`, the button nameButton.
   pqHapticFold(QVBoxLayout* column, const QString& name, const QString& title, const QString& tip);
 
-  /// What is folded, and where its rows go.
+  /// The folded widget, and the layout of its rows.
   QWidget* body() const { return this->Body; }
   QVBoxLayout* rows() const { return this->Rows; }
 

@@ -11,7 +11,8 @@ class QDoubleSpinBox;
 class QSpinBox;
 class pqHapticArrayChoice;
 
-/// The group "Material" of the panel: which arrays of what is shown make its stiffness, friction and texture, and how.
+/// The group "Material" of the panel: which arrays of the visible data set its stiffness, friction and texture, and
+/// how.
 class pqHapticMaterialGroup : public pqHapticGroup
 {
   Q_OBJECT
@@ -25,7 +26,7 @@ public:
   QList<QWidget*> fields() const override;
 
 private:
-  /// What one array makes: the fields of its transfer, linked to the properties that begin with Property.
+  /// The use of one array: the fields of its transfer, linked to the properties that begin with Property.
   struct Transfer
   {
     const char* Property;
@@ -38,7 +39,7 @@ private:
   {
     const char* Property; ///< "Stiffness"
     const char* Name;     ///< of the widgets: "stiffness"
-    int Decimals;         ///< of what it feels like
+    int Decimals;         ///< of the target range
   };
 
   void add(const Looks& looks);

@@ -51,7 +51,7 @@ public:
   QAction* drawAction() const { return this->DrawAction; }
 
   bool touching() const;
-  /// Why nothing can be touched here, and what to do; "" where something can.
+  /// Reason why nothing can be touched here, and the remedy; "" with touchable data.
   QString refusal() const;
 
 public Q_SLOTS:

@@ -49,7 +49,7 @@ private:
   void frameEnded();
   void attach();
   void detach();
-  /// Without a tool: what is left to see once touching has ended.
+  /// Without a tool: the view after the end of a touch.
   void follow();
 
   vtkNew<vtkHapticToolProps> Props;

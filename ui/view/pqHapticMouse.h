@@ -31,7 +31,7 @@ public:
   ~pqHapticMouse() override;
 
   void setSession(vtkHapticSession* session);
-  /// What to do with mouse and keyboard, and what is limited; empty while another device is chosen.
+  /// Help for mouse and keyboard, and limits; empty while another device is chosen.
   QString help() const;
 
 public Q_SLOTS:
@@ -53,7 +53,7 @@ private:
   vtkNew<vtkHapticMouse> Mouse;
   vtkNew<vtkHapticMouseInput> Input;
   QPointer<pqRenderView> View;
-  QString Status; ///< what the status line shows
+  QString Status; ///< text of the status line
   bool Active = false;
 };
 

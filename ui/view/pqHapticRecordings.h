@@ -37,7 +37,7 @@ public Q_SLOTS:
   void open();
   /// The device `replay` plays from its beginning.
   void replay();
-  /// Opens the way of what is played in the pipeline.
+  /// Opens the path of the recording in the pipeline.
   void showWay();
 
 private:

@@ -39,13 +39,13 @@ public:
   void setActive(bool active);
 
   pqRenderView* view() const { return this->View; }
-  /// What is touched, and what is not and why.
+  /// Touched surfaces, and refusals with their reasons.
   QString report() const;
-  /// Why nothing of what the view shows can be touched, whether it is followed or not; "" where something can.
+  /// Reason why no visible data can be touched, whether the view is followed or not; "" with touchable data.
   QString refusal() const;
   /// See vtkHapticViewScene::TakeColorRange().
   QString takeColorRange(vtkSMProxy* session) const;
-  /// Of the points and cells of what the view shows, whether it is touched or not.
+  /// Of the points and cells of visible data, touched or not.
   QStringList arrayNames() const;
   /// Of all sources that are shown, however they are drawn, with so many components; 0: any.
   QStringList fieldNames(int components) const;
@@ -53,7 +53,7 @@ public:
 public Q_SLOTS:
   void setView(pqView* view);
   void refresh();
-  /// What is shown, to the session, active or not; also when the session asks for it.
+  /// Passes visible data to the session, active or not; also at the session's request.
   void handOver();
 
 Q_SIGNALS:

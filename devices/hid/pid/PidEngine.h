@@ -16,7 +16,7 @@
 namespace palpate
 {
 
-/// What a device's conditions can express.
+/// Abilities of a device's conditions.
 struct ConditionAbilities
 {
   bool twoCoefficients = false; ///< one for each side of the centre
@@ -28,7 +28,7 @@ struct ConditionAbilities
 
 /// How an effect is played. Written anew while it plays, it changes in place. The angle says where a force comes from,
 /// clockwise from north, which is away from the person: 270 pushes to +x, 90 to -x, 0 to +y of HID, towards the person.
-/// So do Windows, Linux and the firmwares whose sources are public. With conditions it is 90, what Windows sends: some
+/// So do Windows, Linux and the firmwares whose sources are public. With conditions it is 90, as sent by Windows: some
 /// firmwares take a sign for each axis from it.
 struct EffectSettings
 {
@@ -38,13 +38,13 @@ struct EffectSettings
   double comesFrom_deg = 90.0;
 };
 
-/// What a device says about itself while it runs.
+/// The state that a device reports while it runs.
 struct PidState
 {
   bool actuatorsEnabled = true;
   bool paused = false;
   bool power = true;         ///< of its motors
-  bool safetyClosed = false; ///< what must be held on it is held: a grip
+  bool safetyClosed = false; ///< its dead-man switch is held: a grip
   bool overrideOn = false;   ///< its own switch lets forces through
   bool playing = false;      ///< the effect of `block`
   int block = 0;             ///< 0 where the device does not say
@@ -78,7 +78,7 @@ public:
   /// firmwares, which play the effect again whenever it is pressed.
   [[nodiscard]] bool setEffect(int block, const EffectSettings& settings) noexcept override;
   /// One axis, 0 or 1, of a spring or a damper; centre, dead band, coefficients and saturations as shares. Some
-  /// firmwares know it before the next setEffect() only, others forget what comes before the first one.
+  /// firmwares know it before the next setEffect() only, others forget settings before the first one.
   [[nodiscard]] bool setCondition(int block, int axis, const Condition& condition) noexcept override;
   [[nodiscard]] bool setConstantForce(int block, double share) noexcept override;
   [[nodiscard]] bool setPeriodic(int block, double magnitude, double period_ms) noexcept override;

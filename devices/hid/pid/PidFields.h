@@ -10,7 +10,7 @@
 namespace palpate::pid
 {
 
-/// Fields of the reports of a PID device by their usage. What a report does not have is not written; `bytes` begin with
+/// Fields of the reports of a PID device by their usage. Fields that a report lacks are not written; `bytes` begin with
 /// its ID. Pure.
 
 void put(const HidReport& report, std::vector<std::uint8_t>& bytes, HidUsage usage, std::int64_t value,
@@ -25,7 +25,7 @@ bool select(const HidReport& report, std::vector<std::uint8_t>& bytes, HidUsage 
 
 [[nodiscard]] std::int64_t get(
   const HidReport& report, std::span<const std::uint8_t> bytes, HidUsage usage, std::int64_t otherwise) noexcept;
-/// What an array says, or a bit of its own.
+/// The value of an array, or a bit of its own.
 [[nodiscard]] bool says(const HidReport& report, std::span<const std::uint8_t> bytes, HidUsage usage) noexcept;
 
 } // namespace palpate::pid

@@ -12,19 +12,19 @@
 namespace palpate
 {
 
-/// What an input report says of the hand.
+/// The state of the hand in an input report.
 struct PidHand
 {
   std::array<double, 2> at{}; ///< shares along HID's axes, -1 .. 1
   std::uint32_t buttons = 0;  ///< bit i: button i + 1 is down
-  bool outOfRange = false;    ///< a position beyond what the descriptor allows, cut to it
+  bool outOfRange = false;    ///< a position beyond the range of the descriptor, cut to it
 };
 
 /// Reads the axes and buttons of a joystick from its input reports.
 class PidInput
 {
 public:
-  /// The descriptor must outlive it and stay where it is. With one axis what calls itself y is no part of the hand: a
+  /// The descriptor must outlive it and stay where it is. With one axis a control called y is no part of the hand: a
   /// pedal of a wheel.
   explicit PidInput(const ReportDescriptor& descriptor, std::size_t axes = 2);
 

@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// What kind of force-feedback device a descriptor describes. A wheel with pedals senses more axes than it pushes, and
+/// The kind of a force-feedback device from its descriptor. A wheel with pedals senses more axes than it pushes, and
 /// a pad that only shakes senses a stick that it does not push.
 struct PidKind
 {
@@ -25,7 +25,7 @@ struct PidKind
 };
 [[nodiscard]] PidKind pidKind(const ReportDescriptor& descriptor);
 
-/// What it can do to a hand, as its descriptor promises.
+/// Its abilities according to its descriptor.
 [[nodiscard]] DeviceAbilities promised(const PidKind& kind) noexcept;
 
 } // namespace palpate

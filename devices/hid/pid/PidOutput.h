@@ -21,19 +21,19 @@ namespace palpate
 struct PidOutputOptions
 {
   PidScale scale;
-  double largestShare = 0.6; ///< of the device's force, for what the device closes or the link does
+  double largestShare = 0.6; ///< of the device's force, for walls in its own loop or for the link
   int duration_ms = 200;     ///< of every effect: a program that dies leaves no force behind
   int restartEvery_ms = 100;
   int wallsEvery_ms = 16; ///< at most that often
   int silence_ms = 20;    ///< without a new command everything stops
-  int rampUp_ms = 1000;   ///< of what the device closes by itself, once it is first asked for force
+  int rampUp_ms = 1000;   ///< of walls in the device's own loop, from the first request for force on
   HeldTrust trust;        ///< before anybody says otherwise
 };
 
 /// A device may have to push for it.
 [[nodiscard]] bool asksForForce(const DeviceCommand& command) noexcept;
 
-/// Decides what one report to send next so that a device does what the newest command says, at whatever rate its link
+/// Decides what one report to send next so that a device follows the newest command, at whatever rate its link
 /// takes reports: a start that is due, then walls and viscosity where they changed, then the force axis by axis. The
 /// order is that of Windows: an effect's settings again after its conditions, actuators enabled again after a stop of
 /// all. Not real-time; one thread.
@@ -46,10 +46,10 @@ public:
 
   /// Makes the effects. Empty, or why the device gives no force at all.
   [[nodiscard]] std::string begin();
-  /// What the device offers, now that its effects are made.
+  /// The offers of the device, now that its effects are made.
   [[nodiscard]] DeviceAbilities abilities() const noexcept;
 
-  /// What is wanted now: the newest command, its number, where the handle is, what may be left to the device.
+  /// The present request: the newest command, its number, the position of the handle, and the trusted walls.
   struct Wish
   {
     DeviceCommand command;

@@ -7,7 +7,7 @@
 namespace palpate
 {
 
-/// What one chance to send a report was used for.
+/// Use of one chance to send a report.
 enum class PidStep : std::uint8_t
 {
   Idle, ///< the device has all it needs

@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// What the shares of a joystick are to a hand. PID does not say any of it: measured, or assumed.
+/// The physical meaning of a joystick's shares. PID does not say any of it: measured, or assumed.
 struct PidScale
 {
   double halfTravel_m = 0.05;

@@ -24,7 +24,7 @@ public:
 
 private:
   PidEngine& engine_;
-  std::vector<std::uint8_t> own_; ///< what it says while nobody else made one; empty: it is not asked
+  std::vector<std::uint8_t> own_; ///< its answer while no other program made one; empty: not asked
   std::int64_t asked_ns_ = 0;
 };
 

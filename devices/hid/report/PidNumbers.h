@@ -19,8 +19,8 @@ namespace palpate
 /// 0 .. 1 on a field: whole multiples of 1 / logicalMax.
 [[nodiscard]] std::int64_t shareToField(const HidField& field, double share) noexcept;
 
-/// A time; milliseconds where the field does not say. Never longer than asked for by misreading: what does not fit is
-/// the longest time the field has, and never all ones, which means forever.
+/// A time; milliseconds where the field does not say. Never longer than asked for by misreading: values that do not fit
+/// are the longest time the field has, and never all ones, which means forever.
 [[nodiscard]] std::int64_t timeToField(const HidField& field, double time_ms) noexcept;
 
 /// An angle, the field's range being a whole turn.

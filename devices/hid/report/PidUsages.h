@@ -34,7 +34,7 @@ inline constexpr HidUsage constantForce = page | 0x26, square = page | 0x30, sin
                           sawtoothUp = page | 0x33, sawtoothDown = page | 0x34, spring = page | 0x40,
                           damper = page | 0x41;
 
-// What is selected.
+// Selectors.
 inline constexpr HidUsage start = page | 0x79, startSolo = page | 0x7A, stop = page | 0x7B;
 inline constexpr HidUsage enableActuators = page | 0x97, disableActuators = page | 0x98, stopAll = page | 0x99,
                           reset = page | 0x9A;

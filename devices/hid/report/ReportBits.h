@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// Bits of a report, lowest first, wherever they lie. What lies beyond the bytes reads as 0 and is not written.
+/// Bits of a report, lowest first, wherever they lie. Bits beyond the bytes read as 0 and are not written.
 /// `bitCount` is 1 to 64. Real-time safe.
 [[nodiscard]] std::uint64_t extractBits(
   std::span<const std::uint8_t> bytes, std::size_t bit, std::uint32_t bitCount) noexcept;

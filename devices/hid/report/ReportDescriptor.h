@@ -17,7 +17,7 @@ enum class HidReportKind : std::uint8_t
   Feature,
 };
 
-/// What a control or a collection means: page in the upper, number in the lower 16 bits.
+/// Meaning of a control or a collection: page in the upper, number in the lower 16 bits.
 using HidUsage = std::uint32_t;
 
 /// Elements of one main item: `count` values of `bitCount` each, side by side.
@@ -64,11 +64,11 @@ struct HidControl
   [[nodiscard]] explicit operator bool() const noexcept { return this->field != nullptr; }
 };
 
-/// What a device says about its reports: Device Class Definition for HID 1.11, sections 6.2.2 and 5.
+/// A device's description of its reports: Device Class Definition for HID 1.11, sections 6.2.2 and 5.
 struct ReportDescriptor
 {
   std::vector<HidReport> reports;
-  std::string problem;                 ///< empty, or what is wrong with the bytes and where; then there are no reports
+  std::string problem;                 ///< empty, or the fault of the bytes and its place; then there are no reports
   std::vector<HidUsage> purposes = {}; ///< of its outermost collections; with a problem of those before it
 
   /// The first report of that kind with a field within the collection, or null.
@@ -82,7 +82,7 @@ struct ReportDescriptor
 /// Reads the bytes of a report descriptor. Never fails half: a descriptor that is cut, contradicts itself or asks for
 /// more than any device has (256 bits an element, 4096 elements a field, 16384 bits a report, 32 collections) is
 /// refused whole. Like the kernel it passes over main items without a meaning, and takes the ends of a range of usages
-/// in either order. What is wider than 64 bits has its place and is no field.
+/// in either order. Data wider than 64 bits have their place but are no field.
 [[nodiscard]] ReportDescriptor parseReportDescriptor(std::span<const std::uint8_t> bytes);
 
 /// The element with that usage, where its innermost collection is `parent` if one is given: the axes of a joystick

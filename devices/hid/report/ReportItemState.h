@@ -12,7 +12,7 @@
 namespace palpate
 {
 
-/// What the items before a main item say about it: global ones hold until they are changed, local ones for one main
+/// The items that describe a main item: global ones hold until they are changed, local ones for one main
 /// item.
 class ReportItemState
 {
@@ -46,7 +46,7 @@ public:
   [[nodiscard]] std::string take(const ReportItem& item);
   /// Why a main item cannot follow, or empty.
   [[nodiscard]] std::string unfinished() const;
-  /// A main item has used what was said for it alone.
+  /// A main item has used its local items.
   void forgetLocal() noexcept;
 
   [[nodiscard]] const Global& global() const noexcept { return this->global_; }

@@ -8,7 +8,7 @@
 
 class QProgressBar;
 
-/// The group "Device check" of the panel: a check of the chosen device, what the person must do for it, what it found.
+/// The group "Device check" of the panel: a check of the chosen device, its instructions and its result.
 class pqHapticCheckGroup : public pqHapticGroup
 {
   Q_OBJECT
@@ -29,7 +29,7 @@ private:
   QProgressBar* Progress;
   QLabel* Ask;
   QLabel* Result;
-  QString Note; ///< stands there instead of a result: what was refused or kept
+  QString Note; ///< replaces the result: a refusal, or the note that it was saved
 };
 
 #endif

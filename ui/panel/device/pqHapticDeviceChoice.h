@@ -8,7 +8,7 @@
 
 class vtkHapticSession;
 
-/// Who moves the hand: what a session knows, looked for anew whenever this is opened. The tip of one that cannot be
+/// The devices that a session knows, searched anew at each opening. The tip of one that cannot be
 /// used says why.
 class pqHapticDeviceChoice : public QComboBox
 {
@@ -21,7 +21,7 @@ public:
   /// Whose devices these are; null: none.
   void setSession(vtkHapticSession* session);
   void showPopup() override;
-  /// Shows what the session has chosen, also where that is nothing a person could choose.
+  /// Shows the choice of the session, even if a person could not choose it.
   void follow();
 
 private:

@@ -13,8 +13,8 @@ class QWidget;
 class vtkHapticSession;
 class vtkSMProxy;
 
-/// Rows of the panel about the chosen device: what it is and cannot do, whether it is a wheel, how its link goes, and
-/// what must be held for a force to be given.
+/// Rows of the panel about the chosen device: its kind and missing functions, whether it is a wheel, how its link goes,
+/// and its dead-man switch.
 class pqHapticDeviceRows : public QObject
 {
   Q_OBJECT
@@ -24,7 +24,7 @@ public:
   explicit pqHapticDeviceRows(QFormLayout* form);
 
   void setProxy(vtkSMProxy* proxy) { this->Proxy = proxy; }
-  /// What the session says now; null: nothing.
+  /// The state of the session; null: none.
   void refresh(vtkHapticSession* session);
   /// In the order of the Tab key.
   QList<QWidget*> fields() const;

@@ -32,7 +32,7 @@ private:
     pqHapticArrayChoice* List;
   };
   void add(const char* property, int components);
-  /// What the colour maps of the view say of what is felt, to the settings.
+  /// Takes the ranges of the view's colour maps to the settings.
   void takeColours();
 
   QList<Choice> Choices;

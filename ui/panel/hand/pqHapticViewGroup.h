@@ -6,7 +6,7 @@
 
 class QCheckBox;
 
-/// The group "Hand and view" of the panel: how the workspace of the device lies in the view, and what holds the hand.
+/// The group "Hand and view" of the panel: pose of the device's workspace in the view, precision and clutch.
 class pqHapticViewGroup : public pqHapticGroup
 {
   Q_OBJECT

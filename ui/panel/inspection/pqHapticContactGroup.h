@@ -8,7 +8,7 @@ class QFormLayout;
 class QLabel;
 class vtkHapticSession;
 
-/// What is at the contact, each number with its unit. It is looked up only while these rows are seen.
+/// Data at the contact, each number with its unit. They are looked up only while these rows are visible.
 class pqHapticContactGroup : public QWidget
 {
   Q_OBJECT

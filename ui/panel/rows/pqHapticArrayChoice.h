@@ -22,7 +22,7 @@ public:
 
   QString array() const;
   void setArray(const QString& name);
-  /// What there is to choose from, besides none.
+  /// The choices, besides none.
   void setNames(const QStringList& names);
 
 Q_SIGNALS:

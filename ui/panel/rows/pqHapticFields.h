@@ -15,7 +15,7 @@ class QWidget;
 class vtkSMProperty;
 
 /// Fields of the panel for settings as haptics/session/settings/ describes them: range, unit beside the number, and a
-/// tip that says what it is. `name` is the field's own, `property` the setting's. Numbers take effect once they are
+/// tip that explains it. `name` is the field's own, `property` the setting's. Numbers take effect once they are
 /// typed.
 
 /// A number without a row of its own. Lengths of the scene and values of data can be of any size.
@@ -29,14 +29,14 @@ QList<QDoubleSpinBox*> pqHapticVectorRow(QFormLayout* form, const char* name, co
 QLineEdit* pqHapticTextRow(QFormLayout* form, const char* name, const char* property);
 QSpinBox* pqHapticCountRow(QFormLayout* form, const char* name, const char* property);
 QCheckBox* pqHapticSwitchRow(QFormLayout* form, const char* name, const char* property);
-/// What it can be the proxy's domain says: pqHapticFill().
+/// The proxy's domain has its choices: pqHapticFill().
 QComboBox* pqHapticChoiceRow(QFormLayout* form, const char* name, const char* property);
 void pqHapticFill(QComboBox* box, vtkSMProperty* property);
 
-/// The title of a setting's row, with the mark of its letter, and what the setting is.
+/// The title of a setting's row, with the mark of its letter, and the help text of the setting.
 QString pqHapticTitle(const QString& property);
 QString pqHapticTip(const QString& property);
-/// What a read-out says.
+/// The value of a read-out.
 QString pqHapticReadoutTip(const QString& property);
 
 #endif

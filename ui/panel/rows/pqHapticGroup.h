@@ -26,7 +26,7 @@ public:
 
   /// Links all that can be set here to the properties of a session.
   virtual void link(pqPropertyLinks& links, vtkSMProxy* proxy);
-  /// Shows what the session says now; null where there is none. Ten times a second.
+  /// Shows the state of the session; null without a session. Ten times a second.
   virtual void refresh(vtkHapticSession* /*session*/) {}
   /// In the order of the Tab key.
   virtual QList<QWidget*> fields() const = 0;

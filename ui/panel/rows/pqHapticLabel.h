@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <QString>
 
-/// A text of the panel that can be selected, wraps and says in its tip what it is.
+/// A text of the panel that can be selected, wraps and has an explaining tip.
 inline QLabel* pqHapticLabel(QWidget* parent, const char* name, const QString& tip)
 {
   auto* label = new QLabel(parent);
@@ -16,7 +16,7 @@ inline QLabel* pqHapticLabel(QWidget* parent, const char* name, const QString& t
   return label;
 }
 
-/// A label with nothing to say takes no room, and all lines of what it says are seen: a form gives it as many as its
+/// An empty label takes no space, and all lines of its text are visible: a form gives it as many as its
 /// words would need in a wider one.
 inline void pqHapticSay(QLabel* label, const QString& text)
 {
