@@ -31,17 +31,17 @@ struct vtkHapticFieldCandidates
 vtkHapticFieldCandidates vtkHapticCandidatesOfField(
   const vtkHapticSession& session, vtkSMProxy* view, const std::vector<vtkHapticViewScan::Source>& shown);
 
-/// By what one tells whether a source has made something else.
+/// Detects whether a source has new output.
 struct vtkHapticFieldKey
 {
-  const void* Made = nullptr; ///< the data, or what made them on a server
+  const void* Made = nullptr; ///< the data, or their source on a server
   unsigned int Port = 0;
   double Time = 0.0; ///< of their last change, or of the pipeline on a server
   friend bool operator==(const vtkHapticFieldKey&, const vtkHapticFieldKey&) = default;
 };
 vtkHapticFieldKey vtkHapticKeyOfField(const vtkHapticViewScan::Source& source, vtkSMProxy* view);
 
-/// What the session asks for.
+/// The request of the session.
 vtkHapticFieldArrays vtkHapticArraysOfSession(const vtkHapticSession& session);
 
 #endif

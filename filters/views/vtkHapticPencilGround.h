@@ -13,7 +13,7 @@
 class vtkRenderer;
 class vtkSMRenderViewProxy;
 
-/// What is drawn on: the point under a place of the window [pixels]; none where there is nothing to draw on.
+/// The ground of the drawing: the point under a position in the window [pixels]; none without ground.
 using vtkHapticPencilGround = std::function<std::optional<palpate::Vec3>(double x, double y)>;
 
 /// The plane through point_W, across normal_W. None where it is seen as a line or lies behind the eye.

@@ -76,7 +76,7 @@ public:
   vtkGetMacro(ReadsAhead, bool);
   ///@}
 
-  /// What was cancelled is wanted again: the next Update() hands it over.
+  /// Repeats cancelled work: the next Update() passes it on.
   void TakeAgain();
 
   /// What the session holds and what gives way are shown as it has them now, without handing over anything else: at

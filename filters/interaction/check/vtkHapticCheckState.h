@@ -6,7 +6,7 @@
 
 #include <string>
 
-/// The check of a device, and what it said last.
+/// The check of a device, and its last report.
 struct vtkHapticCheckState
 {
   palpate::SelfTestRun Run;

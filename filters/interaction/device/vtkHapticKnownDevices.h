@@ -29,7 +29,7 @@ public:
   const char* GetName(int index) const;
   const char* GetProblem(int index) const;
   bool GetForPrograms(int index) const;
-  /// What a person most likely means: what is plugged in and pushes, else what is plugged in, else the mouse.
+  /// The most likely choice: an attached device with force, else an attached device, else the mouse.
   const char* GetPreferred() const;
   ///@}
 

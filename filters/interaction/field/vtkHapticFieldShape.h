@@ -7,7 +7,7 @@
 
 class vtkPolyData;
 
-/// What is felt of a field, some cells around where the proxy is, to be drawn: the patch of the isosurface as
+/// The field within some cells around the proxy, for drawing: the patch of the isosurface as
 /// triangles; the streamline that is followed, a square along the level of a detent, and a cross at the place that the
 /// hand snaps to with the way there, as lines [u].
 void vtkHapticFieldShape(const palpate::Brick& brick, const palpate::FieldPlan& plan, const palpate::Vec3& hand_W,

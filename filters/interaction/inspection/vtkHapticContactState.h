@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/// What was found at the contact when it was looked up last, and the marks.
+/// The data of the last look-up at the contact, and the marks.
 struct vtkHapticContactState
 {
   std::optional<vtkHapticMarkRecord> Found;
@@ -22,9 +22,10 @@ struct vtkHapticContactState
   vtkHapticSourceProbe Probe;
 
   vtkHapticMarkRecords Marks;
-  std::vector<int> MarkStates;     ///< one a mark
-  std::string MarksNote;           ///< of those that are stale
-  std::uint32_t MarkButtons = ~0u; ///< that were down at the last look; what is down at the first was not pressed
+  std::vector<int> MarkStates; ///< one a mark
+  std::string MarksNote;       ///< of those that are stale
+  std::uint32_t MarkButtons =
+    ~0u; ///< that were down at the last reading; a button down at the first reading was not pressed
 };
 
 #endif

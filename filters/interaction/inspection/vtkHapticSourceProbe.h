@@ -16,18 +16,17 @@ class vtkDataObject;
 class vtkDataSet;
 class vtkStaticCellLocator;
 
-/// What the data of a source say at a place.
+/// The data of a source at a point.
 struct vtkHapticProbed
 {
-  vtkIdType Cell =
-    -1; ///< nearest to the place; of the source itself where the data say what that was, else of the data
-  vtkIdType Point = -1;                          ///< of that cell, the one that counts most there
+  vtkIdType Cell = -1;  ///< nearest to the place; of the source itself if the data name it, else of the data
+  vtkIdType Point = -1; ///< of that cell, the one that counts most there
   palpate::Vec3 Nearest = palpate::Vec3::Zero(); ///< to the place, of that cell
   /// Arrays of points, interpolated, and of cells; of more components each as name_0, name_1 and so on.
   std::vector<std::pair<std::string, double>> Values;
 };
 
-/// Looks up cells, points and arrays at places of data sets. What it needs to find a cell is made for each data set
+/// Looks up cells, points and arrays at places of data sets. The search structure is made for each data set
 /// with the first place that is asked for (about a second for a million cells) and kept while that stays the same.
 class vtkHapticSourceProbe
 {

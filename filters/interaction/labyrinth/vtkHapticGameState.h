@@ -4,7 +4,7 @@
 
 #include "haptics/labyrinth/GameLog.h"
 
-/// What a session knows of the labyrinth that was played last.
+/// State of the last played labyrinth.
 struct vtkHapticGameState
 {
   double Corridor_u = 0.0;

@@ -20,9 +20,9 @@ public:
   /// The game of finding the way through lines with the field arrays Start and Exit (vtkHapticLabyrinth): it sets ball,
   /// scale and place so that the device's workspace holds the whole. Once force is engaged the hand is brought to the
   /// start, at most 0.2 m/s fast, and let go; at the exit it is shaken. Who lets go of the dead-man and holds it again
-  /// starts anew, as does PlayAgain(). What is touched are the surfaces, so the lines are added as one. A world without
+  /// starts anew, as does PlayAgain(). The lines are added as one surface. A world without
   /// start or exit is fitted too and explored without a game: false, and the session's GetProblem() says which it
-  /// lacks. False with an error and nothing changed for what is no plane world.
+  /// lacks. False with an error and nothing changed for data that are no plane world.
   bool Play(vtkDataObject* maze, const char* name);
 
   ///@{

@@ -44,7 +44,7 @@ public:
   bool SetPath(vtkPolyData* path, const char* array, double scale);
 
   ///@{
-  /// With what the steepest slope of the value draws [N]; 0.3.
+  /// Force at the steepest slope of the value [N]; 0.3.
   vtkSetClampMacro(HardestForce, double, 0.0, 100.0);
   vtkGetMacro(HardestForce, double);
   ///@}
@@ -64,7 +64,7 @@ public:
   ///@}
 
   ///@{
-  /// What is turned; "simulated-joystick". In virtual time Step() computes ticks of 1 ms, and nothing runs by itself.
+  /// The device; "simulated-joystick". In virtual time Step() computes ticks of 1 ms, and nothing runs by itself.
   void SetDeviceName(const char* name);
   const char* GetDeviceName() const;
   vtkSetMacro(VirtualTime, bool);

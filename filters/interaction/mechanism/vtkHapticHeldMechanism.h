@@ -30,7 +30,7 @@ public:
   std::string TakeAgain();
   /// Why a list of laws would end what is held without a fault now; "": it would not.
   std::string Refusal(const std::string& laws, const palpate::HapticSession& core);
-  /// What Laws is with another law, as an object of a scene file, and with one less; "" with a problem.
+  /// The list of constraints with another one, as an object of a scene file, or with one less; "" with a problem.
   std::string With(const std::string& law, std::string& problem) const;
   std::string Without(const std::string& name, std::string& problem) const;
   /// The place of a law in the mechanism; -1: there is none.
@@ -40,7 +40,7 @@ public:
   /// The bodies that `shapes` has where they are at first, where they are now and as they are bent; false, and
   /// unchanged: they are not held. While other laws of the same bodies are computed they are where they were.
   bool Move(vtkPolyData& shapes) const;
-  /// What is in the hand, in its own frame; null: nothing.
+  /// The held body, in its own frame; null: none.
   vtkPolyData* HeldShape() const { return this->Seen.Held ? this->Held.Get() : nullptr; }
   /// Where the hand was when its soft bodies were computed last; null: they are not held, or there are none.
   const palpate::Vec3* SoftHand_W() const;

@@ -23,9 +23,9 @@ public:
   void SetMoved(bool moved);    ///< whether it is drawn elsewhere than it is felt, for MechanismText to say so
   /// Moves and bends shapes; false: they are as at first.
   bool Move(vtkPolyData* shapes);
-  void GetTable(vtkTable* table) const; ///< a row a law: what it is, Phase, Force [N], Inside [u]
-  /// What MechanismLaws is with another law, an object as in a scene file, and with one less; "", with the session's
-  /// GetProblem().
+  void GetTable(vtkTable* table) const; ///< one row per constraint: description, Phase, Force [N], Inside [u]
+  /// The setting MechanismLaws with another constraint, an object as in a scene file, and with one less; "", with the
+  /// session's GetProblem().
   std::string GetLawsWith(const char* law);
   std::string GetLawsWithout(const char* name);
   bool BreakLaw(const char* name); ///< it holds no more until the mechanism begins anew; false: there is none

@@ -2,7 +2,7 @@
 #ifndef vtkHapticHandPace_h
 #define vtkHapticHandPace_h
 
-/// How far a hand gets before what is around it is there anew.
+/// Distance that a hand moves before its surroundings are updated.
 struct vtkHapticHandPace
 {
   static constexpr double fastest_m_per_s = 0.3; ///< of a hand that feels its way

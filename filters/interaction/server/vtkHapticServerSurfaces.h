@@ -46,17 +46,17 @@ public:
   void EndRequest();
   ///@}
 
-  /// Of what surfaces that are added from now on are a part, by number; 0: they are whole.
+  /// The whole of surfaces that are added from now on, by number; 0: they are whole.
   void SetPartNumber(int number);
-  /// What the next scene has of all wholes, and how a person reads it; "": nothing is of a server.
+  /// The loaded parts of the next scene, and their text; "": no remote surface.
   void Take(const palpate::ScenePart& part, const std::string& sentence);
 
   [[nodiscard]] const std::string& GetSentence() const { return this->Sentence; }
-  /// Since what is there was taken [s]; 0 where nothing is.
+  /// Age of the loaded part [s]; 0 without one.
   [[nodiscard]] double GetAge() const;
 
 private:
-  /// From the hand to what of the scene it pulls at, and how far what touches reaches: the ball, or the tool [u].
+  /// Distance from the hand to its contact, and reach of the proxy: the ball, or the tool [u].
   [[nodiscard]] double Pulled() const;
 
   palpate::HapticSession& Core;

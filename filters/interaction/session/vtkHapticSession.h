@@ -81,7 +81,7 @@ public:
   void SetSetting(const char* name, const char* text);
   double GetSetting(const char* name) const;          ///< the first number; NaN where there is none
   bool IsOn(const char* name) const;                  ///< whether that is 1
-  const char* GetSettingText(const char* name) const; ///< "" for numbers; null for what is no setting
+  const char* GetSettingText(const char* name) const; ///< "" for numbers; null for an unknown setting
   int GetSettingSize(const char* name) const;         ///< of numbers; 0 for a text
   double* GetSettingNumbers(const char* name) const VTK_SIZEHINT(GetSettingSize(name));
 #ifndef __VTK_WRAP__
@@ -122,7 +122,7 @@ public:
   bool SetSurfacePose(const char* name, vtkMatrix4x4* matrix);
 
   /// In virtual time the simpler surfaces of Simplify wait for this, which waits for them; true if any is felt. They
-  /// are no further from the others than a hand notices (7 % of a depth of 1 mm, or what the device resolves).
+  /// are no further from the others than a hand notices (7 % of a depth of 1 mm, or the resolution of the device).
   bool FinishSimplification();
 
   /**
@@ -144,8 +144,8 @@ public:
   bool FinishField();
   const char* GetFieldName() const;
 
-  /// What the source that ToolSource names has, polygons as they are: held in place of the ball from then on, null: not
-  /// there. Added again after a change. False, with GetProblem(), for what cannot be held. Its shape is drawn.
+  /// The data of the source that ToolSource names, with their polygons: held in place of the ball from then on, null:
+  /// not there. Added again after a change. False, with GetProblem(), for unusable data. Its shape is drawn.
   bool AddTool(const char* name, vtkDataObject* data);
   /// Likewise of SoftSource, made by vtkHapticSoftBody: it gives way. True where it has bent since it was asked last.
   bool AddSoftBody(const char* name, vtkDataObject* data);
@@ -159,7 +159,7 @@ public:
   bool GetSceneMoves() const; ///< whether a surface is felt by a pose: it moves, or has rested for less than a second
   /// Scale and offset such that the device's workspace holds the whole committed scene, once it is built, life size no
   /// longer, and the rotation of a plane world for a device that moves in a plane (PropertyModifiedEvent).
-  /// UpdateDataEvent comes before: whoever follows a view hands over what it shows now.
+  /// UpdateDataEvent comes before: a follower of a view passes the visible data then.
   void FitWorkspace();
   /// The same for surfaces of some sources, by the names they were added under, a line each; not touched: an error.
   void FitToSources(const char* names);
@@ -185,8 +185,8 @@ public:
   void ClearStrokePoints();
   void AddStrokePoint(double x, double y, double z);
   int GetNumberOfStrokePoints() const;
-  /// What is at the contact (vtkHapticInspection): looked up as of the last Update(), which does so by itself with
-  /// Inspect; false without a contact. AddMark() does the same, keeps what it found and marks the recording.
+  /// The data at the contact (vtkHapticInspection): looked up as of the last Update(), which does so by itself with
+  /// Inspect; false without a contact. AddMark() does the same, stores the data and marks the recording.
   bool InspectContact();
   bool AddMark();
   void ClearMarks();
@@ -199,7 +199,7 @@ public:
   vtkSmartPointer<vtkHapticTouchedMechanism> GetMechanism();
   vtkSmartPointer<vtkHapticSight> GetSight();
 
-  /// Gives the last recording (RecordedFile) that name, after Recording has gone off. What is recorded goes to
+  /// Gives the last recording (RecordedFile) that name, after Recording has gone off. A recording goes to
   /// RecordFile, or without one to a temporary file until it is saved; an error leaves it there.
   void SaveRecording(const char* file);
   /// Engage again after a fault; let go at once; a mark in the recording; n ticks of 1 ms of virtual time, in the
@@ -227,7 +227,7 @@ public:
   vtkHapticTableReadoutsMacro();
 
 #ifndef __VTK_WRAP__
-  class Internals; ///< for what is behind a session
+  class Internals; ///< for the parts behind a session
   Internals& Behind();
 #endif
 

@@ -69,7 +69,7 @@ public:
   bool FieldIsNew = false;  ///< no brick has come of it yet
   std::string FieldProblem; ///< why the data that was added is not felt
   std::string FieldSentence;
-  std::string FieldGone;               ///< that what was felt is not there any more
+  std::string FieldGone;               ///< that the touched data are gone
   std::array<double, 6> FieldBounds{}; ///< of the data that was added [u]
   double FieldGradient[3] = { 0.0, 0.0, 0.0 };
   palpate::Quat HandTurn_W = palpate::Quat::Identity(); ///< where a program holds it
@@ -77,7 +77,7 @@ public:
   std::string PlanSentence;
 
   std::string CalibrationFolder;
-  std::optional<palpate::Calibration> Felt; ///< what was kept of a device without serial number, walls included
+  std::optional<palpate::Calibration> Felt; ///< calibration of a device without serial number, walls included
 
   std::vector<palpate::Vec3> Stroke_W;
   palpate::WorkspaceMap LastFitted = palpate::sessionDefaults().map;
@@ -100,7 +100,7 @@ public:
   std::string Warning;
   std::string Cancelled; ///< that the newest data are not touched; "" once there are others
   int ScenesCancelled = 0;
-  std::string Around; ///< what has come around the hand, and what was done; "" once another scene is felt
+  std::string Around;                 ///< message on a surface that moved over the hand; "" with the next scene
   std::optional<palpate::Vec3> Eye_W; ///< of the view that the mouse is in
   std::string Problem;
   std::string ProblemOf; ///< subject of the problem, which is taken back when the subject succeeds
@@ -139,9 +139,9 @@ public:
   };
   std::optional<RunningChoice> Running;
 
-  /// Says what was refused; "": nothing was.
+  /// Reports a refusal; "": none.
   void Refuse(const std::string& problem);
-  /// Remembers what was refused, or without a problem takes its refusal back, for it succeeded now.
+  /// Stores a refusal, or without a problem clears the earlier refusal, because the request succeeded now.
   void Follow(const std::string& what, const std::string& problem);
 
   /// A new value by name: takes it, or says why not.
@@ -153,7 +153,7 @@ public:
   /// Sets parameters of the tick changed by `change`; keeps the old ones if those are refused.
   void Change(const std::function<void(palpate::HapticParameters&)>& change);
 
-  /// What follows from a new value in Settings; empty, or why it cannot be.
+  /// Applies a new value in Settings; empty, or the reason against the value.
   using Follower = std::string (Internals::*)();
   static const std::map<std::string_view, Follower>& Followers();
   std::string FollowDetentLevels();
@@ -181,16 +181,16 @@ public:
   void Start();
   void Stop();
   palpate::DeviceOptions Options() const;
-  /// Looks again which devices there are, and what is known of the chosen one.
+  /// Searches the devices again, and updates the description of the chosen one.
   void LookForDevices();
   void LearnChosen();
-  /// Of what runs, else of what was chosen.
+  /// Of the running device, else of the chosen one.
   const std::string& DeviceNameNow() const;
   const palpate::DeviceInfo& InfoNow() const;
   bool VirtualTimeNow() const;
-  /// Another device runs now than a moment ago, or none: what depends on it follows.
+  /// Another device runs now than a moment ago, or none: updates dependent values.
   void FollowDevice();
-  /// What a check says now; ends it once there is a verdict.
+  /// Updates the state of a check; ends the check once there is a verdict.
   void FollowCheck();
   /// A check that felt a fault in walls that the device holds ends the trust in them.
   void TakeBackTrust();
@@ -207,15 +207,15 @@ public:
   double Now();
   /// How simpler surfaces are looked for now.
   palpate::SimplifyPlan PlanNow() const;
-  /// What has come around the hand, what is done, and what the person is told of it.
+  /// Surfaces that moved over the hand: the action and the message.
   void StayOutside(const std::optional<palpate::CameAround>& around);
-  /// What a device's hand that this map puts elsewhere would be in.
+  /// The surface that would contain a device's hand under this map.
   std::optional<palpate::CameAround> PutInto(const palpate::WorkspaceMap& map);
-  /// Takes what the worker has built, or with `wait` what was committed last. A hand that it surrounds stays outside.
+  /// Takes the worker's scene, or with `wait` the last commit. A hand that it surrounds stays outside.
   void TakeScene(bool wait = false);
   void TakeOutSqueezed();
   void FollowCameAround();
-  /// The map does what clutch, precision and view ask for.
+  /// Applies clutch, precision and view to the map.
   void FollowHand();
   void FollowMouseClutch();
   void AlignOnTouch(palpate::HapticDevice& device);
@@ -229,7 +229,7 @@ public:
   bool LedInScene();
   /// The rotation that is wanted while the view is followed.
   std::optional<palpate::Quat> ViewRotation(const palpate::DeviceInfo& device) const;
-  /// What there is to fit a hand to, and whether there is anything.
+  /// Bounds of the data for a fit of the hand, and whether there are data.
   palpate::BuiltScene Fittable() const;
   bool IsFittable() const;
   void Fit();
@@ -247,14 +247,14 @@ public:
   void FollowPlane();
   /// "; ..." about a plane world, or "".
   std::string PlaneSentence() const;
-  /// The servo gets what is around the hand, once a worker has it. True where that changed.
+  /// Passes the surroundings of the hand to the servo, once a worker has them. True after a change.
   bool FollowField(bool wait);
   /// Takes numbers in space, or says why they cannot be felt.
   bool FeelField(const std::string& name, const vtkHapticFieldResult& made);
   void TakeField(bool wait);
-  /// What was added is felt as it is to be felt now.
+  /// Applies the present material settings to added surfaces.
   void FeelFieldAnew();
-  /// What the hand is in; nothing outside.
+  /// The surface that contains the hand; nothing outside.
   std::optional<palpate::FieldSample> FieldAtHand() const;
   void ShowState();
   double* GradientNow();
@@ -281,7 +281,7 @@ public:
   void FollowSources();
   /// Where the ball touches, or the tool most; nothing where neither does.
   std::optional<palpate::ContactPlace> PlaceOfContact() const;
-  /// What is at the contact now; nothing without one.
+  /// The data at the contact; nothing without one.
   std::optional<vtkHapticMarkRecord> LookAtContact();
   /// Looks at it if that is wanted, and sets a mark if its button was pressed.
   void FollowContact();
@@ -294,9 +294,10 @@ public:
   void FollowCommit();
   /// Its way goes on, or begins anew; buttons ask for another one.
   void FollowGame();
-  /// What is set, but no more than the device can hold [N/m].
+  /// The setting, limited to the device's stable stiffness [N/m].
   double FeltStiffness() const;
-  /// How stiff the running device can be, else the chosen one: milliseconds, for changes of what it depends on only.
+  /// Stable stiffness of the running device, else of the chosen one: takes milliseconds, only after a change of its
+  /// inputs.
   void JudgeStability();
 };
 

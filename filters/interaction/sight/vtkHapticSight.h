@@ -32,7 +32,7 @@ public:
   /// Whether AddSurface() would not hold its caller for longer than a picture takes; else a thread begins to read these
   /// data, and the answer is true once it is done.
   bool PrepareSurface(const char* name, vtkDataObject* data, vtkMatrix4x4* matrix);
-  /// What PrepareSurface() began is not wanted any more, for something else is shown.
+  /// Cancels PrepareSurface(), because other data are visible.
   void ForgetPrepared();
   int GetScenesCancelled() const; ///< how often CancelScene() did that
   /// Other data that the field is compared with, and whose points and lines the hand snaps to; null: none. Kept by
@@ -40,7 +40,7 @@ public:
   void SetFieldBeside(vtkDataObject* compared, vtkDataObject* snap);
 #ifndef __VTK_WRAP__
   bool AddRemoteField(const char* name, const vtkHapticFieldResult& made); ///< of data elsewhere, made there
-  vtkHapticServerSurfaces& ServerSurfaces() const;                         ///< what is there of surfaces elsewhere
+  vtkHapticServerSurfaces& ServerSurfaces() const;                         ///< loaded parts of remote surfaces
 #endif
 
   /// Where the ball is first stopped on its way from one point to another: its centre and the unit normal of what stops
@@ -48,7 +48,7 @@ public:
   bool PickSurface(const double from_W[3], const double to_W[3], double ball_W[3], double normal_W[3]) const;
   /// Corners of the box around the ball that the device reaches, of bits x, y, z, [u].
   void GetWorkspaceCorners(double corners_W[24]) const;
-  /// What is felt of a field where the proxy is: patch, streamline, level, the place that is snapped to [u].
+  /// The field at the proxy: patch, streamline, level, the place that is snapped to [u].
   void GetFieldShape(vtkPolyData* shape) const;
   void GetToolShape(vtkPolyData* shape) const;
   /// How far the tool reaches from the hand against a direction, turned as it is [u]; 0: none is held.

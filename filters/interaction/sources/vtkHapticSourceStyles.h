@@ -27,7 +27,7 @@ public:
   /// Comma-separated with a header line: Source, Touched (0 or 1), Stiffness [N/m], FrictionStatic, FrictionKinetic.
   /// Sorted by name; "" if all are usual.
   [[nodiscard]] std::string ToText() const;
-  /// Empty, or one line that says what cannot be; then nothing has changed.
+  /// Empty, or one line with the fault; then nothing has changed.
   [[nodiscard]] std::string FromText(std::string_view text);
 
 private:

@@ -25,7 +25,7 @@ class vtkHapticSceneSurfaces
 {
 public:
   void Clear();
-  /// Which arrays say what the surfaces that are added from now on are made of.
+  /// Arrays for the material of surfaces that are added from now on.
   void SetMaterials(const vtkHapticMaterialSettings& settings);
   /// Radius of the tubes as which lines that are added from now on are touched [u]; 0: they are not.
   void SetLineRadius(double radius_u);
@@ -91,7 +91,7 @@ private:
     vtkSmartPointer<vtkDataObject> Data; ///< a copy that shares the arrays
     palpate::SceneSurface Surface;
     double WallRadius_u = 0.0;                                 ///< for balls up to this radius
-    vtkHapticPlacement Baked = vtkHapticPlacement::Identity(); ///< what the vertices were placed by
+    vtkHapticPlacement Baked = vtkHapticPlacement::Identity(); ///< pose of the vertices
     vtkHapticCuts Cuts;                                        ///< of the polygons it came from
     std::vector<std::size_t> PartPoints;
     bool Balls = false;          ///< points of the data, not polygons or lines
@@ -110,7 +110,7 @@ private:
   using Part = vtkHapticConversionAhead::Part;
   /// Lines or points, as Read() and a thread read them.
   [[nodiscard]] vtkHapticConversionAhead::Reading ReadingOf(Part part) const;
-  /// What was read ahead, or is read now.
+  /// Data that were read ahead, or are read now.
   vtkHapticConversionResult Read(Part part, vtkDataObject* data, vtkMatrix4x4* matrix);
   vtkHapticConversionResult ReadFaces(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   ///@{
@@ -120,7 +120,7 @@ private:
   bool PreparePoints(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   ///@}
   ///@{
-  /// What is committed already of the same content; null: nothing.
+  /// A committed surface of the same content; null: none.
   [[nodiscard]] const Kept* FindCommitted(const std::function<bool(const Kept&)>& sought) const;
   [[nodiscard]] const Kept* FindBalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix) const;
   [[nodiscard]] const Kept* FindWalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix) const;
@@ -131,7 +131,7 @@ private:
   std::string AddLinesAndFaces(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   std::string AddWalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   void NoteWithoutArrays(Kept& walls) const;
-  /// A committed surface of that content, and by what pose it stands there; null if there is none.
+  /// A committed surface of that content, and its pose; null without one.
   std::pair<const Kept*, palpate::Pose> FindKnown(const std::string& name, std::uint64_t key,
     const vtkHapticPlacement& placement, std::optional<double> lineRadius_u) const;
   bool AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement,

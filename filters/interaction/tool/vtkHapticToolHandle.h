@@ -2,7 +2,7 @@
 #ifndef vtkHapticToolHandle_h
 #define vtkHapticToolHandle_h
 
-/// What of a tool is where the hand is: the numbers of the property ToolHandle.
+/// Point of the tool that coincides with the hand: the numbers of the property ToolHandle.
 enum class vtkHapticToolHandle
 {
   Centre, ///< of mass

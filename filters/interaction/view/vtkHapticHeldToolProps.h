@@ -9,7 +9,7 @@
 
 class vtkHapticSession;
 
-/// What a person sees of a tool in the hand, or of what it holds of a mechanism: solid where it is, a ghost where the
+/// Drawing of a tool in the hand, or of the held body of a mechanism: solid at its pose, a ghost where the
 /// hand would have it.
 class vtkHapticHeldToolProps
 {

@@ -40,7 +40,7 @@ public:
   void SetRenderer(vtkRenderer* renderer);
 
   ///@{
-  /// What is touched: actors whose mapper has polygons. Kept alive until they are removed.
+  /// Touched props: actors whose mapper has polygons. Kept alive until they are removed.
   void AddActor(vtkActor* actor);
   void RemoveActor(vtkActor* actor);
   void RemoveAllActors();

@@ -75,7 +75,7 @@ public:
   vtkActor* GetExitActor() const;
   vtkActor* GetWorkspaceActor() const;
   vtkActor* GetTorqueActor() const;
-  vtkActor* GetHeldActor() const;  ///< the tool, or what is held of a mechanism, where it is
+  vtkActor* GetHeldActor() const;  ///< the tool, or the held body of a mechanism, at its pose
   vtkActor* GetGhostActor() const; ///< and where the hand would have it
   vtkActor* GetFieldActor() const; ///< patch of an isosurface and streamline where the proxy is
   ///@}

@@ -39,7 +39,7 @@ struct vtkHapticConversionResult
   std::shared_ptr<const palpate::TriangleMesh> Mesh; ///< null on a problem
   std::string Problem;                               ///< one line without a name in front; empty when Mesh is there
   vtkHapticCuts Cuts;                                ///< of polygons
-  std::vector<std::size_t> PartPoints; ///< vertices from each data set in turn, 0 from one without what was asked for
+  std::vector<std::size_t> PartPoints; ///< vertices from each data set in turn, 0 from one without the requested cells
   std::vector<std::size_t> HoleEdges;  ///< edges round each polygon that could not be filled
 };
 
@@ -49,10 +49,10 @@ struct vtkHapticConversionResult
 /// mirror are baked into the vertices, and a mirror turns the corners around, so that outside stays outside. Nothing
 /// is cleaned: NaN points and degenerate triangles are for cleaning to report. Polygons of any shape are cut by
 /// palpate::cutPolygon(), so that no hole is in a surface that had none; those with a corner that is not finite stay
-/// holes (HoleEdges). VTK's own triangle filter is not used: it leaves out what it cannot cut. The input is not changed
-/// and no array of it is kept.
-/// `known`: cuts of an earlier time step. Where a diagonal runs depends on where the corners are; a part with the same
-/// polygons is cut as it was, so that a surface that only deforms keeps its triangles.
+/// holes (HoleEdges). VTK's own triangle filter is not used: it leaves out polygons that it cannot cut. The input is
+/// not changed and no array of it is kept. `known`: cuts of an earlier time step. Where a diagonal runs depends on
+/// where the corners are; a part with the same polygons is cut as it was, so that a surface that only deforms keeps its
+/// triangles.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticConversionResult vtkHapticToMesh(
   vtkDataObject* data, vtkMatrix4x4* matrix = nullptr, const vtkHapticCuts* known = nullptr);
 
@@ -65,7 +65,7 @@ struct vtkHapticConversionResult
 /// Lines and poly-lines in the poly data of a data object.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::size_t vtkHapticCountLines(vtkDataObject* data);
 
-/// What `visit` makes of a data object that is a data set, or of each one in a composite, in order.
+/// Results of `visit` for a data set, or for each one in a composite, in order.
 VTKHAPTICPIPELINE_EXPORT void vtkHapticForEachDataSet(
   vtkDataObject* data, const std::function<void(vtkDataSet&)>& visit);
 

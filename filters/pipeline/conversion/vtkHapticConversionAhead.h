@@ -26,7 +26,7 @@
 class VTKHAPTICPIPELINE_EXPORT vtkHapticConversionAhead
 {
 public:
-  /// What of the data is read.
+  /// The part of the data that is read.
   enum class Part : std::uint8_t
   {
     Faces,
@@ -43,17 +43,17 @@ public:
   /// Whether there is nothing to wait for: the data are small, or that part of them was read. Else a thread begins with
   /// `read`, once, as soon as fewer than Threads are at work. A part is read in one way until Forget().
   bool Ready(Part part, vtkDataObject* data, vtkMatrix4x4* matrix, const Reading& read);
-  /// What was made of that part at that place, and done; nothing if it was not. Several sources may have the same.
+  /// The finished result for that part at that pose; nothing if unfinished. Several sources may have the same.
   std::optional<vtkHapticConversionResult> Take(Part part, vtkDataObject* data, vtkMatrix4x4* matrix);
   /// Whether something was begun since Forget().
   bool Busy() const;
-  /// What was made is not wanted any more.
+  /// Discards the results.
   void Forget();
 
 private:
   using Future = std::shared_future<vtkHapticConversionResult>;
   std::map<std::uint64_t, Future> Made; ///< by content and place
-  std::vector<Future> Left;             ///< of threads that are at what is not wanted any more
+  std::vector<Future> Left;             ///< of threads that work on discarded results
 };
 
 #endif

@@ -20,14 +20,14 @@ struct vtkHapticTransfer
   std::string Array;                           ///< of points or else of cells; empty: no array
   int Component = -1;                          ///< -1: the length of a vector; of a scalar its value
   std::array<double, 2> DataRange{ 0.0, 0.0 }; ///< equal ends: the array's own range
-  std::array<double, 2> FeltRange{ 0.0, 1.0 }; ///< what its first and second end feel like
+  std::array<double, 2> FeltRange{ 0.0, 1.0 }; ///< the values at its first and second end
 
   /// Of one value; NaN where that is not finite. `range`: the data range that is used.
   [[nodiscard]] double Felt(double value, const std::array<double, 2>& range) const;
   friend bool operator==(const vtkHapticTransfer&, const vtkHapticTransfer&) = default;
 };
 
-/// Which arrays of a surface say what it is made of.
+/// Arrays of a surface that set its material.
 struct VTKHAPTICPIPELINE_EXPORT vtkHapticMaterialSettings
 {
   vtkHapticTransfer Stiffness{ {}, -1, { 0.0, 0.0 }, { 100.0, 1000.0 } }; ///< to [N/m]
@@ -40,17 +40,17 @@ struct VTKHAPTICPIPELINE_EXPORT vtkHapticMaterialSettings
   friend bool operator==(const vtkHapticMaterialSettings&, const vtkHapticMaterialSettings&) = default;
 };
 
-/// What a surface's arrays make of it.
+/// The material from a surface's arrays.
 struct vtkHapticMaterialResult
 {
   std::shared_ptr<const palpate::MaterialFields> Fields; ///< null when no array could be used
-  std::string Note;    ///< for a report: what each array gives and how many of its values could not be used
+  std::string Note;    ///< for a report: the result of each array and its number of unusable values
   std::string Problem; ///< one line without a name in front: the first array that could not be used; else empty
 };
 
 /// Values for each vertex of a mesh that vtkHapticToMesh() made of `data`; `partPoints` as it gave them.
 ///
-/// The transfer is applied at the vertices; what is felt between them is interpolated. Point arrays go to the vertices
+/// The transfer is applied at the vertices; values between them are interpolated. Point arrays go to the vertices
 /// as they are. A cell array goes to them as the mean of the cells around a point, all counting the same. A value that
 /// is not finite is left NaN: there the surface's own value is felt. Where a block of composite data has no such array
 /// the same holds for all of it.

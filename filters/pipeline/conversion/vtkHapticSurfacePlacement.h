@@ -11,7 +11,7 @@
 
 class vtkMatrix4x4;
 
-/// What a matrix (null: identity) makes of a surface: shift, rotation, scale, shear and mirror.
+/// Effect of a matrix (null: identity) on a surface: shift, rotation, scale, shear and mirror.
 using vtkHapticPlacement = Eigen::Affine3d;
 
 /// Why a surface cannot be placed by a matrix; "" if it can. Refused: not finite, a perspective, singular.

@@ -11,7 +11,7 @@ class vtkDataSet;
 class vtkInformationVector;
 class vtkPolyData;
 
-/// A hand goes through all of a surface, whichever ranks its pieces are on, and what is measured on a part is wrong.
+/// A hand goes through all of a surface, whichever ranks its pieces are on, and a measurement on a part is wrong.
 /// Every rank must ask, and asks in the same order. The number of this rank; 0 where there is one alone.
 VTKHAPTICPIPELINE_EXPORT int vtkHapticRank();
 
@@ -40,7 +40,7 @@ VTKHAPTICPIPELINE_EXPORT vtkBoundingBox vtkHapticBoxOfRanks(const vtkBoundingBox
 VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkDataObject> vtkHapticOnePiece(vtkDataObject* piece);
 
 /// Asks for a whole image on this rank: to be called where the extent of an input is requested. Readers and sources of
-/// images give every rank what it asks for.
+/// images give every rank its requested extent.
 VTKHAPTICPIPELINE_EXPORT void vtkHapticAskForWholeImage(vtkInformationVector* input);
 
 #endif

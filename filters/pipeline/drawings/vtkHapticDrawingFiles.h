@@ -9,7 +9,7 @@
 class vtkPolyData;
 
 /// Drawings and pictures as lines in the plane z = 0, with the field arrays Start and Exit (3) double [u] where they
-/// say where a maze begins and ends. Both throw std::runtime_error with one line; `note` gets what was left out.
+/// say where a maze begins and ends. Both throw std::runtime_error with one line; `note` receives the ignored elements.
 namespace vtkHapticDrawingFiles
 {
 /// An SVG drawing, see vtkHapticParseSVG: user units, y upwards.

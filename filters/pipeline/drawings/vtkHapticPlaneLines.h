@@ -18,7 +18,7 @@ public:
   using Point = Eigen::Vector2d;
   using Line = std::vector<Point>;
 
-  /// More than anybody can feel; what a few bytes may unfold to stays in memory.
+  /// More than a hand can feel, and a bound for the memory that a few bytes may need.
   static constexpr std::size_t MostPoints = 10'000'000;
   /// Of one curve: it would be thousands of times as large as its drawing.
   static constexpr double MostChords = 1e5;
@@ -60,7 +60,7 @@ public:
     line.push_back(mapped);
   }
 
-  /// Back to where the line began; what follows without a move begins there again.
+  /// Back to the start of the line; a command without a move begins there again.
   void Close()
   {
     if (this->Lines.back().size() > 1)

@@ -9,7 +9,7 @@
 #include "vtkHapticPlaneLines.h"
 
 /// The small languages inside the attributes of SVG 1.1 (W3C 2011). All are untrusted text: every function throws
-/// std::runtime_error with what was expected and after how many characters.
+/// std::runtime_error with the expected text and the number of read characters.
 namespace vtkHapticSVGPath
 {
 /// Path data (section 8.3): all commands, absolute and relative. A broken path is refused as a whole; the standard lets

@@ -19,7 +19,7 @@ struct vtkHapticFieldArrays
   std::string Scalar;
   std::string Vector; ///< three components, or the 6 or 9 of a symmetric tensor
   std::string Resistance;
-  std::string Other;   ///< what the scalar is compared with
+  std::string Other;   ///< compared with the scalar
   int Component = -1;  ///< of the scalar, where it has several; -1: their length
   int Eigenvector = 0; ///< of a tensor: of its largest, middle or least eigenvalue
   bool Tensor = false; ///< Vector is one: vtkHapticToField() sees to it

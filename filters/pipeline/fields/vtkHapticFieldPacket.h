@@ -10,7 +10,7 @@
 
 #include "vtkHapticFieldData.h"
 
-/// What is known of a field elsewhere than its data are: all that travels of them.
+/// The part of a field that a server sends.
 struct vtkHapticFieldPacket
 {
   std::string Problem; ///< why it cannot be felt; "": it can

@@ -37,7 +37,7 @@ struct vtkHapticFieldPart
   double Offset = 0.0; ///< that its values are less, as they are read
 };
 using HapticFieldReading = std::function<std::vector<float>(const vtkHapticFieldPart&, const vtkHapticFieldWindow&)>;
-/// What the cells of data have at the points of any grid, NaN where there is no value.
+/// Values of the cells of data at the points of any grid, NaN without a value.
 using HapticFieldCells = std::function<std::vector<float>(const vtkHapticFieldPart&, const palpate::BrickGrid&)>;
 
 /// The points of a window by themselves.

@@ -6,8 +6,8 @@
 
 #include "vtkHapticPipelineModule.h" // for the export macro
 
-/// What has to hold before a reader may believe a file's header and allocate for it. Each returns an empty string,
-/// or what is wrong.
+/// Conditions before a reader may trust a file's header and allocate for it. Each returns an empty string, or the
+/// fault.
 namespace vtkHapticFileGuards
 {
 /// Exists, is a regular file, can be opened, holds at least one byte.

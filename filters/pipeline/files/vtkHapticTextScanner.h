@@ -115,7 +115,7 @@ public:
     return true;
   }
 
-  /// What has not been handed out yet.
+  /// The unread rest.
   [[nodiscard]] std::string_view Remaining() const { return this->Rest; }
   /// "line 12: ": where the last line stands.
   [[nodiscard]] std::string Place() const { return "line " + std::to_string(this->Number) + ": "; }

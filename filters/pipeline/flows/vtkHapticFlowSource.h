@@ -44,7 +44,7 @@ public:
   ///@}
 
   ///@{
-  /// What it is sampled on: the points of an image (default), or the same points joined to tetrahedra, six a voxel.
+  /// The grid of the samples: the points of an image (default), or the same points joined to tetrahedra, six a voxel.
   vtkSetClampMacro(Cells, int, Image, Tetrahedra);
   vtkGetMacro(Cells, int);
   ///@}

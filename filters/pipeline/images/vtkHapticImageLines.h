@@ -24,7 +24,7 @@ struct Drawn
   palpate::LooseLines Lines;
 };
 
-/// Of what is darker, or lighter, than `value`; gaps up to `gap` [u] closed.
+/// Of strokes darker, or lighter, than `value`; gaps up to `gap` [u] closed.
 [[nodiscard]] Drawn Drawing(
   const vtkHapticImagePlane& plane, double value, bool inkIsDark, double gap, const palpate::Goes& goes);
 } // namespace vtkHapticImageLines

@@ -18,7 +18,7 @@ class vtkImageData;
 class vtkHapticImagePlane
 {
 public:
-  /// Throws std::runtime_error with one line that says what is wrong with the image. Colours (three or four values a
+  /// Throws std::runtime_error with one line on the fault of the image. Colours (three or four values a
   /// pixel) become their luminance, unless `coloursCount` is false: then they are refused.
   vtkHapticImagePlane(vtkImageData* image, vtkDataArray* values, bool coloursCount);
 

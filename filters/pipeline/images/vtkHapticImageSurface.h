@@ -9,7 +9,7 @@
 class vtkPolyData;
 
 /// The iso surface of the image in a file, at the place that its header gives it. Throws std::runtime_error.
-/// `note` receives what a person should know although the image could be read.
+/// `note` receives a remark for a person although the image could be read.
 namespace vtkHapticImageSurface
 {
 [[nodiscard]] vtkSmartPointer<vtkPolyData> ReadVTI(const std::string& path, double iso);

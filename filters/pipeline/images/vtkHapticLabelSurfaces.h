@@ -22,7 +22,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The value of what is outside of everything. Default 0.
+  /// The value of the background. Default 0.
   vtkSetMacro(Background, double);
   vtkGetMacro(Background, double);
   ///@}

@@ -10,7 +10,7 @@
 
 #include "haptics/core/Types.h"
 
-/// What the values of a NIfTI image are stored as. No VTK inside, so that the parser can be fuzzed on its own.
+/// Storage types of the values of a NIfTI image. No VTK inside, so that the parser can be fuzzed on its own.
 struct vtkHapticNIfTIType
 {
   enum class Number : std::uint8_t

@@ -60,7 +60,7 @@ public:
   };
 
   ///@{
-  /// What the image is. Default Contour.
+  /// Kind of the image. Default Contour.
   vtkSetClampMacro(Kind, int, Contour, Drawing);
   vtkGetMacro(Kind, int);
   ///@}
@@ -98,7 +98,7 @@ public:
   ///@}
 
   ///@{
-  /// Simplify within a length or within what can be felt. Default ByLength.
+  /// Tolerance by length or by perceptible force. Default ByLength.
   vtkSetClampMacro(SimplifyBy, int, ByLength, ByFeel);
   vtkGetMacro(SimplifyBy, int);
   ///@}

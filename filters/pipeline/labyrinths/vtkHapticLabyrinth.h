@@ -22,7 +22,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// A name of the gallery, or a file: vtp, svg, png and what else readers of surfaces know. Default "corridor".
+  /// A name of the gallery, or a file: vtp, svg, png and all other types that readers of surfaces know. Default
+  /// "corridor".
   vtkSetMacro(World, std::string);
   vtkGetMacro(World, std::string);
   ///@}
@@ -35,7 +36,7 @@ public:
   ///@}
 
   ///@{
-  /// The gallery: what is installed beside this program.
+  /// The gallery installed beside this program.
   static int GetNumberOfWorlds();
   static std::string GetWorldName(int index);
   ///@}

@@ -14,13 +14,13 @@ class vtkDataObject;
 struct vtkHapticLabyrinthResult
 {
   palpate::Labyrinth Labyrinth; ///< named as it was asked for
-  std::string Note;             ///< what a person should know of the file, without its name; may be empty
+  std::string Note;             ///< a remark on the file for a person, without its name; may be empty
   std::string Problem;          ///< one line that begins with the name; empty when it can be explored
 };
 
 /// The lines of a data object in the plane z = 0, with the first tuples of its field arrays Start and Exit, if it has
 /// them, and corridors of corridor_u if that is given, else its Corridor, else what corridorWidth() measures [scene
-/// units]. A structure without start and exit is a result too; what refuseWorld() has something against is a problem.
+/// units]. A structure without start and exit is a result too; a world that refuseWorld() refuses is a problem.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticLabyrinthResult vtkHapticToLabyrinth(
   vtkDataObject* data, const std::string& name, std::optional<double> corridor_u = std::nullopt);
 

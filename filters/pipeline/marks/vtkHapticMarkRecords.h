@@ -12,7 +12,7 @@
 class vtkPolyData;
 class vtkTable;
 
-/// What was found at a contact: the name of the source and named numbers, the place X, Y and Z [u] first.
+/// Data at a contact: the name of the source and named numbers, the place X, Y and Z [u] first.
 struct VTKHAPTICPIPELINE_EXPORT vtkHapticMarkRecord
 {
   std::string Source;
@@ -35,7 +35,7 @@ public:
   void FillPoints(vtkPolyData* points) const;
   /// Comma-separated (RFC 4180), a header line first; numbers are read back to the bit. Empty without records.
   [[nodiscard]] std::string ToText() const;
-  /// Reads what ToText() wrote. Empty, or what is wrong with its line; then there are no records.
+  /// Reads the output of ToText(). Empty, or the fault of its line; then there are no records.
   [[nodiscard]] std::string FromText(std::string_view text);
   /// Writes csv or vtp, by the suffix, whole or not at all. Empty, or one line with the file, the reason and what to
   /// do.

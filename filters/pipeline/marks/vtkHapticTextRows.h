@@ -22,7 +22,7 @@ public:
   [[nodiscard]] static std::string Quoted(const std::string& field);
   /// The shortest digits that give the same number back.
   [[nodiscard]] static std::string Digits(double value);
-  /// What Digits() wrote. Throws std::runtime_error for what is no number.
+  /// Reads the output of Digits(). Throws std::runtime_error for text that is no number.
   [[nodiscard]] static double Number(const std::string& field);
 
 private:

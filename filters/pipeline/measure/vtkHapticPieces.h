@@ -7,7 +7,7 @@
 class vtkInformationVector;
 
 /// Empty, or why a filter that needs all of its data does nothing: it is asked for a part of them that no other process
-/// has the rest of, and what is measured on a part is wrong without a sign of it. `output`: of the request for data.
+/// has the rest of, and a measurement on a part is wrong without a sign of it. `output`: of the request for data.
 [[nodiscard]] std::string vtkHapticRefusePieces(vtkInformationVector* output);
 
 #endif

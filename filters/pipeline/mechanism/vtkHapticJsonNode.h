@@ -13,7 +13,7 @@
 
 #include "haptics/core/Types.h"
 
-/// What is wrong with a file, and where.
+/// The fault of a file, and its place.
 struct vtkHapticJsonProblem : std::runtime_error
 {
   using std::runtime_error::runtime_error;
@@ -37,7 +37,7 @@ public:
     throw vtkHapticJsonProblem(place + (place.empty() ? "" : ": ") + what);
   }
 
-  /// What was refused of a key fails here; "": nothing was.
+  /// A refusal of a key fails here; "": none.
   void Accept(const std::string& key, const std::string& refusal) const
   {
     if (!refusal.empty())
@@ -104,7 +104,7 @@ public:
     return text;
   }
 
-  /// What tables have as a heading.
+  /// Names that tables have as headings.
   [[nodiscard]] std::string Name() const
   {
     const std::string name = this->Needed("name");

@@ -47,7 +47,7 @@ public:
   /// Why there are no bodies, in one line; "": there are, or it has not run.
   const char* GetProblem() const { return this->Problem.c_str(); }
 
-  /// What it becomes, a line each: rows, rank, what turns freely, what follows from others; empty before it has run.
+  /// Its properties, a line each: rows, rank, free rotations, redundant constraints; empty before it has run.
   const char* GetText() const { return this->Text.c_str(); }
 
 protected:

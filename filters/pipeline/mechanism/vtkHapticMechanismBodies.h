@@ -19,7 +19,7 @@ struct vtkHapticSoftDescription
   vtkHapticSoftMaterial Material;
 };
 
-/// What is made of it; null with a problem.
+/// The resulting body; null with a problem.
 struct vtkHapticDescribedSoft
 {
   std::shared_ptr<const palpate::SoftBodyInput> Input;

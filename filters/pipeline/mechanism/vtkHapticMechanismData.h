@@ -24,7 +24,7 @@ struct vtkHapticMechanismArray
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkPolyData> vtkHapticMechanismShapes(
   const vtkHapticMechanismResult& read);
 
-/// What the hand holds of a mechanism, in its own frame: from the hand along +z.
+/// The held body of a mechanism, in its own frame: from the hand along +z.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkPolyData> vtkHapticHeldShape(
   const palpate::MechanismBody& body);
 
@@ -49,7 +49,7 @@ VTKHAPTICPIPELINE_EXPORT void vtkHapticSetOfServer(vtkDataObject& data);
 /// The mechanism that data describe.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticMechanismResult vtkHapticToMechanism(vtkDataObject& data);
 
-/// What a mechanism becomes, a line each.
+/// Properties of a mechanism, a line each.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<std::string> vtkHapticMechanismText(
   const palpate::MechanismInputs& inputs, const palpate::MechanismCheck& check);
 

@@ -17,7 +17,7 @@ struct vtkHapticMechanismResult
   std::shared_ptr<const palpate::MechanismInputs> Inputs;      ///< null on a problem
   std::vector<vtkSmartPointer<vtkUnstructuredGrid>> SoftGrids; ///< as described, in the order of Inputs->soft
   std::string Text;                                            ///< of the file
-  std::string Problem; ///< one line: where in the text, what is wrong, what would be right
+  std::string Problem;                                         ///< one line: place in the text, fault, remedy
 };
 
 /// Reads a scene file's text (docs/mechanisms.md): JSON, `format` "palpate mechanism", `version` 1, bodies, laws. Files

@@ -10,7 +10,7 @@
 /// `vertex` and the list `vertex_indices` (or `vertex_index`) of the elements `face` and `tristrips`, where -1 stands
 /// between two strips; everything else is read over, lines of the header that begin with no word of PLY too.
 /// Refused: list lengths that are no whole numbers, and a file that holds more or less than its header promises.
-/// Memory is bounded by the length of the content, never by what its header promises.
+/// Memory is bounded by the length of the content, never by its header.
 /// VTK's own reader is not used because a file that is cut short makes it crash.
 [[nodiscard]] vtkHapticFaceMesh vtkHapticParsePLY(std::string_view content);
 

@@ -11,7 +11,7 @@
 
 class vtkDataObject;
 
-/// What is said of a surface that was cut out of another, or is all of it: travels with it.
+/// Description of a surface that was cut out of another, or is all of it: sent with it.
 struct vtkHapticPartInfo
 {
   int Number = 0;                 ///< of the request
@@ -27,7 +27,7 @@ struct vtkHapticPartInfo
 VTKHAPTICPIPELINE_EXPORT void vtkHapticTellPart(const vtkHapticPartInfo& info, vtkDataObject* data);
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::optional<vtkHapticPartInfo> vtkHapticPartOf(vtkDataObject* data);
 
-/// "", or that a server's plugin is not this one, and what to do. Empty `version`: there was no answer.
+/// "", or a message that a server's plugin has another version, with the remedy. Empty `version`: there was no answer.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticOtherVersion(const std::string& version);
 
 #endif

@@ -15,8 +15,8 @@ class vtkPolyData;
 struct vtkHapticReadResult
 {
   vtkSmartPointer<vtkPolyData> Surface; ///< polygons, strips and lines in the file's own coordinates; null on a problem
-  std::string Problem;                  ///< one line: file, what is wrong, what to do; empty when Surface can be used
-  std::string Note;                     ///< what a reader warned of or left out, one line; mostly empty
+  std::string Problem;                  ///< one line: file, fault, remedy; empty when Surface can be used
+  std::string Note;                     ///< warnings and ignored parts, one line; mostly empty
 };
 
 /// Reads vtp, vtu, stl, ply, obj and off, and with an iso value vti, nii and nii.gz, as a surface [scene units]; svg
@@ -37,8 +37,8 @@ struct vtkHapticReadResult
 struct vtkHapticReadVolumeResult
 {
   vtkSmartPointer<vtkDataObject> Volume; ///< with all its arrays, in the file's own coordinates; null on a problem
-  std::string Problem;                   ///< one line: file, what is wrong, what to do; empty when Volume can be used
-  std::string Note;                      ///< what a reader warned of or left out, one line; mostly empty
+  std::string Problem;                   ///< one line: file, fault, remedy; empty when Volume can be used
+  std::string Note;                      ///< warnings and ignored parts, one line; mostly empty
 };
 
 /// Reads vti, vtr, vts, vtu, nii, nii.gz and a vtm of the former whole, to be felt as a field, as careful as

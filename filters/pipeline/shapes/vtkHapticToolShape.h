@@ -50,7 +50,7 @@ public:
   ///@}
 
   ///@{
-  /// By how much hole and nut are wider than what goes into them [u], > 0. Default 0.1.
+  /// Radial clearance of hole and nut [u], > 0. Default 0.1.
   vtkSetMacro(Clearance, double);
   vtkGetMacro(Clearance, double);
   ///@}

@@ -77,8 +77,8 @@ public:
   ///@}
 
   ///@{
-  /// What is held: sides of the body's box (xmin, xmax, ymin, ymax, zmin, zmax, with commas between them), or a point
-  /// array, where it is not 0. Default none.
+  /// Fixed vertices: sides of the body's bounding box (xmin, xmax, ymin, ymax, zmin, zmax, separated by commas), or a
+  /// point array, where it is not 0. Default none.
   vtkSetStringMacro(Fixed);
   vtkGetStringMacro(Fixed);
   ///@}
@@ -96,7 +96,7 @@ public:
   ///@}
 
   ///@{
-  /// Point array with three numbers each of what else it bears always [N]. Default none.
+  /// Point array with a permanent force on each vertex, three components [N]. Default none.
   vtkSetStringMacro(LoadArray);
   vtkGetStringMacro(LoadArray);
   ///@}
@@ -114,7 +114,7 @@ public:
   ///@}
 
   ///@{
-  /// How far they may be from what is filled [u], >= 0. Default 0: a quarter of an edge.
+  /// Largest distance from the filled surface [u], >= 0. Default 0: a quarter of an edge.
   vtkSetMacro(SurfaceDistance, double);
   vtkGetMacro(SurfaceDistance, double);
   ///@}
@@ -124,7 +124,7 @@ public:
   /// The body at rest; null before it has been made. Another object each time it is made anew.
   vtkUnstructuredGrid* GetRest() const { return this->Rest; }
 
-  /// What is modelled, with "assumed" beside what nobody has said; empty before it has run.
+  /// Summary of the model, with "assumed" at default values; empty before it has run.
   const char* GetText() const { return this->Text.c_str(); }
 
 protected:
@@ -140,7 +140,7 @@ private:
   vtkSmartPointer<vtkUnstructuredGrid> Mesh(vtkDataObject* data, double& rough, std::string& problem);
   bool Make(vtkDataObject* data, vtkDataSet* holds, vtkUnstructuredGrid* output, std::string& problem);
   bool Goes(double progress);
-  /// Whether what has changed since Rest was made is how it is bent, alone.
+  /// Whether only the deformation has changed since Rest was made.
   bool OnlyBends(vtkMTimeType inputs);
 
   double Young;
@@ -158,8 +158,8 @@ private:
   std::string Text;
   vtkSmartPointer<vtkUnstructuredGrid> Rest;
   vtkSmartPointer<vtkUnstructuredGrid> Bent;
-  vtkMTimeType KnownTime = 0;  ///< of the settings that Rest was made with, and of what was said to be bent since
-  vtkMTimeType InputsTime = 0; ///< of what Rest was made of
+  vtkMTimeType KnownTime = 0;  ///< of the settings of Rest, and of the deformations since
+  vtkMTimeType InputsTime = 0; ///< of the input of Rest
 };
 
 #endif

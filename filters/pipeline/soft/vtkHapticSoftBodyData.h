@@ -14,7 +14,7 @@
 class vtkDataObject;
 class vtkDoubleArray;
 
-/// What a body is made of.
+/// Material of a body.
 struct vtkHapticSoftMaterial
 {
   static constexpr double UsualYoungPa = 20e3;   ///< about that of liver; nobody has measured this one
@@ -54,7 +54,7 @@ struct vtkHapticSoftBodyResult
 /// A body that has been described.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticSoftBodyResult vtkHapticToSoftBody(vtkDataObject* data);
 
-/// What presses a body: a ball in the scene, or nothing with a radius of 0.
+/// The contact on a body: a ball in the scene, or none with a radius of 0.
 struct vtkHapticBall
 {
   palpate::Vec3 Centre_W = palpate::Vec3::Zero();
@@ -96,7 +96,7 @@ struct vtkHapticStrain
   static constexpr double Small = 0.1, Large = 0.5;
 };
 
-/// "12 % at (1, 2, 3): a linear law is off by some 10 %": the largest strain of a body, where it is, and what of it
+/// "12 % at (1, 2, 3): a linear model errs by about 10 %": the largest strain of a body, where it is, and what of it
 /// is not to be trusted.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticStrainText(const palpate::BodyShape& shape);
 

@@ -9,7 +9,7 @@
 
 class vtkUnstructuredGrid;
 
-/// Point array of what a body bears always [N].
+/// Point array of permanent loads [N].
 inline constexpr const char* vtkHapticLoadName = "Load";
 
 /// Gives a described body the array Load: its weight by that gravity [m/s^2], and a point array with three numbers each

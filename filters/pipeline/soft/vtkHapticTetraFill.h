@@ -13,13 +13,13 @@ class vtkDataSet;
 class vtkImageData;
 class vtkPolyData;
 
-/// What is made of a surface or a label image; null with a problem. `note`: what a person is to know of it.
+/// Tetrahedra of a surface or a label image; null with a problem. `note`: a remark for a person.
 struct vtkHapticTetraFillResult
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   std::string Problem;
   std::string Note;
-  double Rough = 0.0; ///< how far its border may be from what was filled [u], as was asked for
+  double Rough = 0.0; ///< largest distance of its border from the filled surface [u], as set
 };
 
 /// Fills a closed surface with tetrahedra. A size of 0 is chosen.

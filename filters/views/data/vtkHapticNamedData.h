@@ -10,7 +10,7 @@ class vtkDataObject;
 class vtkObject;
 class vtkSMProxy;
 
-/// What a representation draws by now, of those that it can choose from.
+/// The data that a representation draws, among its choices.
 vtkObject* vtkHapticActiveRepresentation(vtkSMProxy* representation);
 
 /// The source that it shows, and that one's name in the pipeline browser; null and "" for annotations, which have none.
@@ -23,7 +23,7 @@ std::vector<vtkSMProxy*> vtkHapticVisibleRepresentations(vtkSMProxy* view);
 /// Whether a view's data are on a server.
 bool vtkHapticIsRemote(vtkSMProxy* view);
 
-/// What the input of a representation made, here or on a server, under that name.
+/// The output of the input of a representation, here or on a server, under that name.
 vtkHapticViewScan::Source vtkHapticShownSource(vtkSMProxy* representation, const std::string& name);
 
 /// The proxy of that name in the pipeline browser of a view; null: there is none.

@@ -29,7 +29,7 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
     vtkSmartPointer<vtkDataObject> Data;
     vtkSmartPointer<vtkMatrix4x4> Matrix; ///< actor frame to W
     std::uint64_t GeometryKey = 0;        ///< equal while points and cells are the same objects, unmodified
-    int Part = 0;                         ///< number of a part of what is on a server; 0: it is whole
+    int Part = 0;                         ///< number of a part of remote data; 0: whole
     std::uint64_t ArraysKey = 0;          ///< equal while its arrays are the same, unmodified
   };
 
@@ -40,13 +40,13 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
     std::string Name;
     vtkSmartPointer<vtkDataObject> Data{}; ///< null: they are on a server
     bool Moved = false;                    ///< it is drawn elsewhere than its numbers are
-    vtkSMSourceProxy* Remote = nullptr;    ///< where they are on a server: what made them
+    vtkSMSourceProxy* Remote = nullptr;    ///< for remote data: their source
     unsigned int Port = 0;                 ///< and at which of its outputs
   };
 
   std::vector<Surface> Surfaces;
   std::vector<Source> Sources;
-  std::vector<std::string> Refusals; ///< one sentence each: what is not touched, why, and what to do
+  std::vector<std::string> Refusals; ///< one sentence each: untouched source, reason, remedy
   bool Pending = false;              ///< something was not rendered yet: look again after the next frame
 
   /// Nothing of that name is a surface to be touched.
