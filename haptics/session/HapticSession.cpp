@@ -52,8 +52,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   {
     return "the period [s] must be at least 0.0001";
   }
-  const std::string problem = device->open();
-  if (!problem.empty())
+  if (const std::string problem = device->open(); !problem.empty())
   {
     return problem;
   }
@@ -62,13 +61,12 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->virtualTime = options.virtualTime;
   run->period_s = options.period_s;
   run->adapt(this->parameters_, this->lever_u(), true);
-  const auto period_ns = static_cast<std::int64_t>(options.period_s * 1e9 + 0.5);
-  run->pace(period_ns);
+  run->pace(static_cast<std::int64_t>(options.period_s * 1e9 + 0.5));
   run->recordings.emplace(run->links.recorder, options.virtualTime);
   if (!options.recordFile.empty())
   {
-    const std::string refused = run->recordings->begin(options.recordFile, run->device->info().name, this->kept_->inputs);
-    if (!refused.empty())
+    const std::string& name = run->device->info().name;
+    if (std::string refused = run->recordings->begin(options.recordFile, name, this->kept_->inputs); !refused.empty())
     {
       run->device->close();
       return refused;
@@ -97,14 +95,13 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   }
   if (!options.virtualTime)
   {
-    Run& r = *this->run_;
-    r.thread = RealtimeThread(
-      [&r](const SchedulingReport& report)
+    this->run_->thread = RealtimeThread(
+      [&r = *this->run_](const SchedulingReport& report)
       {
         const std::lock_guard lock(r.schedulingMutex);
         r.scheduling = report;
       },
-      [&r](const std::stop_token& stop) { r.loop->run(stop); }, options.brokers);
+      [&r = *this->run_](const std::stop_token& stop) { r.loop->run(stop); }, options.brokers);
   }
   return {};
 }

@@ -31,15 +31,14 @@ string(REGEX REPLACE ".*_VERSION_MAJOR\" \"([0-9]+)\".*_VERSION_MINOR\" \"([0-9]
 if (said MATCHES "QT_MAJOR_VERSION \"([0-9]+)\"")
   set(PALPATE_PARAVIEW_QT "${CMAKE_MATCH_1}")
 endif ()
-set(known 5.11 5.13)
-if (NOT PALPATE_PARAVIEW IN_LIST known)
-  list(JOIN known " and " known)
-  message(WARNING "ParaView ${PALPATE_PARAVIEW} was never tried: ${known} are known to work")
+set(tested 5.11)
+if (NOT PALPATE_PARAVIEW IN_LIST tested)
+  message(WARNING "Palpate is tested with ParaView ${tested} alone, and this is ${PALPATE_PARAVIEW}")
 endif ()
 
 # Debian 13 names Python's modules with the interpreter's suffix, ParaView's list of targets names them without, and CMake
-# refuses a target whose file is missing Nothing is linked to these modules. CMake
-# does not look for the file of a target that has a folder here.
+# refuses a target whose file is missing. Nothing is linked to these modules. CMake does not look for the file of a target
+# that has a folder here.
 file(GLOB lists "${ParaView_DIR}/*Python*-targets-*.cmake" "${ParaView_DIR}/vtk/*Python*-targets-*.cmake")
 foreach (list IN LISTS lists)
   file(STRINGS "${list}" checks REGEX "_cmake_import_check_files_for_")
