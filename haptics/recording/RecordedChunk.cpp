@@ -98,6 +98,7 @@ RecordedChunk nextChunk(ByteReader& in)
   const char* const head = in.at();
   readHead(in, chunk);
   in.get(size);
+  in.get(chunk.number);
   in.get(payloadCheck);
   chunk.headDamaged = !isNextCheck(in, head);
   if (!chunk.headDamaged && in.has(size))

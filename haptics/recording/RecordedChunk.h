@@ -18,6 +18,7 @@ struct RecordedChunk
 {
   std::string name;
   std::uint32_t version = 0;
+  std::uint64_t number = 0; ///< from 1 on
   ByteReader payload{ nullptr, 0 };
   bool headDamaged = false; ///< it is not what was written: neither is where its payload ends
   bool payloadDamaged = false;

@@ -35,7 +35,7 @@ using RecordedEntry = std::variant<TickRecord, RecordedChange>;
 /// default.
 struct Recording : TickInputs::Recorded
 {
-  static constexpr int formatVersion = 7;
+  static constexpr int formatVersion = 8;
 
   std::string device;
   HapticParameters parameters;

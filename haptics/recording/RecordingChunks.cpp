@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/recording/RecordingChunks.h"
 
+#include <string_view>
+#include <utility>
+
 #include "haptics/core/Checksum.h"
 #include "haptics/recording/NamedParts.h"
 #include "haptics/recording/RecordedStages.h"
-#include "haptics/recording/bytes/RecordingLayout.h"
 
 namespace palpate
 {
@@ -25,19 +27,21 @@ ByteWriter bytesOf(const HapticParameters& parameters)
 
 } // namespace
 
-std::vector<char> recordedChunk(const ChunkKind& kind, const ByteWriter& payload)
+std::vector<char> recordedChunk(const NewChunk& chunk, std::uint64_t number)
 {
+  const std::string_view name = chunk.kind.name;
   ByteWriter head;
   for (std::size_t i = 0; i < ChunkKind::nameSize; ++i)
   {
-    head.put(i < kind.name.size() ? kind.name[i] : '\0');
+    head.put(i < name.size() ? name[i] : '\0');
   }
-  head.put(kind.version);
-  head.put(static_cast<std::uint64_t>(payload.bytes().size()));
-  head.put(checksumOf(payload));
+  head.put(chunk.kind.version);
+  head.put(static_cast<std::uint64_t>(chunk.payload.bytes().size()));
+  head.put(number);
+  head.put(checksumOf(chunk.payload));
   head.put(checksumOf(head));
   std::vector<char> bytes = head.bytes();
-  bytes.insert(bytes.end(), payload.bytes().begin(), payload.bytes().end());
+  bytes.insert(bytes.end(), chunk.payload.bytes().begin(), chunk.payload.bytes().end());
   return bytes;
 }
 
@@ -47,30 +51,30 @@ std::string recordingHeader(const std::string& device)
     std::string(recordingMagic) + std::to_string(Recording::formatVersion) +
     "\nunits: seconds, metres and newtons in the device frame; scene units in the scene\ndevice: " + device +
     "\nbinary: little-endian chunks (name of " + std::to_string(ChunkKind::nameSize) +
-    " bytes, version u32, size u64, CRC-32C of the payload u32, CRC-32C of this head u32, payload)" +
+    " bytes, version u32, size u64, number u64, CRC-32C of the payload u32, CRC-32C of this head u32, payload)" +
     std::string(headerCheck);
   return text + checkDigits(crc32c(text.data(), text.size())) + std::string(headerEnd);
 }
 
-std::vector<char> startChunk(const HapticParameters& parameters, const RendererState& state)
+NewChunk startChunk(const HapticParameters& parameters, const RendererState& state)
 {
   ByteWriter payload;
   putPart(payload, parametersPart, bytesOf(parameters));
   ByteWriter first;
   putState(first, state);
   putPart(payload, statePart, first);
-  return recordedChunk(chunks::start, payload);
+  return { chunks::start, std::move(payload) };
 }
 
-std::vector<char> tickChunk(const TickRecord& record)
+NewChunk tickChunk(const TickRecord& record)
 {
   ByteWriter payload;
   inputFields(Put{ payload }, record);
   outputFields(Put{ payload }, record);
-  return recordedChunk(chunks::tick, payload);
+  return { chunks::tick, std::move(payload) };
 }
 
-std::vector<char> changeChunk(const RecordedChange& change)
+NewChunk changeChunk(const RecordedChange& change)
 {
   ByteWriter payload;
   layChange(Put{ payload }, change);
@@ -78,14 +82,14 @@ std::vector<char> changeChunk(const RecordedChange& change)
   {
     putPart(payload, parametersPart, bytesOf(*change.parameters));
   }
-  return recordedChunk(chunks::change, payload);
+  return { chunks::change, std::move(payload) };
 }
 
-std::vector<char> endChunk(std::uint64_t lost)
+NewChunk endChunk(std::uint64_t lost)
 {
   ByteWriter payload;
   payload.put(lost);
-  return recordedChunk(chunks::end, payload);
+  return { chunks::end, std::move(payload) };
 }
 
 } // namespace palpate

@@ -6,18 +6,19 @@
 #include <vector>
 
 #include "haptics/recording/Recording.h"
+#include "haptics/recording/bytes/RecordingLayout.h"
 
 namespace palpate
 {
 
-/// A chunk of any kind as bytes: its head, then its payload.
-[[nodiscard]] std::vector<char> recordedChunk(const ChunkKind& kind, const ByteWriter& payload);
+/// The bytes of a chunk at its place, the first of a recording being 1: its head, then its payload.
+[[nodiscard]] std::vector<char> recordedChunk(const NewChunk& chunk, std::uint64_t number);
 
-/// The other parts of a recording as bytes: its header, then its chunks.
+/// The header of a recording as bytes, and the chunks that are no input of the tick.
 [[nodiscard]] std::string recordingHeader(const std::string& device);
-[[nodiscard]] std::vector<char> startChunk(const HapticParameters& parameters, const RendererState& state);
-[[nodiscard]] std::vector<char> tickChunk(const TickRecord& record);
-[[nodiscard]] std::vector<char> changeChunk(const RecordedChange& change);
-[[nodiscard]] std::vector<char> endChunk(std::uint64_t lost);
+[[nodiscard]] NewChunk startChunk(const HapticParameters& parameters, const RendererState& state);
+[[nodiscard]] NewChunk tickChunk(const TickRecord& record);
+[[nodiscard]] NewChunk changeChunk(const RecordedChange& change);
+[[nodiscard]] NewChunk endChunk(std::uint64_t lost);
 
 } // namespace palpate

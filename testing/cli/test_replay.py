@@ -13,8 +13,9 @@ from says import unsaid
 
 MAKE_RECORDING = os.environ["PALPATE_MAKE_RECORDING"]
 TICKS = 2000
-CHUNK_HEAD = struct.Struct("<8sIQII")  # name filled up with zeros, version, size, checksums of payload and head; then the payload
-BEFORE_CHECKS = struct.Struct("<8sIQ")
+BEFORE_CHECKS = struct.Struct("<8sIQQ")  # name filled up with zeros, version, size of the payload, number from 1 on
+CHECKS = struct.Struct("<II")  # of the payload and of the head; then the payload
+HEAD_SIZE = BEFORE_CHECKS.size + CHECKS.size
 HEADER_END = b"\nend\n"
 
 
@@ -28,8 +29,8 @@ def crc32c(data):
     return rest ^ 0xFFFFFFFF
 
 
-def chunk(name, version, payload):
-    head = BEFORE_CHECKS.pack(name, version, len(payload)) + struct.pack("<I", crc32c(payload))
+def chunk_bytes(number, name, version, payload):
+    head = BEFORE_CHECKS.pack(name, version, len(payload), number) + struct.pack("<I", crc32c(payload))
     return head + struct.pack("<I", crc32c(head)) + payload
 
 
@@ -40,14 +41,19 @@ def checked_header(text):
 
 
 def split_chunks(content):
-    """The bytes before the first chunk, and (name, all bytes) of each chunk."""
+    """The bytes before the first chunk, and (name, version, payload) of each chunk."""
     at = content.index(HEADER_END) + len(HEADER_END)
     head, chunks = content[:at], []
     while at < len(content):
-        name, _, length, _, _ = CHUNK_HEAD.unpack_from(content, at)
-        chunks.append((name.rstrip(b"\0"), content[at:at + CHUNK_HEAD.size + length]))
-        at += CHUNK_HEAD.size + length
+        name, version, length, _ = BEFORE_CHECKS.unpack_from(content, at)
+        at += HEAD_SIZE + length
+        chunks.append((name.rstrip(b"\0"), version, content[at - length:at]))
     return head, chunks
+
+
+def joined(head, chunks):
+    """A recording of these chunks, which are numbered anew."""
+    return head + b"".join(chunk_bytes(number, *chunk) for number, chunk in enumerate(chunks, 1))
 
 
 class Recorded(CommandLineTest):
@@ -58,7 +64,7 @@ class Recorded(CommandLineTest):
 
     def without_scenes(self):
         head, chunks = split_chunks(self.content)
-        return head + b"".join(data for kind, data in chunks if kind != b"scene")
+        return joined(head, [chunk for chunk in chunks if chunk[0] != b"scene"])
 
 
 class Replay(Recorded):
@@ -95,14 +101,13 @@ class Replay(Recorded):
 
     def test_one_changed_bit_is_the_first_difference_with_exit_code_1(self):
         head, chunks = split_chunks(self.content)
-        ticks = [n for n, (kind, _) in enumerate(chunks) if kind == b"tick"]
-        kind, data = chunks[ticks[700]]
+        ticks = [n for n, (kind, _, _) in enumerate(chunks) if kind == b"tick"]
+        kind, version, payload = chunks[ticks[700]]
         # the device's position starts after tick and dt; half of it is a hand elsewhere
-        changed = bytearray(data)
-        changed[CHUNK_HEAD.size + 8 + 8 + 8 + 6] ^= 0x10
-        payload = bytes(changed[CHUNK_HEAD.size:])
-        chunks[ticks[700]] = (kind, chunk(kind, CHUNK_HEAD.unpack_from(data)[1], payload))
-        self.write("b.palpate", head + b"".join(data for _, data in chunks))
+        changed = bytearray(payload)
+        changed[8 + 8 + 8 + 6] ^= 0x10
+        chunks[ticks[700]] = (kind, version, bytes(changed))
+        self.write("b.palpate", joined(head, chunks))
         run = self.run_palpate("replay", "b.palpate")
         self.assertEqual(run.returncode, 1, run.stderr)
         self.assertIn("tick", run.stdout)
@@ -111,16 +116,27 @@ class Replay(Recorded):
     def test_a_bit_that_flipped_in_a_file_is_refused_with_the_chunk_that_it_is_in(self):
         head, chunks = split_chunks(self.content)
         for number in (1, 2, 700, len(chunks)):
-            begin = len(head) + sum(len(data) for _, data in chunks[:number - 1])
-            kind, data = chunks[number - 1]
+            begin = len(head) + sum(HEAD_SIZE + len(payload) for _, _, payload in chunks[:number - 1])
+            kind, _, payload = chunks[number - 1]
             for at, said in ((begin + 12, f"the head of its chunk {number}"),
-                             (begin + CHUNK_HEAD.size + 2, f"its chunk {number} ({kind.decode()}), bytes {begin} to "
-                                                           f"{begin + len(data) - 1}, ")):
+                             (begin + HEAD_SIZE + 2, f"its chunk {number} ({kind.decode()}), bytes {begin} to "
+                                                   f"{begin + HEAD_SIZE + len(payload) - 1}, ")):
                 with self.subTest(number=number, at=at):
                     flipped = bytearray(self.content)
                     flipped[at] ^= 0x10
                     self.write("flipped.palpate", bytes(flipped))
                     self.refused("replay", "flipped.palpate", saying=["flipped.palpate", said, "another copy"])
+
+    def test_a_chunk_that_is_missing_or_there_twice_is_refused_with_its_place(self):
+        head, chunks = split_chunks(self.content)
+        each = [chunk_bytes(number, *chunk) for number, chunk in enumerate(chunks, 1)]
+        self.assertEqual(head + b"".join(each), self.content)
+        for number in (1, 2, 700, len(chunks) - 1):
+            self.write("less.palpate", head + b"".join(each[:number - 1] + each[number:]))
+            self.write("more.palpate", head + b"".join(each[:number] + each[number - 1:]))
+            for file, place, stands in (("less.palpate", number, number + 1), ("more.palpate", number + 1, number)):
+                with self.subTest(number=number, file=file):
+                    self.refused("replay", file, saying=[file, f"the place of its chunk {place} stands its chunk {stands},"])
 
     def test_a_recording_cut_short_at_any_place_is_refused(self):
         for length in range(1, len(self.content), len(self.content) // 29):
@@ -133,13 +149,13 @@ class Replay(Recorded):
         first, rest = head.removesuffix(HEADER_END).split(b"\n", 1)
         version = int(first.removeprefix(b"PALPATE-RECORDING "))
         other = checked_header(b"PALPATE-RECORDING 99\n" + rest)
-        self.write("old.palpate", other + b"".join(data for _, data in chunks))
+        self.write("old.palpate", joined(other, chunks))
         self.refused("replay", "old.palpate", saying=["old.palpate", "format 99", f"reads format {version}"])
 
     def test_what_this_program_does_not_know_is_refused_by_its_name(self):
         head, chunks = split_chunks(self.content)
-        chunks.insert(2, (b"glove", chunk(b"glove", 1, b"any")))
-        self.write("newer.palpate", head + b"".join(data for _, data in chunks))
+        chunks.insert(2, (b"glove", 1, b"any"))
+        self.write("newer.palpate", joined(head, chunks))
         self.refused("replay", "newer.palpate", saying=["newer.palpate", "glove", "does not know"])
 
     def test_what_is_no_recording(self):

@@ -71,7 +71,7 @@ class Readers(unittest.TestCase):
 
     def test_paraview_opens_a_recording_as_a_way_in_its_time(self):
         recordings = os.path.join(os.environ["PALPATE_SOURCE_DIR"], "testing", "haptics", "recording", "fixtures")
-        for name in ("format-7-solid.palpate", "format-7-plane.palpate"):
+        for name in ("format-8-solid.palpate", "format-8-plane.palpate"):
             recording = pv.OpenDataFile(os.path.join(recordings, name))
             self.assertEqual(recording.GetXMLName(), "HapticRecordingReader")
             pv.UpdatePipeline(proxy=recording)

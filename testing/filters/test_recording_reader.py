@@ -27,11 +27,11 @@ class RecordingReader(unittest.TestCase):
                 self.assertEqual(read(file).GetNumberOfPoints(), 2)
 
     def test_one_whose_bit_flipped_does_not_open_and_its_chunk_is_said(self):
-        whole = (FIXTURES / "format-7-solid.palpate").read_bytes()
+        whole = (FIXTURES / "format-8-solid.palpate").read_bytes()
         chunks = whole.index(b"\nend\n") + len(b"\nend\n")
         with tempfile.TemporaryDirectory() as folder:
             for at, said in ((60, "its header"), (chunks + 10, "the head of its chunk 1"),
-                             (chunks + 40, f"its chunk 1 (start), bytes {chunks} to ")):
+                             (chunks + 48, f"its chunk 1 (start), bytes {chunks} to ")):
                 flipped = bytearray(whole)
                 flipped[at] ^= 1
                 file = Path(folder, f"{at}.palpate")

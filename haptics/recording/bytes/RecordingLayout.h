@@ -31,15 +31,23 @@ inline constexpr std::size_t headerCheckDigits = 8;
 }
 
 /// What a chunk of a recording holds, by its name in the file, and the version of it that this program writes and
-/// reads. In the file a chunk is its head (name, version u32, size of the payload u64, CRC-32C of the payload u32,
-/// CRC-32C of the head's bytes so far u32), then its payload. The head has a checksum of its own: a size must be
-/// believed before the payload can be found.
+/// reads. In the file a chunk is its head (name, version u32, size of the payload u64, number of the chunk from 1 on
+/// u64, CRC-32C of the payload u32, CRC-32C of the head's bytes so far u32), then its payload. The head has a checksum
+/// of its own: a size must be believed before the payload can be found. The number shows a chunk that is missing, that
+/// is there twice or that stands elsewhere: each of these has right checksums.
 struct ChunkKind
 {
   static constexpr std::size_t nameSize = 8; ///< in the file, filled up with zeros
 
   std::string_view name;
   std::uint32_t version = 1;
+};
+
+/// A chunk that has no place in a recording yet.
+struct NewChunk
+{
+  ChunkKind kind;
+  ByteWriter payload;
 };
 
 /// Those that are no input of the tick; of inputs see recording/inputs.

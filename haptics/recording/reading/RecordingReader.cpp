@@ -38,6 +38,13 @@ std::string damageOf(const RecordedChunk& chunk, std::uint64_t number, std::size
          ", is not as it was written" + otherCopy;
 }
 
+/// Says which chunk stands in the place of another one.
+std::string orderOf(const RecordedChunk& chunk, std::uint64_t number)
+{
+  return "is damaged: in the place of its chunk " + std::to_string(number) + " stands its chunk " +
+         std::to_string(chunk.number) + ", so chunks are missing, doubled or exchanged" + otherCopy;
+}
+
 /// Reads chunks until the closing one.
 class ChunkParser
 {
@@ -59,6 +66,10 @@ public:
       if (chunk.headDamaged || chunk.payloadDamaged)
       {
         return damageOf(chunk, number, begin, this->fileSize_ - in.left());
+      }
+      if (chunk.number != number)
+      {
+        return orderOf(chunk, number);
       }
       if (first && chunk.name != chunks::start.name)
       {

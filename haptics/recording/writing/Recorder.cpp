@@ -86,7 +86,7 @@ void Recorder::writeChunk(
 {
   ByteWriter payload;
   write(payload, value);
-  this->file_.write(recordedChunk(kind, payload));
+  this->file_.write({ kind, std::move(payload) });
 }
 
 /// After the first chunk, which says how to read them.

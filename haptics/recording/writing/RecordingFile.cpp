@@ -4,6 +4,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+#include <vector>
+
+#include "haptics/recording/RecordingChunks.h"
 
 namespace palpate
 {
@@ -18,7 +21,7 @@ constexpr std::uint64_t roomForEnd = 256;
 std::string RecordingFile::open(const std::string& path, const std::string& header)
 {
   this->path_ = path;
-  this->given_ = this->there_ = 0;
+  this->given_ = this->there_ = this->chunks_ = 0;
   this->ends_.clear();
   this->full_ = this->kept_ = false;
   this->file_.open(this->temporary(), std::ios::binary | std::ios::trunc);
@@ -54,9 +57,10 @@ void RecordingFile::checkDisk()
   }
 }
 
-void RecordingFile::write(const std::vector<char>& chunk)
+void RecordingFile::write(const NewChunk& chunk)
 {
-  this->put(chunk.data(), chunk.size());
+  const std::vector<char> bytes = recordedChunk(chunk, ++this->chunks_);
+  this->put(bytes.data(), bytes.size());
   this->ends_.push_back(this->given_);
 }
 
@@ -80,6 +84,7 @@ bool RecordingFile::cutBack(std::size_t room)
   while (!this->ends_.empty() && this->ends_.back() + room > this->there_)
   {
     this->ends_.pop_back();
+    --this->chunks_;
   }
   std::error_code failed;
   if (!this->ends_.empty())
@@ -90,7 +95,7 @@ bool RecordingFile::cutBack(std::size_t room)
   return !this->ends_.empty() && !failed && this->file_.good();
 }
 
-std::string RecordingFile::close(const std::vector<char>& endChunk)
+std::string RecordingFile::close(const NewChunk& endChunk)
 {
   this->write(endChunk);
   this->flush();
@@ -99,8 +104,9 @@ std::string RecordingFile::close(const std::vector<char>& endChunk)
   bool whole = true;
   if (this->isFull())
   {
-    whole = this->cutBack(endChunk.size());
-    this->file_.write(endChunk.data(), static_cast<std::streamsize>(endChunk.size()));
+    whole = this->cutBack(recordedChunk(endChunk, this->chunks_).size());
+    const std::vector<char> bytes = recordedChunk(endChunk, this->chunks_ + 1);
+    this->file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     this->file_.close();
     whole = whole && this->file_.good();
     this->file_.clear();

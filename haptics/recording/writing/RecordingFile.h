@@ -6,7 +6,8 @@
 #include <deque>
 #include <fstream>
 #include <string>
-#include <vector>
+
+#include "haptics/recording/bytes/RecordingLayout.h"
 
 namespace palpate
 {
@@ -21,13 +22,13 @@ public:
   [[nodiscard]] std::string open(const std::string& path, const std::string& header);
   [[nodiscard]] bool isOpen() const noexcept { return !this->path_.empty(); }
 
-  void write(const std::vector<char>& chunk);
+  void write(const NewChunk& chunk);
   /// Has all that was written reach the disk, or finds out that the disk is full.
   void flush();
   [[nodiscard]] bool isFull() const noexcept { return this->full_.load(std::memory_order_relaxed); }
 
   /// Writes the closing chunk, and the file has its name. Empty, or what went wrong and what is left.
-  [[nodiscard]] std::string close(const std::vector<char>& endChunk);
+  [[nodiscard]] std::string close(const NewChunk& endChunk);
   /// Whether there is a file of that name since.
   [[nodiscard]] bool isKept() const noexcept { return this->kept_; }
 
@@ -40,6 +41,7 @@ private:
   std::string path_;
   std::ofstream file_;
   std::uint64_t given_ = 0;        ///< bytes
+  std::uint64_t chunks_ = 0;
   std::deque<std::uint64_t> ends_; ///< of chunks, as offsets: the last that surely is on the disk, and all after it
   std::uint64_t there_ = 0;        ///< bytes of the file when the disk was full
   bool kept_ = false;

@@ -28,12 +28,10 @@ public:
     std::ifstream file(path, std::ios::binary);
     this->bytes_.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
     EXPECT_EQ(this->problem(), "");
-    for (std::size_t at = checkedChunksBegin(this->bytes_); at != 0 && at < this->bytes_.size();)
+    const std::vector<std::size_t> begins = chunkBegins(this->bytes_);
+    for (std::size_t i = 1; i < begins.size(); ++i)
     {
-      std::uint64_t size = 0;
-      std::memcpy(&size, this->bytes_.data() + at + 12, sizeof(size));
-      this->chunks_.push_back({ at, at + checkedHead + size });
-      at = this->chunks_.back().end;
+      this->chunks_.push_back({ begins[i - 1], begins[i] });
     }
     EXPECT_GT(this->chunks_.size(), 2u) << "a start, something and an end";
   }

@@ -13,7 +13,8 @@
 namespace palpate::test
 {
 
-/// A chunk as it lies in a file: 8 letters filled up with zeros, version u32, size u64, two checksums u32, payload.
+/// A chunk as it lies in a file: 8 letters filled up with zeros, version u32, size u64, number u64, two
+/// checksums u32, payload.
 struct RawChunk
 {
   std::string name;
@@ -64,16 +65,17 @@ inline RawRecording takeApart(const std::string& path)
   return recording;
 }
 
-/// With the checksums that belong to what is in it.
+/// With the numbers and the checksums that belong to its chunks.
 inline std::vector<char> putTogether(const RawRecording& recording)
 {
   std::string bytes = recording.header;
+  std::uint64_t number = 0;
   for (const RawChunk& chunk : recording.chunks)
   {
     std::string name = chunk.name;
     name.resize(8, '\0');
     bytes += name + raw(chunk.version) + raw(static_cast<std::uint64_t>(chunk.payload.size())) +
-             std::string(checkedHead - uncheckedHead, '\0') + chunk.payload;
+             raw(++number) + std::string(checkedHead - uncheckedHead, '\0') + chunk.payload;
   }
   std::vector<char> checked(bytes.begin(), bytes.end());
   repairChecks(checked, plainCrc32c);

@@ -24,8 +24,8 @@ inline std::uint32_t plainCrc32c(const char* bytes, std::size_t size)
   return ~rest;
 }
 
-/// Bytes of the head of a chunk since format 7, and before its two checksums.
-inline constexpr std::size_t checkedHead = 28, uncheckedHead = 20;
+/// Bytes of the head of a chunk since format 8, and before its two checksums.
+inline constexpr std::size_t checkedHead = 36, uncheckedHead = 28;
 
 /// Where the chunks of a recording begin; 0: it has no whole header, or one of before there were checksums.
 inline std::size_t checkedChunksBegin(const std::vector<char>& bytes)
@@ -34,6 +34,19 @@ inline std::size_t checkedChunksBegin(const std::vector<char>& bytes)
   const std::size_t end = text.find("\nend\n");
   const std::size_t line = text.substr(0, end).rfind("\ncheck: crc32c ");
   return end != std::string_view::npos && line != std::string_view::npos && end - line == 23 ? end + 5 : 0;
+}
+
+/// Where each chunk of a recording begins, and where the last one ends.
+inline std::vector<std::size_t> chunkBegins(const std::vector<char>& bytes)
+{
+  std::vector<std::size_t> begins{ checkedChunksBegin(bytes) };
+  while (begins.back() != 0 && begins.back() < bytes.size())
+  {
+    std::uint64_t size = 0;
+    std::memcpy(&size, bytes.data() + begins.back() + 12, sizeof(size));
+    begins.push_back(begins.back() + checkedHead + size);
+  }
+  return begins;
 }
 
 /// Writes the checksums that belong to bytes that were changed, as far as their heads lead from one chunk to the next.

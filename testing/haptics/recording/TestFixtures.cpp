@@ -17,7 +17,7 @@ namespace
 /// The recording in fixtures/ of that session.
 Recording fixtureOf(const std::string& session)
 {
-  auto read = readRecording(std::string(PALPATE_FIXTURES) + "/format-7-" + session + ".palpate");
+  auto read = readRecording(std::string(PALPATE_FIXTURES) + "/format-8-" + session + ".palpate");
   EXPECT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
   return std::get<Recording>(std::move(read));
 }

@@ -10,6 +10,7 @@
 
 #include "haptics/core/Checksum.h"
 #include "haptics/recording/Recording.h"
+#include "testing/haptics/recording/CutRecording.h"
 #include "testing/haptics/recording/FixtureSessions.h"
 #include "testing/haptics/recording/FlippedBits.h"
 #include "testing/haptics/recording/RecordingBytes.h"
@@ -67,6 +68,7 @@ TEST(RecordingChecks, AreWrittenAsTheFormatSays)
   std::vector<char> repaired = written;
   test::repairChecks(repaired, test::plainCrc32c);
   EXPECT_EQ(written, repaired);
+  EXPECT_EQ(written, test::putTogether(test::takeApart(folder.file("a")))) << "chunks are numbered from 1 on";
   ASSERT_NE(test::checkedChunksBegin(written), 0u);
 }
 
@@ -75,6 +77,29 @@ TEST(RecordingChecks, NameTheChunkOfEveryBitThatFlipsInARecordingOfSurfacesThatM
   const test::TemporaryFolder folder;
   ASSERT_EQ(test::recordSolid(folder.file("a")), "");
   test::FlippedBits(folder.file("a")).expectEachIsNamed(21, "motion");
+}
+
+/// A hand that touches nothing has the same tick again and again: but for their numbers most chunks could be exchanged.
+TEST(RecordingChecks, NameThePlaceWhereAChunkIsMissingDoubledOrExchanged)
+{
+  const test::TemporaryFolder folder;
+  ASSERT_EQ(test::recordPlane(folder.file("a")), "");
+  const test::CutRecording cut(folder.file("a"));
+  const std::size_t last = cut.chunks() - 1;
+  const std::size_t stride = 1 + last / 200;
+  for (std::size_t i = 0; i < last; i += stride)
+  {
+    const auto stands = [i](std::size_t place, std::size_t number)
+    {
+      return "it is damaged: in the place of its chunk " + std::to_string(i + place) + " stands its chunk " +
+             std::to_string(i + number) + ",";
+    };
+    EXPECT_TRUE(cut.problemOf(i, i + 1, {}).starts_with(stands(1, 2))) << "missing: " << i;
+    EXPECT_TRUE(cut.problemOf(i, i + 1, { i, i }).starts_with(stands(2, 1))) << "doubled: " << i;
+    EXPECT_TRUE(cut.problemOf(i, i + 2, { i + 1, i }).starts_with(stands(1, 2))) << "exchanged: " << i;
+  }
+  EXPECT_EQ(cut.problemOf(last, last + 1, {}), "it is cut short: it ends without its closing mark");
+  EXPECT_EQ(cut.problemOf(last, last + 1, { last, last }), "it is damaged: something follows its closing mark");
 }
 
 TEST(RecordingChecks, NameTheChunkOfEveryBitThatFlipsInAFixture)
