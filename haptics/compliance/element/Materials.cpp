@@ -6,7 +6,8 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <numeric>
+
+#include "haptics/core/DisjointSets.h"
 
 namespace palpate
 {
@@ -29,33 +30,10 @@ bool isSame(const ElasticModuli& a, const ElasticModuli& b)
   return near(a.mu, b.mu) && near(a.lambda, b.lambda);
 }
 
-/// Disjoint sets of tetrahedra; each is called by its lowest one.
-class Parts
+/// The tetrahedra that hang together by faces and are of one modulus.
+DisjointSets joinByFaces(const TetraMesh& mesh, const std::vector<ElasticModuli>& moduli)
 {
-public:
-  explicit Parts(std::size_t count) : root_(count) { std::iota(this->root_.begin(), this->root_.end(), 0u); }
-
-  [[nodiscard]] std::uint32_t partOf(std::uint32_t i)
-  {
-    while (this->root_[i] != i)
-    {
-      i = this->root_[i] = this->root_[this->root_[i]];
-    }
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b)
-  {
-    const auto [low, high] = std::minmax({ this->partOf(a), this->partOf(b) });
-    this->root_[high] = low;
-  }
-
-private:
-  std::vector<std::uint32_t> root_;
-};
-
-Parts joinByFaces(const TetraMesh& mesh, const std::vector<ElasticModuli>& moduli)
-{
-  Parts parts(mesh.tetras.size());
+  DisjointSets parts(mesh.tetras.size());
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> waiting;
   for (std::uint32_t i = 0; i < mesh.tetras.size(); ++i)
   {
@@ -81,13 +59,13 @@ Parts joinByFaces(const TetraMesh& mesh, const std::vector<ElasticModuli>& modul
 }
 
 /// The one part around each vertex; none for a vertex on the border or between parts.
-std::vector<std::uint32_t> partsInside(const TetraMesh& mesh, Parts& parts, std::uint32_t none)
+std::vector<std::uint32_t> partsInside(const TetraMesh& mesh, DisjointSets& parts, std::uint32_t none)
 {
   constexpr std::uint32_t unmet = ~0u;
   std::vector<std::uint32_t> inside(mesh.vertices_W.size(), unmet);
   for (std::uint32_t i = 0; i < mesh.tetras.size(); ++i)
   {
-    const std::uint32_t part = parts.partOf(i);
+    const std::uint32_t part = parts.of(i);
     for (const std::uint32_t v : mesh.tetras[i])
     {
       inside[v] = inside[v] == unmet || inside[v] == part ? part : none;
@@ -126,14 +104,14 @@ std::size_t nodesHalved(const TetraMesh& mesh)
 bool hasThinLayers(const TetraMesh& mesh, const std::vector<ElasticModuli>& moduli)
 {
   constexpr std::uint32_t none = ~0u - 1;
-  Parts parts = joinByFaces(mesh, moduli);
+  DisjointSets parts = joinByFaces(mesh, moduli);
   const std::vector<std::uint32_t> inside = partsInside(mesh, parts, none);
   const auto count = static_cast<std::uint32_t>(mesh.tetras.size());
   std::vector<std::size_t> sizes(count, 0);
   std::vector<bool> isThick(count, false);
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    const std::uint32_t part = parts.partOf(i);
+    const std::uint32_t part = parts.of(i);
     ++sizes[part];
     isThick[part] =
       isThick[part] || std::ranges::all_of(mesh.tetras[i], [&](std::uint32_t v) { return inside[v] == part; });
@@ -169,7 +147,7 @@ ElementKind usualElement(const TetraMesh& mesh, const std::vector<double>& young
 
 std::vector<std::uint32_t> materialsOf(const TetraMesh& mesh, const std::vector<ElasticModuli>& moduli)
 {
-  Parts parts = joinByFaces(mesh, moduli);
+  DisjointSets parts = joinByFaces(mesh, moduli);
   const auto count = static_cast<std::uint32_t>(mesh.tetras.size());
   constexpr std::uint32_t none = ~0u;
   constexpr std::uint32_t several = none - 1;
@@ -178,7 +156,7 @@ std::vector<std::uint32_t> materialsOf(const TetraMesh& mesh, const std::vector<
   {
     for (const std::uint32_t v : mesh.tetras[i])
     {
-      const std::uint32_t part = parts.partOf(i);
+      const std::uint32_t part = parts.of(i);
       around[v] = around[v] == none || around[v] == part ? part : several;
     }
   }
@@ -193,7 +171,7 @@ std::vector<std::uint32_t> materialsOf(const TetraMesh& mesh, const std::vector<
   std::vector<std::uint32_t> materials;
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    const std::uint32_t part = parts.partOf(i);
+    const std::uint32_t part = parts.of(i);
     materials.push_back(isMaterial[part] ? 1 + part : gradedMaterial);
   }
   return materials;

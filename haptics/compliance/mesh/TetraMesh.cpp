@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <sstream>
+
+#include "haptics/core/DisjointSets.h"
 
 namespace palpate
 {
@@ -136,30 +137,16 @@ std::string refuseFolds(const TetraMesh& mesh)
 /// Names each part by its first tetrahedron: two hang together where they share a face.
 std::vector<std::uint32_t> partsOf(const TetraMesh& mesh)
 {
-  std::vector<std::uint32_t> part(mesh.tetras.size());
-  std::iota(part.begin(), part.end(), 0u);
-  const auto root = [&part](std::uint32_t i)
-  {
-    while (part[i] != i)
-    {
-      i = part[i] = part[part[i]];
-    }
-    return i;
-  };
+  DisjointSets parts(mesh.tetras.size());
   const std::vector<OwnedFace> faces = facesOf(mesh);
   for (std::size_t i = 1; i < faces.size(); ++i)
   {
     if (faces[i].corners == faces[i - 1].corners)
     {
-      const auto [low, high] = std::minmax({ root(faces[i].tetra), root(faces[i - 1].tetra) });
-      part[high] = low;
+      parts.join(faces[i].tetra, faces[i - 1].tetra);
     }
   }
-  for (std::uint32_t i = 0; i < part.size(); ++i)
-  {
-    part[i] = root(i);
-  }
-  return part;
+  return parts.all();
 }
 
 /// What fixed vertices leave free: nothing where three are not in line.

@@ -2,14 +2,13 @@
 #include "haptics/geometry/measure/SurfaceFaults.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 
+#include "haptics/core/DisjointSets.h"
 #include "haptics/geometry/measure/RayWalk.h"
+#include "haptics/geometry/measure/SurfaceTurns.h"
 #include "haptics/geometry/measure/WallThickness.h"
 
 namespace palpate
@@ -17,106 +16,10 @@ namespace palpate
 namespace
 {
 
-/// An edge of a triangle, with its ends in ascending order.
-struct Side
-{
-  std::uint32_t low, high;
-  std::uint32_t triangle;
-  bool rising; ///< the triangle runs from the low end to the high one
-
-  [[nodiscard]] bool sameEdge(const Side& other) const { return this->low == other.low && this->high == other.high; }
-};
-
-/// For each vertex the first of those at its place.
-std::vector<std::uint32_t> weld(const std::vector<Vec3>& vertices_W)
-{
-  std::vector<std::uint32_t> order(vertices_W.size()), first(vertices_W.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto place = [&](std::uint32_t v)
-  { return std::tuple(vertices_W[v].x(), vertices_W[v].y(), vertices_W[v].z()); };
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return place(a) < place(b); });
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const bool again = i > 0 && place(order[i]) == place(order[i - 1]);
-    first[order[i]] = again ? first[order[i - 1]] : order[i];
-  }
-  return first;
-}
-
-bool isUsable(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t)
-{
-  return std::all_of(
-    t.begin(), t.end(), [&](std::uint32_t v) { return v < mesh.vertices_W.size() && mesh.vertices_W[v].allFinite(); });
-}
-
-/// Sides of all triangles, those of one edge next to each other.
-std::vector<Side> sidesOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& welded)
-{
-  std::vector<Side> sides;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    if (!isUsable(mesh, mesh.triangles[t]))
-    {
-      continue;
-    }
-    const std::array<std::uint32_t, 3> v = { welded[mesh.triangles[t][0]], welded[mesh.triangles[t][1]],
-      welded[mesh.triangles[t][2]] };
-    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
-    {
-      continue;
-    }
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const std::uint32_t from = v[k], to = v[(k + 1) % 3];
-      sides.push_back({ std::min(from, to), std::max(from, to), t, from < to });
-    }
-  }
-  std::sort(sides.begin(), sides.end(),
-    [](const Side& a, const Side& b)
-    { return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle); });
-  return sides;
-}
-
-/// Calls visit(first, last) for the sides of each edge.
-template<class Visit>
-void forEachEdge(const std::vector<Side>& sides, Visit visit)
-{
-  for (std::size_t i = 0; i < sides.size();)
-  {
-    std::size_t end = i + 1;
-    while (end < sides.size() && sides[end].sameEdge(sides[i]))
-    {
-      ++end;
-    }
-    visit(sides.begin() + static_cast<std::ptrdiff_t>(i), sides.begin() + static_cast<std::ptrdiff_t>(end));
-    i = end;
-  }
-}
-
-/// Which things hang together.
-class Groups
-{
-public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(this->parent_.begin(), this->parent_.end(), 0u); }
-
-  std::uint32_t of(std::uint32_t i)
-  {
-    while (this->parent_[i] != i)
-    {
-      i = this->parent_[i] = this->parent_[this->parent_[i]];
-    }
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { this->parent_[this->of(a)] = this->of(b); }
-
-private:
-  std::vector<std::uint32_t> parent_;
-};
-
 std::vector<SurfaceHole> holesOf(const TriangleMesh& mesh, const std::vector<Side>& sides)
 {
   std::vector<Side> rim;
-  Groups groups(mesh.vertices_W.size());
+  DisjointSets groups(mesh.vertices_W.size());
   forEachEdge(sides,
     [&](auto first, auto last)
     {
@@ -146,77 +49,6 @@ std::vector<SurfaceHole> holesOf(const TriangleMesh& mesh, const std::vector<Sid
   }
   std::sort(holes.begin(), holes.end(), [](const auto& a, const auto& b) { return a.length_u > b.length_u; });
   return holes;
-}
-
-/// Which way triangles are turned: those of a part, which hang together by edges of two, and whether each is turned as
-/// the first of them.
-class Turns
-{
-public:
-  Turns(const TriangleMesh& mesh, const std::vector<Side>& sides) : part(mesh.triangles.size(), none)
-  {
-    std::vector<std::vector<std::pair<std::uint32_t, bool>>> beside(mesh.triangles.size());
-    this->asFirst.resize(mesh.triangles.size());
-    forEachEdge(sides,
-      [&](auto first, auto last)
-      {
-        if (last - first == 2)
-        {
-          const bool agree = first->rising != (first + 1)->rising;
-          beside[first->triangle].emplace_back((first + 1)->triangle, agree);
-          beside[(first + 1)->triangle].emplace_back(first->triangle, agree);
-        }
-      });
-    for (const Side& side : sides)
-    {
-      if (this->part[side.triangle] == none)
-      {
-        this->spread(side.triangle, beside);
-      }
-    }
-  }
-
-  static constexpr std::uint32_t none = ~0u;
-  std::vector<std::uint32_t> part; ///< of each triangle; none: it is passed over
-  std::vector<bool> asFirst;
-  std::vector<std::vector<std::uint32_t>> members; ///< of each part
-
-private:
-  void spread(std::uint32_t from, const std::vector<std::vector<std::pair<std::uint32_t, bool>>>& beside)
-  {
-    const auto number = static_cast<std::uint32_t>(this->members.size());
-    std::vector<std::uint32_t>& found = this->members.emplace_back();
-    this->part[from] = number;
-    this->asFirst[from] = true;
-    found.push_back(from);
-    for (std::size_t i = 0; i < found.size(); ++i)
-    {
-      for (const auto& [next, agree] : beside[found[i]])
-      {
-        if (this->part[next] == none)
-        {
-          this->part[next] = number;
-          this->asFirst[next] = this->asFirst[found[i]] == agree;
-          found.push_back(next);
-        }
-      }
-    }
-  }
-};
-
-/// The volume of a part when all of it is turned as its first triangle, six times; 0 for one with a rim.
-double sixVolumesOf(const TriangleMesh& mesh, const Turns& turns, std::uint32_t part)
-{
-  const Vec3 origin_W = mesh.vertices_W[mesh.triangles[turns.members[part].front()][0]];
-  double sum = 0.0;
-  for (const std::uint32_t t : turns.members[part])
-  {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const double volume =
-      (mesh.vertices_W[a] - origin_W).cross(mesh.vertices_W[b] - origin_W).dot(mesh.vertices_W[c] - origin_W);
-    sum += turns.asFirst[t] ? volume : -volume;
-  }
-  return sum;
 }
 
 /// All but one part, to see what encloses that.
@@ -290,7 +122,7 @@ std::vector<bool> rightTurns(const TriangleMesh& mesh, const Turns& turns, const
 std::vector<FlippedPart> flippedOf(
   const TriangleMesh& mesh, const std::vector<Side>& sides, const std::vector<bool>& right)
 {
-  Groups groups(mesh.triangles.size());
+  DisjointSets groups(mesh.triangles.size());
   forEachEdge(sides,
     [&](auto first, auto last)
     {
@@ -351,7 +183,7 @@ std::vector<ThinPlace> thinOf(
 
 SurfaceFaults findFaults(const TriangleMesh& mesh, double thin_u)
 {
-  const std::vector<Side> sides = sidesOf(mesh, weld(mesh.vertices_W));
+  const std::vector<Side> sides = sidesOf(mesh);
   const Turns turns(mesh, sides);
   const std::vector<bool> right = rightTurns(mesh, turns, sides);
   SurfaceFaults faults;

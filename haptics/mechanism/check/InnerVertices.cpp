@@ -4,94 +4,26 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
+
+#include "haptics/geometry/measure/SurfaceTurns.h"
 
 namespace palpate
 {
 namespace
 {
 
-/// A side of a triangle.
-struct Side
-{
-  std::uint32_t low = 0, high = 0; ///< vertices
-  std::uint32_t triangle = 0;
-  bool rises = false; ///< from low to high
-};
-
-std::vector<Side> sidesOf(const TriangleMesh& mesh)
-{
-  std::vector<Side> sides;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      const std::uint32_t from = mesh.triangles[t][c], to = mesh.triangles[t][(c + 1) % 3];
-      sides.push_back({ std::min(from, to), std::max(from, to), t, from < to });
-    }
-  }
-  std::ranges::sort(sides, {}, [](const Side& s) { return std::tuple(s.low, s.high, s.triangle); });
-  return sides;
-}
-
-/// Triangles that share an edge, and whether their corners run around the surface alike.
-struct Neighbour
-{
-  std::uint32_t triangle = 0;
-  bool alike = false;
-};
-
-std::vector<std::vector<Neighbour>> neighboursOf(const TriangleMesh& mesh)
-{
-  std::vector<std::vector<Neighbour>> neighbours(mesh.triangles.size());
-  const std::vector<Side> sides = sidesOf(mesh);
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
-  {
-    const Side &one = sides[i], &other = sides[i + 1];
-    if (one.low == other.low && one.high == other.high)
-    {
-      const bool alike = one.rises != other.rises;
-      neighbours[one.triangle].push_back({ other.triangle, alike });
-      neighbours[other.triangle].push_back({ one.triangle, alike });
-    }
-  }
-  return neighbours;
-}
-
 /// For each triangle of a closed surface 1 where its normal points to the outer side, else -1. Clean meshes have their
 /// corners in order of their numbers, so normals follow from the neighbours', and the sign from the volume enclosed.
 std::vector<double> outwardSigns(const TriangleMesh& mesh)
 {
-  const std::vector<std::vector<Neighbour>> neighbours = neighboursOf(mesh);
-  std::vector<double> signs(mesh.triangles.size(), 0.0);
-  for (std::uint32_t seed = 0; seed < signs.size(); ++seed)
+  const Turns turns(mesh, sidesOf(mesh));
+  std::vector<double> signs(mesh.triangles.size(), 1.0);
+  for (std::uint32_t part = 0; part < turns.members.size(); ++part)
   {
-    if (signs[seed] != 0.0)
+    const bool firstOutward = sixVolumesOf(mesh, turns, part) >= 0.0;
+    for (const std::uint32_t t : turns.members[part])
     {
-      continue;
-    }
-    signs[seed] = 1.0;
-    std::vector<std::uint32_t> piece{ seed };
-    double sixVolumes = 0.0;
-    for (std::size_t i = 0; i < piece.size(); ++i)
-    {
-      const auto& [a, b, c] = mesh.triangles[piece[i]];
-      const Vec3& origin_W = mesh.vertices_W[mesh.triangles[seed][0]];
-      const Vec3 p = mesh.vertices_W[a] - origin_W, q = mesh.vertices_W[b] - origin_W,
-                 r = mesh.vertices_W[c] - origin_W;
-      sixVolumes += signs[piece[i]] * p.cross(q).dot(r);
-      for (const Neighbour& next : neighbours[piece[i]])
-      {
-        if (signs[next.triangle] == 0.0)
-        {
-          signs[next.triangle] = next.alike ? signs[piece[i]] : -signs[piece[i]];
-          piece.push_back(next.triangle);
-        }
-      }
-    }
-    for (const std::uint32_t t : piece)
-    {
-      signs[t] *= sixVolumes < 0.0 ? -1.0 : 1.0;
+      signs[t] = turns.asFirst[t] == firstOutward ? 1.0 : -1.0;
     }
   }
   return signs;

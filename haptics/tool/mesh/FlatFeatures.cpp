@@ -3,39 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+
+#include "haptics/geometry/measure/SurfaceTurns.h"
 
 namespace palpate
 {
 namespace
 {
-
-/// An edge as one of its triangles has it.
-struct Side
-{
-  std::uint32_t low, high, triangle;
-  int k;
-
-  [[nodiscard]] bool sameEdge(const Side& other) const { return this->low == other.low && this->high == other.high; }
-};
-
-std::vector<Side> sidesOf(const TriangleMesh& mesh)
-{
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto [low, high] = std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
-      sides.push_back({ low, high, t, k });
-    }
-  }
-  std::sort(sides.begin(), sides.end(),
-    [](const Side& a, const Side& b)
-    { return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle); });
-  return sides;
-}
 
 class Flatness
 {
@@ -43,22 +17,20 @@ public:
   Flatness(const TriangleMesh& mesh, double flat_u)
     : mesh_(mesh), flat_u_(flat_u), flags_(mesh.triangles.size()), ends_(mesh.vertices_W.size())
   {
-    const std::vector<Side> sides = sidesOf(mesh);
-    for (auto first = sides.begin(); first != sides.end();)
-    {
-      const auto last = std::find_if(first, sides.end(), [&](const Side& other) { return !other.sameEdge(*first); });
-      if (last - first == 2 && this->isFlat(first[0], first[1]))
+    forEachEdge(sidesOf(mesh),
+      [this](auto first, auto last)
       {
-        this->flags_[first[0].triangle].bits |= 1 << first[0].k;
-        this->flags_[first[1].triangle].bits |= 1 << first[1].k;
-      }
-      else
-      {
-        this->noteEnd(first->low, first->high);
-        this->noteEnd(first->high, first->low);
-      }
-      first = last;
-    }
+        if (last - first == 2 && this->isFlat(first[0], first[1]))
+        {
+          this->flags_[first[0].triangle].bits |= 1 << first[0].k;
+          this->flags_[first[1].triangle].bits |= 1 << first[1].k;
+        }
+        else
+        {
+          this->noteEnd(first->low, first->high);
+          this->noteEnd(first->high, first->low);
+        }
+      });
     this->flagCorners();
   }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "haptics/core/DisjointSets.h"
 #include "haptics/tool/mesh/MassMetric.h"
 
 namespace palpate
@@ -44,29 +45,13 @@ Eigen::AlignedBox3d boundsOf(const TriangleMesh& mesh)
 /// For each vertex the first one of its part.
 std::vector<std::uint32_t> partsOf(const TriangleMesh& mesh)
 {
-  std::vector<std::uint32_t> part(mesh.vertices_W.size());
-  std::iota(part.begin(), part.end(), 0u);
-  const auto root = [&](std::uint32_t v)
-  {
-    while (part[v] != v)
-    {
-      v = part[v] = part[part[v]];
-    }
-    return v;
-  };
+  DisjointSets parts(mesh.vertices_W.size());
   for (const auto& t : mesh.triangles)
   {
-    for (int k = 1; k < 3; ++k)
-    {
-      const std::uint32_t a = root(t[0]), b = root(t[k]);
-      part[std::max(a, b)] = std::min(a, b);
-    }
+    parts.join(t[0], t[1]);
+    parts.join(t[0], t[2]);
   }
-  for (std::uint32_t v = 0; v < part.size(); ++v)
-  {
-    part[v] = root(v);
-  }
-  return part;
+  return parts.all();
 }
 
 /// The diagonals of all parts together.

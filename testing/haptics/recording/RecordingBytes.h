@@ -74,8 +74,8 @@ inline std::vector<char> putTogether(const RawRecording& recording)
   {
     std::string name = chunk.name;
     name.resize(8, '\0');
-    bytes += name + raw(chunk.version) + raw(static_cast<std::uint64_t>(chunk.payload.size())) +
-             raw(++number) + std::string(checkedHead - uncheckedHead, '\0') + chunk.payload;
+    bytes += name + raw(chunk.version) + raw(static_cast<std::uint64_t>(chunk.payload.size())) + raw(++number) +
+             std::string(checkedHead - uncheckedHead, '\0') + chunk.payload;
   }
   std::vector<char> checked(bytes.begin(), bytes.end());
   repairChecks(checked, plainCrc32c);

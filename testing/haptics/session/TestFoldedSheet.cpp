@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A thin sheet that is bent back on itself, pressed by a ball or a point on its upper leaf.
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <iostream>
 #include <memory>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "SoftBlock.h"
 #include "haptics/session/path/PathTouch.h"
+#include "testing/oracles/finite/NeoHookeanSolid.h"
 
 namespace palpate::test
 {
@@ -106,6 +111,102 @@ TEST(FoldedSheet, InEveryTickBelowItsSurfaceTheBallIsPushedOutward)
         // 4 mm do not press the leaves together: none of the ticks after the first millimetres is left out.
         EXPECT_GT(ticksPushedOutward(model, young_Pa, radius_u, 0.004), 370);
         EXPECT_GT(ticksPushedOutward(model, young_Pa, radius_u, 0.016), 30);
+      }
+    }
+  }
+}
+
+/// A hairpin in equilibrium under a force into a vertex in the middle of its upper leaf, by an oracle: where the patch
+/// of that vertex has gone. The sheet is made of linear tetrahedra, as the oracle has them. The patch's nodes and
+/// weights are the product's own, and tested elsewhere (CompliancePacket).
+class PressedSheet
+{
+public:
+  explicit PressedSheet(double young_Pa) : input_(hairpin(ElasticModel::NeoHookean, young_Pa))
+  {
+    this->input_.element = ElementKind::Linear;
+    SoftBodyResult made = makeSoftBody(this->input_);
+    EXPECT_EQ(made.refusal, "");
+    this->surface_ = makeSoftSurface(*made.body, made.checked.mesh);
+    std::vector<std::array<int, 4>> tetrahedra;
+    for (const Tetra& t : made.checked.mesh.tetras)
+    {
+      tetrahedra.push_back(
+        { static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2]), static_cast<int>(t[3]) });
+    }
+    this->solid_ = std::make_unique<oracle::NeoHookeanSolid>(
+      made.checked.mesh.vertices_W, tetrahedra, young_Pa, this->input_.poisson);
+    const std::vector<bool> fixed = made.checked.fixed;
+    this->solid_->fix([&fixed](int node) { return fixed[static_cast<std::size_t>(node)]; });
+    this->nodes_ = made.checked.mesh.vertices_W.size();
+    const Vec3 place(0.5 * leafOfSheet_m, 0.5 * widthOfSheet_m, topOfSheet_m);
+    for (std::size_t v = 0; v < this->surface_.rest_W.size(); ++v)
+    {
+      const auto off = [&](std::size_t i) { return (this->surface_.rest_W[i] - place).norm(); };
+      this->vertex_ = off(v) < off(this->vertex_) ? v : this->vertex_;
+    }
+  }
+
+  [[nodiscard]] const SoftBodyInput& input() const { return this->input_; }
+  [[nodiscard]] const Vec3& vertex_W() const { return this->surface_.rest_W[this->vertex_]; }
+
+  [[nodiscard]] Vec3 goneUnder(double force_N) const
+  {
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(this->nodes_));
+    this->surface_.map.addForce(this->vertex_, Vec3(0.0, 0.0, -force_N), load);
+    return this->surface_.map.displacementOf(this->vertex_, this->solid_->displacementUnder(load, 8));
+  }
+
+private:
+  SoftBodyInput input_;
+  SoftSurface surface_;
+  std::unique_ptr<oracle::NeoHookeanSolid> solid_;
+  std::size_t nodes_ = 0;
+  std::size_t vertex_ = 0;
+};
+
+/// The force on a point that comes straight down to a place and stays there for three seconds.
+Vec3 forceHeldAt(const SoftBodyInput& input, const Vec3& hand_W, double rate_Hz)
+{
+  constexpr double tick_s = 0.005, held_s = 3.0, above_m = 0.02;
+  HapticParameters parameters;
+  parameters.stiffness_N_per_m = sheetSpring_N_per_m;
+  parameters.contact.radius_u = 0.0;
+  PathTouch touch(nullptr, parameters, tick_s);
+  std::string refusal;
+  auto maker = BodyMaker::make(input, "sheet", 0, refusal);
+  EXPECT_EQ(refusal, "");
+  touch.press(std::move(maker), rate_Hz);
+  Vec3 force_N = Vec3::Zero();
+  const int ticks = rate_Hz > 0.0 ? static_cast<int>(held_s / tick_s) : 12;
+  const int down = rate_Hz > 0.0 ? 100 : 6;
+  for (int i = 0; i < ticks; ++i)
+  {
+    const Vec3 hand = hand_W + std::max(0.0, 1.0 - static_cast<double>(i) / down) * above_m * Vec3::UnitZ();
+    force_N = touch.next(tick_s * i, { hand, Quat::Identity() }).force_W;
+  }
+  return force_N;
+}
+
+TEST(FoldedSheet, HeldAtRestItPushesWithTheForceOfItsEquilibriumAtFiniteStrain)
+{
+  for (const double young_Pa : { 50e3, 500e3 })
+  {
+    const PressedSheet sheet(young_Pa);
+    const double unit_N = young_Pa / 50e3;
+    for (const double force_N : { 0.001 * unit_N, 0.003 * unit_N })
+    {
+      // The flat leaf pushes along its undeformed normal. The hand is where the spring asks for that force at the
+      // vertex that the sheet has let go down so far.
+      const Vec3 gone_u = sheet.goneUnder(force_N);
+      const Vec3 hand = sheet.vertex_W() + gone_u - force_N / sheetSpring_N_per_m * Vec3::UnitZ();
+      for (const double rate_Hz : { 0.0, 30.0 })
+      {
+        const Vec3 felt_N = forceHeldAt(sheet.input(), hand, rate_Hz);
+        std::cout << young_Pa << " " << force_N << " gone " << gone_u.transpose() << " rate " << rate_Hz << ": "
+                  << felt_N.transpose() << std::endl;
+        EXPECT_LE((felt_N - force_N * Vec3::UnitZ()).norm(), 1e-3 * force_N)
+          << young_Pa << " Pa, " << rate_Hz << " Hz, " << 1e3 * gone_u.norm() << " mm";
       }
     }
   }
