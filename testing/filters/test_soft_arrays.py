@@ -20,10 +20,10 @@ STRAIN = 0.1
 RADIUS = 10.0  # mm
 
 
-def tetrahedra():
+def tetrahedra(cells=CELLS, cell=CELL):
     image = vtkImageData()
-    image.SetDimensions(*[n + 1 for n in CELLS])
-    image.SetSpacing(CELL, CELL, CELL)
+    image.SetDimensions(*[n + 1 for n in cells])
+    image.SetSpacing(cell, cell, cell)
     cut = vtkDataSetTriangleFilter()
     cut.SetInputData(image)
     cut.Update()
@@ -47,6 +47,19 @@ def pull(block, stress):
     block.GetPointData().AddArray(array)
 
 
+def bend(bar, length, force):
+    """A point array: a force along z across the end of the bar, an even traction, a third of each triangle's on each corner [N]."""
+    array = vtkDoubleArray()
+    array.SetName("bend")
+    array.SetNumberOfComponents(3)
+    ends = [[i for i in map(bar.GetCell(c).GetPointIds().GetId, range(4)) if bar.GetPoint(i)[0] == length]
+            for c in range(bar.GetNumberOfCells())]
+    corners = [i for end in ends if len(end) == 3 for i in end]  # of triangles of one size
+    for v in range(bar.GetNumberOfPoints()):
+        array.InsertNextTuple3(0, 0, force * corners.count(v) / len(corners))
+    bar.GetPointData().AddArray(array)
+
+
 def moduli(block, upper):
     array = vtkDoubleArray()
     array.SetName("E")
@@ -61,6 +74,8 @@ def tuples(array):
 
 
 class Arrays(unittest.TestCase):
+    fixed = "zmin"
+
     def setUp(self):
         vtkOutputWindow.SetInstance(vtkStringOutputWindow())
 
@@ -68,7 +83,7 @@ class Arrays(unittest.TestCase):
         self.filter = vtkHapticSoftBody()
         self.filter.SetInputData(block)
         self.filter.SetUnit(UNIT)
-        self.filter.SetFixed("zmin")
+        self.filter.SetFixed(self.fixed)
         for name, value in settings.items():
             getattr(self.filter, "Set" + name)(value)
         self.filter.Update()
@@ -144,6 +159,24 @@ class Arrays(unittest.TestCase):
             self.assertLess(math.dist(stress, (0, 0, STRAIN * YOUNG, 0, 0, 0)), 1e-11 * YOUNG)
             small = STRAIN * YOUNG / young.GetTuple1(i)
             self.assertAlmostEqual(shown.GetCellData().GetArray("Strain").GetTuple(i)[2], small + small**2 / 2, delta=1e-12)
+
+    def test_a_cantilever_as_tetrahedralize_cuts_it_has_the_stress_of_a_beam(self):
+        side, length, force = 20.0, 100.0, 1e-3  # mm, mm, N; four cells across
+        moment = side**4 / 12 * UNIT**4
+        for poisson in (0.3, 0.4, 0.45, 0.49):
+            bar = tetrahedra((20, 4, 4), side / 4)
+            bend(bar, length, force)
+            self.fixed = "xmin"
+            rest = self.body(bar, Young=YOUNG, Poisson=poisson, Model=vtkHapticSoftBody.Linear, LoadArray="bend")
+            shown = self.bent(rest)
+            off = along = 0.0
+            for i, stress in enumerate(tuples(shown.GetCellData().GetArray("Stress"))):
+                points = rest.GetCell(i).GetPoints()
+                x, _, z = (sum(points.GetPoint(k)[axis] for k in range(4)) / 4 for axis in range(3))
+                if side < x < length - side:  # Saint-Venant's away from the ends
+                    exact = force * (length - x) * (side / 2 - z) * UNIT**2 / moment
+                    off, along = off + (stress[0] - exact)**2, along + exact**2
+            self.assertLess(math.sqrt(off / along), 0.02, poisson)
 
     def test_where_a_ball_presses_what_is_drawn_further_than_the_node_went_is_on_the_ball(self):
         rest = self.body(tetrahedra())

@@ -284,7 +284,7 @@ vtkHapticSoftBodyResult vtkHapticToSoftBody(vtkDataObject* data)
   {
     input->load_N.emplace_back(load->GetTuple3(i));
   }
-  input->element = palpate::usualElement(input->mesh, input->young_Pa, input->poisson);
+  input->element = palpate::usualElement(input->mesh, input->young_Pa, input->poisson, input->model);
   return { input, "" };
 }
 

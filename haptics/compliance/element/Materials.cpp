@@ -19,7 +19,8 @@ constexpr double sameWithin = 0.02;
 
 /// Beyond this Poisson's ratio few tetrahedra with smoothed edges are too stiff.
 constexpr double mostOfSmoothed = 0.4;
-/// A body is made of nodes halfway for thin layers' sake up to so many nodes: some 500 MB of its factor.
+/// The most nodes, those halfway the edges included, with which a body comes 60 times a second where its stiffness is
+/// factored once; the factor takes some 150 MB.
 constexpr std::size_t mostNodes = 10'000;
 /// So many tetrahedra meet at a vertex of a regular mesh (six a cube). A smaller set surrounds no vertex anyway.
 constexpr std::size_t aroundVertex = 24;
@@ -126,7 +127,8 @@ bool hasThinLayers(const TetraMesh& mesh, const std::vector<ElasticModuli>& modu
   return false;
 }
 
-ElementKind usualElement(const TetraMesh& mesh, const std::vector<double>& young_Pa, double poisson)
+ElementKind usualElement(
+  const TetraMesh& mesh, const std::vector<double>& young_Pa, double poisson, ElasticModel model)
 {
   if (poisson > mostOfSmoothed)
   {
@@ -134,15 +136,22 @@ ElementKind usualElement(const TetraMesh& mesh, const std::vector<double>& young
   }
   const auto isThere = [&mesh](const Tetra& t)
   { return std::ranges::all_of(t, [&mesh](std::uint32_t v) { return v < mesh.vertices_W.size(); }); };
-  if (young_Pa.size() != mesh.tetras.size() || !std::ranges::all_of(mesh.tetras, isThere))
+  if (!std::ranges::all_of(mesh.tetras, isThere) || nodesHalved(mesh) > mostNodes)
   {
-    return ElementKind::EdgeSmoothed; // of one modulus, or refused by checkTetras()
+    return ElementKind::EdgeSmoothed; // the first are refused by checkTetras()
+  }
+  if (model == ElasticModel::Linear)
+  {
+    return ElementKind::Quadratic;
+  }
+  if (young_Pa.size() != mesh.tetras.size())
+  {
+    return ElementKind::EdgeSmoothed; // of one modulus
   }
   std::vector<ElasticModuli> moduli;
   std::ranges::transform(
     young_Pa, std::back_inserter(moduli), [poisson](double young) { return moduliOf(young, poisson, 1.0).value; });
-  const bool halved = hasThinLayers(mesh, moduli) && nodesHalved(mesh) <= mostNodes;
-  return halved ? ElementKind::Quadratic : ElementKind::EdgeSmoothed;
+  return hasThinLayers(mesh, moduli) ? ElementKind::Quadratic : ElementKind::EdgeSmoothed;
 }
 
 std::vector<std::uint32_t> materialsOf(const TetraMesh& mesh, const std::vector<ElasticModuli>& moduli)

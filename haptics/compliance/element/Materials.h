@@ -24,8 +24,10 @@ inline constexpr std::uint32_t gradedMaterial = 0;
 /// inside the set. Strain that is smoothed over edges bends such layers up to 22 % too stiffly.
 [[nodiscard]] bool hasThinLayers(const TetraMesh& mesh, const std::vector<ElasticModuli>& moduli);
 
-/// The kind of element that is true to a percent or two for such a body: smoothed edges, but nodes halfway the edges
-/// for what nearly keeps its volume, and where layers are thin and the body has few enough edges for that.
-[[nodiscard]] ElementKind usualElement(const TetraMesh& mesh, const std::vector<double>& young_Pa, double poisson);
+/// The kind of element for a body. Nodes halfway the edges are truer, and are taken beyond a Poisson's ratio of .4. Up
+/// to 10,000 nodes they are taken too where the stiffness is factored once (the linear model), and where layers are
+/// thin; other bodies would come too seldom, and have smoothed edges.
+[[nodiscard]] ElementKind usualElement(
+  const TetraMesh& mesh, const std::vector<double>& young_Pa, double poisson, ElasticModel model);
 
 } // namespace palpate
