@@ -46,7 +46,7 @@ RecordedHand recordedHand(const Recording& recording)
   return hand;
 }
 
-std::string otherSceneSentence(const RecordedHand& hand, std::uint64_t shown)
+std::string otherSceneText(const RecordedHand& hand, std::uint64_t shown)
 {
   const bool same = std::find(hand.touched.begin(), hand.touched.end(), shown) != hand.touched.end();
   if (hand.touched.empty() || same)

@@ -28,6 +28,6 @@ struct RecordedHand
 
 /// The message while a recording is played on other surfaces than the recorded ones; "" while that is not
 /// known, or they are the same. `shown`: the geometry hash of the present scene, 0 without one.
-[[nodiscard]] std::string otherSceneSentence(const RecordedHand& hand, std::uint64_t shown);
+[[nodiscard]] std::string otherSceneText(const RecordedHand& hand, std::uint64_t shown);
 
 } // namespace palpate

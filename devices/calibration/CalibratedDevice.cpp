@@ -133,7 +133,7 @@ void CalibratedDevice::write(const DeviceCommand& command) noexcept
   // The device measures its own walls along its own axes.
   for (std::size_t i = 0; i < std::min<std::size_t>(raw.wallCount, raw.walls.size()); ++i)
   {
-    const HeldWall& wall = command.walls[i];
+    const DeviceWall& wall = command.walls[i];
     raw.walls[i].normal_D = this->sensors_.transpose() * wall.normal_D;
     raw.walls[i].offset_m = wall.offset_m + wall.normal_D.dot(this->middle_D_);
   }

@@ -22,7 +22,7 @@ void switchSprings(const Vec3& p_D, DeviceCommand& command) noexcept
   command.wallCount = 0;
   for (std::size_t i = 0; i < walls; ++i)
   {
-    HeldWall wall = command.walls[i];
+    DeviceWall wall = command.walls[i];
     const double depth_m = wall.offset_m - wall.normal_D.dot(p_D);
     if (depth_m > 0.0)
     {

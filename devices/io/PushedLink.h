@@ -11,9 +11,9 @@
 #include "devices/common/LinkNotes.h"
 #include "devices/common/LinkedDevice.h"
 #include "devices/hid/pid/PidOutput.h"
+#include "devices/io/AttachedDevice.h"
 #include "devices/io/FindAgain.h"
 #include "devices/io/HandExchange.h"
-#include "devices/io/HeldDevice.h"
 #include "devices/io/LinkCounts.h"
 #include "devices/io/WriterWatch.h"
 #include "haptics/core/Clock.h"
@@ -251,7 +251,7 @@ private:
   PidOutputOptions options_;
   const Clock& clock_;
 
-  HeldDevice<Attached> held_;         ///< reader, writer and owner only
+  AttachedDevice<Attached> held_;     ///< reader, writer and owner only
   mutable std::mutex abilitiesMutex_; ///< writer and owner only
   std::optional<DeviceAbilities> abilities_;
 

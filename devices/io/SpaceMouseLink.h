@@ -9,8 +9,8 @@
 #include "devices/common/LinkedDevice.h"
 #include "devices/hid/HidConnection.h"
 #include "devices/hid/SpaceMouseInput.h"
+#include "devices/io/AttachedDevice.h"
 #include "devices/io/FindAgain.h"
-#include "devices/io/HeldDevice.h"
 #include "devices/io/LinkCounts.h"
 #include "devices/io/Presence.h"
 #include "haptics/core/Clock.h"
@@ -63,7 +63,7 @@ private:
   DeviceSearch search_; ///< reader's, and the owner's before
   const Clock& clock_;
 
-  HeldDevice<Attached> held_; ///< reader and owner only
+  AttachedDevice<Attached> held_; ///< reader and owner only
 
   TripleBuffer<News> newsToServo_; ///< reader -> servo
   alignas(64) Presence presence_;  ///< a line of its own: the servo reads it every tick

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "haptics/force/HeldWalls.h"
+#include "haptics/force/DeviceWalls.h"
 
 namespace palpate
 {
@@ -23,7 +23,7 @@ std::array<Slot, AxisWalls::count> slotsOf(const DeviceCommand& command) noexcep
   std::array<Slot, AxisWalls::count> slots;
   for (std::size_t k = 0; k < std::min<std::size_t>(command.wallCount, command.walls.size()); ++k)
   {
-    const HeldWall& wall = command.walls[k];
+    const DeviceWall& wall = command.walls[k];
     for (int i = 0; i < AxisWalls::count; ++i)
     {
       if (wall.normal_D == AxisWalls::direction(i))

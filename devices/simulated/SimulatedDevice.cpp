@@ -167,7 +167,7 @@ DeviceCommand SimulatedDevice::due() noexcept
   return due;
 }
 
-Condition SimulatedDevice::springOf(const HeldWall& wall) const noexcept
+Condition SimulatedDevice::springOf(const DeviceWall& wall) const noexcept
 {
   const double stiffness_N_per_m = std::min(wall.stiffness_N_per_m, this->info_.heldStiffness_N_per_m.value);
   if (this->model_.bareSprings)
@@ -186,7 +186,7 @@ Vec3 SimulatedDevice::motorForce(const DeviceCommand& command) const noexcept
     this->model_.loop_s > 0.0 ? std::min<std::size_t>(command.wallCount, command.walls.size()) : 0;
   for (std::size_t i = 0; i < walls; ++i)
   {
-    const HeldWall& wall = command.walls[i];
+    const DeviceWall& wall = command.walls[i];
     force += conditionForce(this->springOf(wall), wall.normal_D.dot(this->shown_D())) * wall.normal_D;
   }
   if (this->model_.loop_s > 0.0)

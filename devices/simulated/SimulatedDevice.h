@@ -81,7 +81,7 @@ private:
   /// The command that is due after the delay.
   [[nodiscard]] DeviceCommand due() noexcept;
   /// The wall as the spring that the device closes.
-  [[nodiscard]] Condition springOf(const HeldWall& wall) const noexcept;
+  [[nodiscard]] Condition springOf(const DeviceWall& wall) const noexcept;
   /// What the motors give now: the command's force, the walls and the viscosity the device closes itself, cut to the
   /// largest force.
   [[nodiscard]] Vec3 motorForce(const DeviceCommand& command) const noexcept;

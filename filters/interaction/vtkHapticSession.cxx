@@ -52,13 +52,13 @@ void vtkHapticSession::Internals::ShowState()
   this->Warning = this->Core.running() ? palpate::warning(this->State, this->Report) : std::string();
   if (this->Core.running() && this->Warning.empty())
   {
-    this->Warning = palpate::otherDeviceSentence(this->DeviceNameNow(), this->Chosen.name);
+    this->Warning = palpate::otherDeviceText(this->DeviceNameNow(), this->Chosen.name);
     this->Warning = this->Warning.empty() ? this->Cancelled : this->Warning;
     this->Warning = this->Warning.empty() ? this->Around : this->Warning;
     this->Warning =
       this->Warning.empty() ? this->MissingArrays.substr(0, this->MissingArrays.find('\n')) : this->Warning;
     this->Warning = this->Warning.empty() ? this->FieldGone : this->Warning;
-    this->Warning = this->Warning.empty() && this->Recorded.Played ? this->Recorded.PlayedSentence : this->Warning;
+    this->Warning = this->Warning.empty() && this->Recorded.Played ? this->Recorded.PlayedText : this->Warning;
   }
   if (this->Core.running())
   {
@@ -104,10 +104,10 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << setting.unit << "\n";
   }
   os << indent << "StiffnessUsed: " << this->GetStiffnessUsed() << " N/m\n";
-  os << indent << "Stability: " << this->GetStabilitySentence() << "\n";
+  os << indent << "Stability: " << this->GetStabilityText() << "\n";
   os << indent << "RadiusUsed: " << this->GetRadiusUsed() << " u, limit " << this->GetRadiusLimit() << " u\n";
   os << indent << "FrictionKineticUsed: " << this->GetFrictionKineticUsed() << "\n";
-  os << indent << "Plan: " << this->GetPlanSentence() << "\n";
+  os << indent << "Plan: " << this->GetPlanText() << "\n";
   os << indent << "Stroke: " << this->Impl->Stroke_W.size() << " points\n";
   os << indent << "State: " << this->GetStateText() << "\n";
   os << indent << "Problem: " << this->Impl->Problem << "\n";

@@ -5,11 +5,11 @@
 #include "vtkHapticContactState.h"
 #include "vtkHapticGameState.h"
 #include "vtkHapticHeldMechanism.h"
-#include "vtkHapticHeldTool.h"
 #include "vtkHapticPressedBody.h"
 #include "vtkHapticRecordings.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticServerSurfaces.h"
+#include "vtkHapticTool.h"
 
 /// The parts that have a room of their own.
 struct vtkHapticSession::Internals::Parts
@@ -18,7 +18,7 @@ struct vtkHapticSession::Internals::Parts
 
   vtkHapticSceneSurfaces Surfaces;
   vtkHapticServerSurfaces Server;
-  vtkHapticHeldTool Tool;
+  vtkHapticTool Tool;
   vtkHapticPressedBody Soft;
   vtkHapticHeldMechanism Mechanism;
   vtkHapticCheckState Check;
@@ -28,18 +28,9 @@ struct vtkHapticSession::Internals::Parts
 };
 
 vtkHapticSession::Internals::Internals(vtkHapticSession& session)
-  : Session(session),
-    Owned(std::make_unique<Parts>(*this)),
-    Surfaces(Owned->Surfaces),
-    Server(Owned->Server),
-    Tool(Owned->Tool),
-    Soft(Owned->Soft),
-    Mechanism(Owned->Mechanism),
-    Check(Owned->Check),
-    Contact(Owned->Contact),
-    Game(Owned->Game),
-    Recorded(Owned->Recorded),
-    FeltSources{ &Owned->Tool, &Owned->Soft, &Owned->Mechanism }
+  : Session(session), Owned(std::make_unique<Parts>(*this)), Surfaces(Owned->Surfaces), Server(Owned->Server),
+    Tool(Owned->Tool), Soft(Owned->Soft), Mechanism(Owned->Mechanism), Check(Owned->Check), Contact(Owned->Contact),
+    Game(Owned->Game), Recorded(Owned->Recorded), FeltSources{ &Owned->Tool, &Owned->Soft, &Owned->Mechanism }
 {
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // By what a scene is touched, and whether simpler surfaces of it are.
-#include "haptics/session/PlanSentence.h"
-#include "vtkHapticHeldTool.h"
+#include "haptics/session/PlanText.h"
 #include "vtkHapticSessionInternals.h"
+#include "vtkHapticTool.h"
 
 palpate::SimplifyPlan vtkHapticSession::Internals::PlanNow() const
 {
@@ -41,9 +41,8 @@ std::string vtkHapticSession::Internals::FollowSimplify()
   return {};
 }
 
-const char* vtkHapticSession::Internals::SayPlanSentence()
+const char* vtkHapticSession::Internals::SayPlanText()
 {
-  this->PlanSentence =
-    palpate::planSentence(this->Scene.choices(), this->Asked.touch(this->Scene.built())) + this->PlaneSentence();
-  return this->PlanSentence.c_str();
+  this->PlanText = palpate::planText(this->Scene.choices(), this->Asked.touch(this->Scene.built())) + this->PlaneText();
+  return this->PlanText.c_str();
 }

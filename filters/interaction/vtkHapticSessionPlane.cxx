@@ -29,11 +29,11 @@ void vtkHapticSession::Internals::FollowPlane()
   }
 }
 
-std::string vtkHapticSession::Internals::PlaneSentence() const
+std::string vtkHapticSession::Internals::PlaneText() const
 {
   const palpate::DeviceInfo& info = this->InfoNow();
   const double drag_N = palpate::slantDrag_N(this->Asked.asked(), this->FeltStiffness(), PeriodSeconds);
-  return this->Scene.built().plane_WP ? palpate::planeSentence(this->Asked.asked(), this->Asked.plane, info, drag_N,
+  return this->Scene.built().plane_WP ? palpate::planeText(this->Asked.asked(), this->Asked.plane, info, drag_N,
                                           palpate::whyNotHeld(info.heldProof))
                                       : "";
 }

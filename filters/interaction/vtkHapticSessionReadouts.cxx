@@ -7,12 +7,12 @@
 
 #include "vtkHapticContactState.h"
 #include "vtkHapticHeldMechanism.h"
-#include "vtkHapticHeldTool.h"
 #include "vtkHapticPressedBody.h"
 #include "vtkHapticRecordings.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticServerSurfaces.h"
 #include "vtkHapticSessionInternals.h"
+#include "vtkHapticTool.h"
 
 namespace
 {
@@ -34,7 +34,7 @@ double IdOf(const I& s, const char* name)
 
 double ValueOfField(I& s)
 {
-  const std::shared_ptr<const palpate::Brick>& brick = s.Core.brick();
+  const std::shared_ptr<const palpate::FieldBlock>& brick = s.Core.brick();
   const auto value = brick ? brick->scalarFelt(palpate::Vec3(s.Hand)) : std::nullopt;
   return value.value_or(NoNumber);
 }
@@ -96,20 +96,20 @@ const std::map<std::string_view, const char* (*)(I&)> Texts = {
   { "DeviceKind", [](I& s) { return s.SayDeviceKind(); } },
   { "DeviceNotes", [](I& s) { return s.SayDeviceNotes(); } },
   { "FaultText", [](I& s) { return s.SayFaultText(); } },
-  { "FieldSentence", [](I& s) { return s.SayFieldSentence(); } },
+  { "FieldText", [](I& s) { return s.SayFieldText(); } },
   { "FrictionText", [](I& s) { return s.SayFrictionText(); } },
   { "LinkText", [](I& s) { return s.SayLinkText(); } },
   { "MarksNote", [](I& s) { return s.Contact.MarksNote.c_str(); } },
   { "MechanismText", [](I& s) { return s.Mechanism.Text.c_str(); } },
-  { "PlanSentence", [](I& s) { return s.SayPlanSentence(); } },
+  { "PlanText", [](I& s) { return s.SayPlanText(); } },
   { "Problem", [](I& s) { return s.Problem.c_str(); } },
   { "RecordedFile", [](I& s) { return s.Recorded.File.c_str(); } },
   { "RecordingText", [](I& s) { return s.Recorded.Say(); } },
   { "SceneReport", [](I& s) { return s.Scene.built().report.c_str(); } },
   { "SchedulingReport", [](I& s) { return s.Scheduling.c_str(); } },
-  { "ServerSentence", [](I& s) { return s.Server.GetSentence().c_str(); } },
+  { "ServerText", [](I& s) { return s.Server.GetSentence().c_str(); } },
   { "SoftText", [](I& s) { return s.Soft.Text.c_str(); } },
-  { "StabilitySentence", [](I& s) { return s.StabilitySentence.c_str(); } },
+  { "StabilityText", [](I& s) { return s.StabilityText.c_str(); } },
   { "StateText", [](I& s) { return palpate::name(s.State.engage); } },
   { "ToolContacts", [](I& s) { return s.SayToolContacts(); } },
   { "ToolText", [](I& s) { return s.Tool.Text.c_str(); } },

@@ -5,9 +5,9 @@
 #include "haptics/session/plan/FittedMap.h"
 #include "vtkCommand.h"
 #include "vtkHapticHeldMechanism.h"
-#include "vtkHapticHeldTool.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSessionInternals.h"
+#include "vtkHapticTool.h"
 
 void vtkHapticSession::ClearSurfaces()
 {

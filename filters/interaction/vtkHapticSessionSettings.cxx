@@ -42,7 +42,7 @@ const std::map<std::string_view, vtkHapticSession::Internals::Follower>& vtkHapt
     { "LineRadius", &I::FollowRadii },
     { "LinesAsWalls", &I::FollowLinesAsWalls },
     { "MarksText", &I::FollowMarksText },
-    { "MechanismLaws", &I::FollowMechanismLaws },
+    { "MechanismConstraints", &I::FollowMechanismConstraints },
     { "PlaneGuide", &I::FollowPlaneWishes },
     { "PointRadius", &I::FollowRadii },
     { "Recording", &I::FollowRecordingWish },

@@ -2,10 +2,10 @@
 // How each source is touched by itself, and clouds of points.
 #include "vtkCommand.h"
 #include "vtkHapticHeldMechanism.h"
-#include "vtkHapticHeldTool.h"
 #include "vtkHapticPressedBody.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSessionInternals.h"
+#include "vtkHapticTool.h"
 
 namespace
 {

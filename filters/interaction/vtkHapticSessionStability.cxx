@@ -9,13 +9,13 @@ void vtkHapticSession::Internals::JudgeStability()
   if (this->Core.running())
   {
     this->Limits = this->Core.limits();
-    this->StabilitySentence = this->Core.limitsSentence();
+    this->StabilityText = this->Core.limitsText();
     return;
   }
-  const palpate::JudgedLoop judged =
-    palpate::judgeLoop(this->Asked.asked(), this->Chosen.info, PeriodSeconds, this->Core.chosen<palpate::ToolTask>().weighs_u());
+  const palpate::JudgedLoop judged = palpate::judgeLoop(
+    this->Asked.asked(), this->Chosen.info, PeriodSeconds, this->Core.chosen<palpate::ToolTask>().weighs_u());
   this->Limits = judged.limits;
-  this->StabilitySentence = judged.sentence;
+  this->StabilityText = judged.sentence;
 }
 
 bool vtkHapticSession::GetDeviceTakesHand() const

@@ -140,7 +140,7 @@ std::string vtkHapticViewScene::Internals::HandOverBeside()
     return data;
   };
   vtkDataObject* const compared = named(this->Session->GetSettingText("CompareSource"));
-  this->Session->GetSight()->SetFieldBeside(compared, named(this->Session->GetSettingText("SnapSource")));
+  this->Session->GetSight()->SetComparedField(compared, named(this->Session->GetSettingText("SnapSource")));
   return missing;
 }
 
@@ -435,7 +435,7 @@ void vtkHapticViewScene::WriteReport()
   }
   if (!this->Impl->FieldName.empty())
   {
-    report += "Feeling " + std::string(this->Impl->Session->GetFieldSentence()) + ".\n";
+    report += "Feeling " + std::string(this->Impl->Session->GetFieldText()) + ".\n";
   }
   for (const std::string& refusal : this->Impl->RefusalsOf(this->Impl->Scan))
   {

@@ -11,7 +11,7 @@ namespace palpate
 {
 
 /// A half-space wall that the device closes itself: the handle stays where normal_D . p_D >= offset_m.
-struct HeldWall
+struct DeviceWall
 {
   Vec3 normal_D = Vec3::Zero();
   double offset_m = 0.0;
@@ -40,7 +40,7 @@ struct DeviceCommand
   std::uint32_t hand = 0; ///< whose it is, from 0
   Wrench wrench_D;        ///< force on the hand [N], torque [N m]
   PoseTarget target;
-  std::array<HeldWall, 4> walls{}; ///< the first wallCount are valid
+  std::array<DeviceWall, 4> walls{}; ///< the first wallCount are valid
   std::uint8_t wallCount = 0;
   /// From the axes along which walls stand to those of the force, for walls that the host closes: they differ where a
   /// calibration has turned a motor.

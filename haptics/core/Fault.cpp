@@ -22,7 +22,7 @@ const char* describe(Fault fault) noexcept
       return "the handle moved too fast: hold the handle, then engage again";
     case Fault::SceneRefused:
       return "no touchable data are visible: show a surface";
-    case Fault::Seated:
+    case Fault::PlacementFailed:
       return "the proxy sphere does not fit at its position: move the hand out of the surface or use a smaller radius";
     case Fault::NoHand:
       return "there is no hand position yet: move the device or the pointer, or set HandPosition";

@@ -16,7 +16,7 @@ enum class Fault : std::uint8_t
   EnergyLatch,     ///< the passivity observer saw more energy delivered than allowed
   VelocityCut,     ///< the handle moved faster than a hand can
   SceneRefused,    ///< the scene is empty or was refused
-  Seated,          ///< the ball overlaps a surface and no free place lies within its radius
+  PlacementFailed, ///< the ball overlaps a surface and no free place lies within its radius
   NoHand,          ///< nobody has said yet where the hand is
   ToolWaits,       ///< the tool meets the scene wherever the hand has been
   BodyLate,        ///< a soft body that is pressed is not computed any more: latched

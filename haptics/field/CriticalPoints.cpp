@@ -128,10 +128,10 @@ std::vector<Vec3> withoutTwins(const std::vector<Vec3>& found)
 
 } // namespace
 
-std::vector<Vec3> findCriticalPoints(const Brick& brick, std::size_t most)
+std::vector<Vec3> findCriticalPoints(const FieldBlock& brick, std::size_t most)
 {
-  const std::array<BrickComponent, 3> parts{ brick.component(BrickRole::Vector, 0),
-    brick.component(BrickRole::Vector, 1), brick.component(BrickRole::Vector, 2) };
+  const std::array<FieldBlockComponent, 3> parts{ brick.component(FieldBlockRole::Vector, 0),
+    brick.component(FieldBlockRole::Vector, 1), brick.component(FieldBlockRole::Vector, 2) };
   const GridIndex size = parts[0].exists() ? parts[0].size() : GridIndex{};
   std::vector<Vec3> found;
   GridIndex at{};

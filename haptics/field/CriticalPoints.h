@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "haptics/field/Brick.h"
+#include "haptics/field/FieldBlock.h"
 
 namespace palpate
 {
@@ -12,6 +12,6 @@ namespace palpate
 /// middles of vortices. Not at walls, along which nothing flows: there they are 0 everywhere. A cell is looked into in
 /// ever smaller parts as long as each component has both signs at the corners of a part; two such places in one part of
 /// a sixteenth of a cell are found as one. Those nearest to the middle of the brick come first, `most` of them.
-[[nodiscard]] std::vector<Vec3> findCriticalPoints(const Brick& brick, std::size_t most);
+[[nodiscard]] std::vector<Vec3> findCriticalPoints(const FieldBlock& brick, std::size_t most);
 
 } // namespace palpate

@@ -15,7 +15,7 @@ struct Around
   double sum = 0.0;
 };
 
-Around lookAround(const BrickComponent& field, const GridIndex& at, double value) noexcept
+Around lookAround(const FieldBlockComponent& field, const GridIndex& at, double value) noexcept
 {
   Around around;
   for (int i = 0; i < 27; ++i)
@@ -31,9 +31,9 @@ Around lookAround(const BrickComponent& field, const GridIndex& at, double value
 
 } // namespace
 
-std::vector<Extremum> findExtrema(const Brick& brick, std::size_t most)
+std::vector<Extremum> findExtrema(const FieldBlock& brick, std::size_t most)
 {
-  const BrickComponent field = brick.component(BrickRole::Scalar);
+  const FieldBlockComponent field = brick.component(FieldBlockRole::Scalar);
   std::vector<Extremum> found;
   const GridIndex size = field.exists() ? field.size() : GridIndex{};
   for (int z = 1; z + 1 < size[2]; ++z)

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "haptics/field/Brick.h"
+#include "haptics/field/FieldBlock.h"
 
 namespace palpate
 {
@@ -19,6 +19,6 @@ struct Extremum
 
 /// Points of the grid whose value is above, or below, those of all 26 neighbours; a trilinear field has its extrema at
 /// points. Not at the rim nor beside a point without value. The clearest `most` come first.
-[[nodiscard]] std::vector<Extremum> findExtrema(const Brick& brick, std::size_t most);
+[[nodiscard]] std::vector<Extremum> findExtrema(const FieldBlock& brick, std::size_t most);
 
 } // namespace palpate

@@ -8,10 +8,10 @@
 namespace palpate
 {
 
-double usualGradient(const Brick& brick)
+double usualGradient(const FieldBlock& brick)
 {
   constexpr int across = 16; // along each axis: some thousand places, which is microseconds
-  const BrickGrid& grid = brick.grid();
+  const FieldBlockGrid& grid = brick.grid();
   double sum = 0.0;
   int count = 0;
   for (int i = 0; i < across * across * across; ++i)
@@ -23,7 +23,7 @@ double usualGradient(const Brick& brick)
       const int cells = grid.size[k] - 1;
       index[k] = std::min(cells - 1, step[k] * cells / across) + 0.5;
     }
-    if (const std::optional<FieldSample> sample = brick.sample(BrickRole::Scalar, grid.toWorld(index)))
+    if (const std::optional<FieldSample> sample = brick.sample(FieldBlockRole::Scalar, grid.toWorld(index)))
     {
       sum += sample->gradient_W.squaredNorm();
       ++count;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "haptics/labyrinth/MazeButtons.h"
+#include "haptics/labyrinth/LabyrinthButtons.h"
 #include "haptics/labyrinth/WayTrace.h"
 
 namespace palpate

@@ -14,14 +14,14 @@ struct KnownKind
   int rows;
 };
 
-/// In the order of LawKind.
+/// In the order of ConstraintKind.
 constexpr std::array kinds{ KnownKind{ "contact", 1 }, KnownKind{ "attachment", 3 }, KnownKind{ "hinge", 5 },
   KnownKind{ "slider", 4 }, KnownKind{ "break", 3 }, KnownKind{ "friction", 3 }, KnownKind{ "dry friction", 1 },
   KnownKind{ "spring", 1 }, KnownKind{ "limit", 2 }, KnownKind{ "puncture", 4 }, KnownKind{ "insertion", 4 } };
 
 } // namespace
 
-const char* nameOf(LawKind kind) noexcept
+const char* nameOf(ConstraintKind kind) noexcept
 {
   return kinds[static_cast<std::size_t>(kind)].name;
 }
@@ -32,7 +32,7 @@ const char* nameOf(MechanismBodyKind kind) noexcept
   return names[static_cast<std::size_t>(kind)];
 }
 
-int mostRowsOf(LawKind kind) noexcept
+int mostRowsOf(ConstraintKind kind) noexcept
 {
   return kinds[static_cast<std::size_t>(kind)].rows;
 }

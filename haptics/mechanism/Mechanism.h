@@ -33,7 +33,7 @@ struct MechanismBody
 };
 
 /// How two bodies are joined (docs/theory.md, "Laws between bodies"). A's motion is counted against B's.
-enum class LawKind : std::uint8_t
+enum class ConstraintKind : std::uint8_t
 {
   Contact,     ///< A's point stays on the outer side of the plane through B's point, axis_B its normal
   Attachment,  ///< both points are one
@@ -49,12 +49,12 @@ enum class LawKind : std::uint8_t
 };
 
 /// A law between two bodies. Points and axes are in the frames of their bodies.
-struct MechanismLaw
+struct MechanismConstraint
 {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
   std::string name;
-  LawKind kind = LawKind::Contact;
+  ConstraintKind kind = ConstraintKind::Contact;
   std::string a; ///< a body's name
   std::string b; ///< another's
   Vec3 point_A = Vec3::Zero();
@@ -70,26 +70,26 @@ struct MechanismLaw
   double least_u = -unlimited;          ///< Limit
   double most_u = unlimited;            ///< Limit
 
-  friend bool operator==(const MechanismLaw&, const MechanismLaw&) = default;
+  friend bool operator==(const MechanismConstraint&, const MechanismConstraint&) = default;
 };
 
 /// Bodies and the constraints between them.
 struct Mechanism
 {
   static constexpr std::size_t mostBodies = 8;
-  static constexpr std::size_t mostLaws = 16;
+  static constexpr std::size_t mostConstraints = 16;
   static constexpr int mostRows = 48; ///< of all laws together
 
   std::vector<MechanismBody> bodies;
-  std::vector<MechanismLaw> laws;
+  std::vector<MechanismConstraint> laws;
 };
 
 /// The word for a kind in scene files and tables: "contact", "attachment", ... "insertion".
-[[nodiscard]] const char* nameOf(LawKind kind) noexcept;
+[[nodiscard]] const char* nameOf(ConstraintKind kind) noexcept;
 /// "held", "rigid", "soft", "world".
 [[nodiscard]] const char* nameOf(MechanismBodyKind kind) noexcept;
 /// How many rows a law has where it has most.
-[[nodiscard]] int mostRowsOf(LawKind kind) noexcept;
+[[nodiscard]] int mostRowsOf(ConstraintKind kind) noexcept;
 
 /// How the hand holds the held body: with a spring, whose compliance is in series with all others.
 struct MechanismGrip

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "haptics/compliance/packet/CompliancePacket.h"
+#include "haptics/compliance/snapshot/ComplianceSnapshot.h"
 #include "haptics/mechanism/Mechanism.h"
 
 namespace palpate
@@ -21,23 +21,23 @@ struct PlannedBody
 };
 
 /// A law as the tick knows it: numbers in place of names.
-struct PlannedLaw
+struct PlannedConstraint
 {
-  LawKind kind = LawKind::Contact;
+  ConstraintKind kind = ConstraintKind::Contact;
   int a = 0;
   int b = 0;
   Vec3 point_A = Vec3::Zero();
   Vec3 point_B = Vec3::Zero();
   Vec3 axis_A = Vec3::UnitZ();
   Vec3 axis_B = Vec3::UnitZ();
-  double strength_N = MechanismLaw::unlimited;
-  double tear_N = MechanismLaw::unlimited;
+  double strength_N = MechanismConstraint::unlimited;
+  double tear_N = MechanismConstraint::unlimited;
   double friction = 0.0;
   double dryFriction_N = 0.0;
   double compliance_u_per_N = 0.0;
   double rest_u = 0.0;
-  double least_u = -MechanismLaw::unlimited;
-  double most_u = MechanismLaw::unlimited;
+  double least_u = -MechanismConstraint::unlimited;
+  double most_u = MechanismConstraint::unlimited;
   SurfacePoint place_A; ///< point_A in a soft body's surface
   SurfacePoint place_B; ///< likewise
 };
@@ -45,13 +45,13 @@ struct PlannedLaw
 /// The plan of the tick. Immutable; of fixed size, so that a mailbox or a triple buffer carries it, and a recording.
 struct MechanismPlan
 {
-  std::uint64_t revision = 0; ///< another for each that is handed on; above 0
-  double lever_u = 1.0;       ///< rotations are measured by the displacement of its end
+  std::uint64_t revision = 0;    ///< another for each that is handed on; above 0
+  double characteristic_u = 1.0; ///< rotations are measured by the displacement of its end
   int bodyCount = 0;
   int lawCount = 0;
   int held = -1; ///< which body is in the hand; -1: none
   std::array<PlannedBody, Mechanism::mostBodies> bodies{};
-  std::array<PlannedLaw, Mechanism::mostLaws> laws{};
+  std::array<PlannedConstraint, Mechanism::mostConstraints> laws{};
 };
 
 /// Pose of the held body in the hand; the body may rotate in the hand.

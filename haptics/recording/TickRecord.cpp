@@ -7,12 +7,12 @@ namespace
 {
 
 /// Wall i of a command stands across one of the four directions; which says its normal.
-DeviceWalls wallsOf(const DeviceCommand& command) noexcept
+RecordedWalls wallsOf(const DeviceCommand& command) noexcept
 {
-  DeviceWalls walls;
+  RecordedWalls walls;
   for (std::size_t i = 0; i < command.wallCount; ++i)
   {
-    const HeldWall& wall = command.walls[i];
+    const DeviceWall& wall = command.walls[i];
     for (int k = 0; k < AxisWalls::count; ++k)
     {
       if (wall.normal_D == AxisWalls::direction(k))

@@ -11,7 +11,7 @@ namespace palpate
 {
 
 /// The walls of a command as a recording keeps them: of AxisWalls, 0 where there is none.
-struct DeviceWalls
+struct RecordedWalls
 {
   std::array<double, AxisWalls::count> offset_m{};
   std::uint8_t mask = 0; ///< bit i: wall i is held
@@ -36,7 +36,7 @@ struct TickRecord
   double delivered_J = 0.0; ///< energy meter: net work on the hand
   double excess_J = 0.0;    ///< and what the contact has given too much
   std::uint32_t flags = 0;  ///< see recordFlags
-  DeviceWalls walls;
+  RecordedWalls walls;
   Signal signal = Signal::None;
   double turned_J = 0.0; ///< energy meter: net work of the torque
   PoseTarget target;

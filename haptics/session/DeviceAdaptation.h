@@ -11,11 +11,13 @@
 namespace palpate
 {
 
-/// What the loop of these parameters is, for StabilityLimits. `lever_u`: of the tool that is held; 0: the ball.
+/// What the loop of these parameters is, for StabilityLimits. `characteristic_u`: of the tool that is held; 0: the
+/// ball.
 [[nodiscard]] inline LoopSettings loopSettings(
-  const HapticParameters& parameters, double period_s, double lever_u = 0.0) noexcept
+  const HapticParameters& parameters, double period_s, double characteristic_u = 0.0) noexcept
 {
-  return { period_s, parameters.damping_Ns_per_m, parameters.passivity, lever_u / parameters.map.scale_u_per_m };
+  return { period_s, parameters.damping_Ns_per_m, parameters.passivity,
+    characteristic_u / parameters.map.scale_u_per_m };
 }
 
 /// How stiff a device can be, and why.
@@ -27,9 +29,9 @@ struct JudgedLoop
 
 /// Milliseconds: for changes of what it depends on only.
 [[nodiscard]] inline JudgedLoop judgeLoop(
-  const HapticParameters& parameters, const DeviceInfo& device, double period_s, double lever_u = 0.0)
+  const HapticParameters& parameters, const DeviceInfo& device, double period_s, double characteristic_u = 0.0)
 {
-  const LoopSettings loop = loopSettings(parameters, period_s, lever_u);
+  const LoopSettings loop = loopSettings(parameters, period_s, characteristic_u);
   const StabilityLimits limits = stabilityLimits(device, loop);
   return { limits, describe(limits, device, loop) };
 }

@@ -60,7 +60,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->device = std::move(device);
   run->virtualTime = options.virtualTime;
   run->period_s = options.period_s;
-  run->adapt(this->parameters_, this->lever_u(), true);
+  run->adapt(this->parameters_, this->characteristic_u(), true);
   run->pace(static_cast<std::int64_t>(options.period_s * 1e9 + 0.5));
   run->recordings.emplace(run->links.recorder, options.virtualTime);
   if (!options.recordFile.empty())
@@ -87,7 +87,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   this->kept_->report = LoopReport{};
   if (this->recording())
   {
-    this->storePublished(); // from the first packet on
+    this->storePublished(); // from the first snapshot on
   }
   if (options.engage)
   {
@@ -147,7 +147,7 @@ std::string HapticSession::setParameters(const HapticParameters& parameters, con
       {
         this->run_->leadFrom(this->scene().get(), comesFrom_W);
       }
-      this->run_->adapt(parameters, this->lever_u(), false);
+      this->run_->adapt(parameters, this->characteristic_u(), false);
       this->run_->links.parameters.write({ this->version_, this->run_->adapted });
       this->orderWork(*this->run_);
     }
@@ -160,10 +160,10 @@ StabilityLimits HapticSession::limits() const
   return this->run_ ? this->run_->limits : StabilityLimits{};
 }
 
-std::string HapticSession::limitsSentence() const
+std::string HapticSession::limitsText() const
 {
   return this->run_ ? describe(this->run_->limits, this->run_->device->info(),
-                        loopSettings(this->parameters_, this->run_->period_s, this->lever_u()))
+                        loopSettings(this->parameters_, this->run_->period_s, this->characteristic_u()))
                     : std::string();
 }
 
@@ -188,19 +188,19 @@ const std::shared_ptr<const Scene>& HapticSession::scene() const noexcept
   return this->inputNow<input::Scenes>();
 }
 
-void HapticSession::setBrick(std::shared_ptr<const Brick> brick)
+void HapticSession::setFieldBlock(std::shared_ptr<const FieldBlock> brick)
 {
-  this->setInput<input::Bricks>(std::move(brick));
+  this->setInput<input::FieldBlocks>(std::move(brick));
 }
 
-const std::shared_ptr<const Brick>& HapticSession::brick() const noexcept
+const std::shared_ptr<const FieldBlock>& HapticSession::brick() const noexcept
 {
-  return this->inputNow<input::Bricks>();
+  return this->inputNow<input::FieldBlocks>();
 }
 
-void HapticSession::breakLaw(std::uint32_t law)
+void HapticSession::breakConstraint(std::uint32_t law)
 {
-  this->push(EventKind::BreakLaw, law);
+  this->push(EventKind::BreakConstraint, law);
 }
 
 /// A recording that begins has what the servo may still be pressing. `again`: one after another.

@@ -15,7 +15,7 @@
 namespace palpate
 {
 
-class Brick;
+class FieldBlock;
 class Recordings;
 class Scene;
 enum class EventKind : std::uint8_t;
@@ -68,15 +68,15 @@ public:
   /// How stiff the running device can be with these parameters, and why in one sentence; unlimited and empty while
   /// nothing runs.
   [[nodiscard]] StabilityLimits limits() const;
-  [[nodiscard]] std::string limitsSentence() const;
+  [[nodiscard]] std::string limitsText() const;
   /// Null: nothing to touch. Kept over stop() and start(). `comesFrom_W`: where the ball comes from when the servo
   /// takes the scene, so that a surface that has come around it stays on its other side.
   void setScene(std::shared_ptr<const Scene> scene, const std::optional<Vec3>& comesFrom_W = {});
   [[nodiscard]] const std::shared_ptr<const Scene>& scene() const noexcept;
 
-  /// What the worker of that task computes, felt from a tick soon after on; none: nothing. Kept over stop() and start().
-  /// A tool takes the place of the ball, but for one beside a soft body, which only a tool that is a ball feels. A soft
-  /// body gives way beside the scene. While a mechanism is felt, ball, tool and soft body rest. Include
+  /// What the worker of that task computes, felt from a tick soon after on; none: nothing. Kept over stop() and
+  /// start(). A tool takes the place of the ball, but for one beside a soft body, which only a tool that is a ball
+  /// feels. A soft body gives way beside the scene. While a mechanism is felt, ball, tool and soft body rest. Include
   /// SessionWorkers.h for these.
   template<class Task>
   void choose(const typename Task::Choice& choice);
@@ -92,7 +92,7 @@ public:
   [[nodiscard]] std::string refuseMechanism(
     const MechanismInputs& inputs, const std::vector<std::shared_ptr<const PressedBody>>& atRest) const;
   /// By its place in the mechanism: it holds nothing from the next tick on, until another mechanism is taken.
-  void breakLaw(std::uint32_t law);
+  void breakConstraint(std::uint32_t law);
 
   /// An input that the owner publishes: taken at the next tick; null: none. Kept over stop() and start(). For kinds
   /// without a method of their own include SessionInputs.h.
@@ -101,8 +101,8 @@ public:
   template<class K>
   [[nodiscard]] const std::shared_ptr<const typename K::Value>& inputNow() const noexcept;
   /// The field around the hand.
-  void setBrick(std::shared_ptr<const Brick> brick);
-  [[nodiscard]] const std::shared_ptr<const Brick>& brick() const noexcept;
+  void setFieldBlock(std::shared_ptr<const FieldBlock> brick);
+  [[nodiscard]] const std::shared_ptr<const FieldBlock>& brick() const noexcept;
 
   /// Records from the next tick on into that file, and no more into the one before: empty, or one sentence; then
   /// nothing changes. While a field is felt none begins. A recording ends with endRecording() or the session, or when
@@ -134,7 +134,7 @@ private:
   [[nodiscard]] ServoLinks* links() noexcept; ///< null: nothing runs
   [[nodiscard]] Recordings& recordings() noexcept;
   void push(EventKind kind, std::uint64_t value = 0);
-  [[nodiscard]] double lever_u() const noexcept;
+  [[nodiscard]] double characteristic_u() const noexcept;
   [[nodiscard]] MechanismGrip grip(const HapticParameters& adapted) const noexcept;
   [[nodiscard]] const SessionWorkers* workers() const noexcept; ///< null: nothing runs
   void followChoice(bool handChanges);

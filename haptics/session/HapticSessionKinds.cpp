@@ -29,7 +29,7 @@ void HapticSession::followChoice(bool handChanges)
   {
     if (handChanges)
     {
-      this->run_->adapt(this->parameters_, this->lever_u(), false);
+      this->run_->adapt(this->parameters_, this->characteristic_u(), false);
       this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
     }
     this->orderWork(*this->run_);
@@ -57,7 +57,7 @@ std::string HapticSession::refuseMechanism(
 }
 
 /// Of what is in the hand; 0: nothing is turned.
-double HapticSession::lever_u() const noexcept
+double HapticSession::characteristic_u() const noexcept
 {
   const HapticParameters& p = this->parameters_;
   const double mechanism_m = mechanismLever_m(p.mechanismTurning_N_m_per_rad, p.stiffness_N_per_m);

@@ -171,12 +171,12 @@ void ServoLoop::recordTick(const TickOutput& output) noexcept
   {
     this->recorder_->pushEvent({ this->period_, EventKind::Fault, static_cast<std::uint64_t>(output.state.fault) });
   }
-  const LawChanges& changes = output.state.mechanism.changes;
+  const ConstraintChanges& changes = output.state.mechanism.changes;
   for (std::uint64_t i = changes.firstOf(this->period_); i < changes.count; ++i)
   {
     const MechanismEvent& event = changes.at(i);
     this->recorder_->pushEvent(
-      { this->period_, EventKind::Law, event.law | static_cast<std::uint64_t>(event.change) << 32 });
+      { this->period_, EventKind::Constraint, event.law | static_cast<std::uint64_t>(event.change) << 32 });
   }
 }
 

@@ -7,7 +7,7 @@
 #include "haptics/session/DeviceAdaptation.h"
 #include "haptics/session/DeviceTimer.h"
 #include "haptics/session/SessionWorkers.h"
-#include "haptics/tool/servo/RubbedWish.h"
+#include "haptics/tool/servo/FrictionTarget.h"
 
 namespace palpate
 {
@@ -31,9 +31,9 @@ void HapticSession::Run::pace(std::int64_t period_ns)
   }
 }
 
-void HapticSession::Run::adapt(const HapticParameters& parameters, double lever_u, bool first)
+void HapticSession::Run::adapt(const HapticParameters& parameters, double characteristic_u, bool first)
 {
-  const LoopSettings loop = loopSettings(parameters, this->period_s, lever_u);
+  const LoopSettings loop = loopSettings(parameters, this->period_s, characteristic_u);
   if (first || loop != this->loop_)
   {
     this->loop_ = loop;
@@ -50,7 +50,7 @@ void HapticSession::Run::adapt(const HapticParameters& parameters, double lever_
   this->adapted = adaptToDevice(parameters, info, this->limits, this->viscosity_Ns_per_m_);
   this->adapted.ballLead = this->lead;
   double& rubs = this->adapted.contact.friction.kinetic;
-  rubs = lever_u > 0.0 ? std::min(rubs, largestToolFriction) : rubs;
+  rubs = characteristic_u > 0.0 ? std::min(rubs, largestToolFriction) : rubs;
 }
 
 } // namespace palpate

@@ -53,7 +53,7 @@ struct HapticSession::Run
   }
 
   /// Limits come from eigenvalues: computed again only when something they depend on has changed.
-  void adapt(const HapticParameters& parameters, double lever_u, bool first);
+  void adapt(const HapticParameters& parameters, double characteristic_u, bool first);
 
 private:
   LoopSettings loop_;

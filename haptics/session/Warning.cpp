@@ -9,7 +9,7 @@ namespace palpate
 namespace
 {
 
-std::string lateSentence(double p99_us, double stiffnessFactor)
+std::string lateText(double p99_us, double stiffnessFactor)
 {
   char late_ms[32];
   std::snprintf(late_ms, sizeof late_ms, "%.1f", 1e-3 * p99_us);
@@ -17,7 +17,7 @@ std::string lateSentence(double p99_us, double stiffnessFactor)
          std::to_string(std::lround(100.0 * stiffnessFactor)) + " %; close other programs or grant real-time priority";
 }
 
-std::string beyondSentence(const HapticState& state)
+std::string beyondText(const HapticState& state)
 {
   if (state.known.late)
   {
@@ -39,16 +39,16 @@ std::string warning(const HapticState& state, const LoopReport& report)
   }
   if (state.known.beyond)
   {
-    return beyondSentence(state);
+    return beyondText(state);
   }
   if (state.frozen)
   {
     return "the position has not changed for 0.25 s under force: if the handle moved, check the device";
   }
-  return state.stiffnessFactor < 1.0 ? lateSentence(report.lateness.p99_us, state.stiffnessFactor) : std::string();
+  return state.stiffnessFactor < 1.0 ? lateText(report.lateness.p99_us, state.stiffnessFactor) : std::string();
 }
 
-std::string otherDeviceSentence(const std::string& running, const std::string& chosen)
+std::string otherDeviceText(const std::string& running, const std::string& chosen)
 {
   return running == chosen ? std::string()
                            : running + " still moves the hand: release and touch again to use " + chosen;

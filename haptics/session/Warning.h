@@ -14,6 +14,6 @@ namespace palpate
 [[nodiscard]] std::string warning(const HapticState& state, const LoopReport& report);
 
 /// What a person is told who chose another device than the one that runs; empty if it is the same.
-[[nodiscard]] std::string otherDeviceSentence(const std::string& running, const std::string& chosen);
+[[nodiscard]] std::string otherDeviceText(const std::string& running, const std::string& chosen);
 
 } // namespace palpate

@@ -21,7 +21,7 @@ void tellIn(
   tool.active = result.heldCount;
   for (int i = 0; i < result.heldCount; ++i)
   {
-    const HeldPlane& held = result.held[i];
+    const ActivePlane& held = result.held[i];
     const FeaturePlane plane = planeOf(surfaceOf(scene, held.feature.surface), held.feature, x_W, radius_u);
     tool.presses[i] = { plane.foot_W + result.proxy_W - x_W, plane.n, held.depth_u, i };
   }

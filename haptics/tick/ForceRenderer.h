@@ -9,7 +9,7 @@
 #include "haptics/core/DeviceCommand.h"
 #include "haptics/core/DeviceSample.h"
 #include "haptics/core/HapticDevice.h"
-#include "haptics/field/Brick.h"
+#include "haptics/field/FieldBlock.h"
 #include "haptics/geometry/scene/Scene.h"
 #include "haptics/mechanism/servo/FeltMechanism.h"
 #include "haptics/safety/LatenessPolicy.h"
@@ -37,12 +37,12 @@ struct TickInput
   DeviceStatus status = DeviceStatus::Ok;
   const Scene* scene = nullptr;
   const Scene* previousScene = nullptr;     ///< in the tick that takes a new scene: the one before, still alive
-  const Brick* brick = nullptr;             ///< the field around the hand; may be null
+  const FieldBlock* brick = nullptr;        ///< the field around the hand; may be null
   const ToolContacts* tool = nullptr;       ///< contacts of the tool in the hand; null: the hand touches with its ball
   const FeltMechanism* mechanism = nullptr; ///< in the hand in place of ball and tool; may be null
   MechanismTick* mechanismTick = nullptr;   ///< workspace; not null with a tool
   const PressedBody* body = nullptr;        ///< soft body; null: none. With a body the scene is that of the body
-  SoftRoom* softRoom = nullptr;             ///< workspace of its contact; not null with a body
+  SoftScratch* softScratch = nullptr;       ///< workspace of its contact; not null with a body
   LatenessVerdict lateness;
   std::span<const HapticEvent> events;
 };

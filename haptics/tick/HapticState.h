@@ -74,20 +74,20 @@ struct KnownReport
 };
 
 /// State of a constraint, for a person.
-struct LawReport
+struct ConstraintReport
 {
-  LawPhase phase = LawPhase::Open;
+  ConstraintPhase phase = ConstraintPhase::Open;
   double force_N = 0.0;     ///< its size
   Vec3 at_W = Vec3::Zero(); ///< where, as it has yielded
   double inside_u = 0.0;    ///< of the shaft, beyond its hole
 };
 
 /// Which laws have changed since the mechanism was taken: the newest few.
-struct LawChanges
+struct ConstraintChanges
 {
-  std::uint64_t plan = 0;                                   ///< its revision
-  std::uint64_t count = 0;                                  ///< all of them
-  std::array<MechanismEvent, Mechanism::mostLaws> newest{}; ///< change i, from 0, is at i % size
+  std::uint64_t plan = 0;                                          ///< its revision
+  std::uint64_t count = 0;                                         ///< all of them
+  std::array<MechanismEvent, Mechanism::mostConstraints> newest{}; ///< change i, from 0, is at i % size
 
   void add(const MechanismEvent& event) noexcept { this->newest[this->count++ % this->newest.size()] = event; }
   /// Those of one tick, if no later one has changed any: oldest first, as numbers of changes [first, count).
@@ -116,9 +116,9 @@ struct MechanismNow
   int lawCount = 0;
   Pose hand_W;                                      ///< pose of the held body without contact [u]
   std::array<Pose, Mechanism::mostBodies> pose_W{}; ///< of held and rigid bodies [u]
-  std::array<LawReport, Mechanism::mostLaws> laws{};
-  LawChanges changes;
-  double age_s = 0.0;      ///< of the oldest packet of a soft body that is pressed
+  std::array<ConstraintReport, Mechanism::mostConstraints> laws{};
+  ConstraintChanges changes;
+  double age_s = 0.0;      ///< of the oldest snapshot of a soft body that is pressed
   double residual_u = 0.0; ///< largest of the laws'
   bool capped = false;     ///< the solver goes on in the next tick
 };

@@ -86,7 +86,7 @@ void comeFrom(const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, G
 
 } // namespace
 
-SceneStep sceneStep(const TickInput& input, const KnownPart& known, const RendererState& state) noexcept
+SceneStep sceneStep(const TickInput& input, const LoadedRegion& known, const RendererState& state) noexcept
 {
   const std::uint64_t revision = input.scene != nullptr ? input.scene->revision() : 0;
   const std::uint64_t geometry = input.scene != nullptr ? input.scene->geometryHash() : 0;

@@ -18,7 +18,8 @@ struct SceneStep
   double age_s = 0.0;         ///< of the scene, at the end of this tick
 };
 
-[[nodiscard]] SceneStep sceneStep(const TickInput& input, const KnownPart& known, const RendererState& state) noexcept;
+[[nodiscard]] SceneStep sceneStep(
+  const TickInput& input, const LoadedRegion& known, const RendererState& state) noexcept;
 
 /// Position of the proxy, and the work of its motion with the scene.
 struct ProxyStep

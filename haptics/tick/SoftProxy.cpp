@@ -37,7 +37,7 @@ ContactResult moveOnBody(
 {
   const PressedBody& body = *tick.input.body;
   const std::span touch(&body.touch, 1);
-  SoftRoom& room = *tick.input.softRoom;
+  SoftScratch& room = *tick.input.softScratch;
   ContactPlan inUnits = plan;
   inUnits.coupling_N_per_m /= state.map.scale_u_per_m;
   state.soft.core = state.contact;

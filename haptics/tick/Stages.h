@@ -5,9 +5,9 @@
 #include "haptics/tick/stages/Blend.h"
 #include "haptics/tick/stages/Clutch.h"
 #include "haptics/tick/stages/Contact.h"
+#include "haptics/tick/stages/DeviceWalls.h"
 #include "haptics/tick/stages/Engage.h"
 #include "haptics/tick/stages/Hand.h"
-#include "haptics/tick/stages/HeldWalls.h"
 #include "haptics/tick/stages/Protect.h"
 #include "haptics/tick/stages/Report.h"
 #include "haptics/tick/stages/Samples.h"
@@ -48,7 +48,7 @@ using TickStages = StageList< //
   stage::Blend,               // a replaced scene never steps
   stage::GameArrival,         // of a labyrinth, after contact
   stage::Engage,              // how much of the force is let through
-  stage::HeldWalls,           // walls in the device's own loop
+  stage::DeviceWalls,         // walls in the device's own loop
   stage::Protect,             // limits
   stage::Report>;             // report of the tick
 

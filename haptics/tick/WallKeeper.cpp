@@ -86,7 +86,7 @@ AxisWalls lookForWalls(const WallTick& tick, double reach_m, std::uint32_t& node
                             : wallsIn(tick.scene, tick, reach_m, nodes);
 }
 
-std::uint32_t keepWalls(const HeldWallPlan& plan, const WallTick& tick, HeldWallState& held) noexcept
+std::uint32_t keepWalls(const DeviceWallPlan& plan, const WallTick& tick, DeviceWallState& held) noexcept
 {
   held.since_s += tick.dt_s;
   if (held.since_s + 0.5 * tick.dt_s < plan.every_s)
@@ -108,7 +108,7 @@ std::uint32_t keepWalls(const HeldWallPlan& plan, const WallTick& tick, HeldWall
   return nodes;
 }
 
-double heldStiffness(double wanted_N_per_m, const WallTick& tick, HeldWallState& held) noexcept
+double heldStiffness(double wanted_N_per_m, const WallTick& tick, DeviceWallState& held) noexcept
 {
   DeviceCommand unit;
   command(held.walls, 1.0, unit);
@@ -120,7 +120,7 @@ double heldStiffness(double wanted_N_per_m, const WallTick& tick, HeldWallState&
   return held.stiffness_N_per_m;
 }
 
-void rampLimits(const WallTick& tick, HeldWallState& held, DeviceCommand& command) noexcept
+void rampLimits(const WallTick& tick, DeviceWallState& held, DeviceCommand& command) noexcept
 {
   const double most_N = held.each_N + tick.maxRise_N_per_s * tick.dt_s;
   for (std::size_t i = 0; i < command.wallCount; ++i)

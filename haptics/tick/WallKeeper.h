@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "haptics/contact/GodObject.h"
-#include "haptics/force/HeldWalls.h"
+#include "haptics/force/DeviceWalls.h"
 #include "haptics/force/WorkspaceMap.h"
 #include "haptics/geometry/scene/Scene.h"
 
@@ -12,7 +12,7 @@ namespace palpate
 {
 
 /// The walls that a device holds, from tick to tick.
-struct HeldWallState
+struct DeviceWallState
 {
   AxisWalls walls;
   double since_s = std::numeric_limits<double>::infinity(); ///< since walls were looked for; infinite: none are held
@@ -41,14 +41,14 @@ struct WallTick
 /// Renews the walls once their time has come. A wall enters the hand no further than adds, at its stiffness, the force
 /// that may be added in the time since the last renewal; where none was held before, in one tick. Returns the tree
 /// nodes visited.
-std::uint32_t keepWalls(const HeldWallPlan& plan, const WallTick& tick, HeldWallState& held) noexcept;
+std::uint32_t keepWalls(const DeviceWallPlan& plan, const WallTick& tick, DeviceWallState& held) noexcept;
 
 /// How stiff these walls may be now, at most `wanted` [N/m]. Where the handle is behind them already, they grow stiffer
 /// by no more than adds the force that may be added in a tick.
-[[nodiscard]] double heldStiffness(double wanted_N_per_m, const WallTick& tick, HeldWallState& held) noexcept;
+[[nodiscard]] double heldStiffness(double wanted_N_per_m, const WallTick& tick, DeviceWallState& held) noexcept;
 
 /// Lets the largest force of each wall go up no faster than a force may rise: where a wall across the other axis is
 /// gone, a wall that is pressed to its limit may push harder.
-void rampLimits(const WallTick& tick, HeldWallState& held, DeviceCommand& command) noexcept;
+void rampLimits(const WallTick& tick, DeviceWallState& held, DeviceCommand& command) noexcept;
 
 } // namespace palpate

@@ -147,9 +147,9 @@ class Rules(unittest.TestCase):
         self.write_including("haptics/tick/Stages.h", '"haptics/tick/stages/forces/Field.h"')
         self.write_including("haptics/tick/stages/forces/Field.h", '"haptics/tick/StageList.h"')
         self.assertEqual(rules.include_circles(self.root), [])
-        self.write_including("haptics/field/Brick.h")
+        self.write_including("haptics/field/FieldBlock.h")
         self.write_including("haptics/field/FieldProxy.cpp", '"haptics/field/iso/IsoProxy.h"')
-        self.write_including("haptics/field/iso/IsoProxy.h", '"haptics/field/Brick.h"')
+        self.write_including("haptics/field/iso/IsoProxy.h", '"haptics/field/FieldBlock.h"')
         self.assertEqual(self.found(rules.include_circles), ["haptics/field"])
 
     def test_cgal_is_found_in_any_header_and_outside_haptics(self):

@@ -97,11 +97,11 @@ bool benchmark(const Field& field, const Options& options)
   const double h_mm = box_mm / (options.points - 1);
   const Vec3 centre = Vec3::Constant(0.5 * box_mm + 0.123) / h_mm;
   const GridIndex size{ options.points, options.points, options.points };
-  const Brick brick(1, BrickGrid{ size },
-    { { BrickRole::Scalar, "f",
+  const FieldBlock brick(1, FieldBlockGrid{ size },
+    { { FieldBlockRole::Scalar, "f",
       smoothed(sampledValues(size, [&](const Vec3& i) { return field.function(h_mm * (i - centre).norm(), h_mm); }),
         size, field.passes) } });
-  const BrickComponent scalar = brick.component(BrickRole::Scalar);
+  const FieldBlockComponent scalar = brick.component(FieldBlockRole::Scalar);
   IsoPlan plan;
   plan.level = field.level;
   plan.passCap = options.passCap;
@@ -127,7 +127,7 @@ bool benchmark(const Field& field, const Options& options)
     });
   const Cost tick{ sample.quantile_us(0.5), sample.quantile_us(0.99) };
   const double ours_us = probe_us(
-    [&brick](const Vec3& index) { return brick.sample(BrickRole::Scalar, index)->value; }, options.ticks, h_mm);
+    [&brick](const Vec3& index) { return brick.sample(FieldBlockRole::Scalar, index)->value; }, options.ticks, h_mm);
   std::printf("%-28s p50 %6.2f us p99 %6.2f us; of %zu ticks %zu touch, %zu capped; |x - p| at most %.2f mm\n",
     field.name.c_str(), tick.p50_us, tick.p99_us, options.ticks, touching, capped, deepest_mm);
   std::printf(
@@ -176,9 +176,9 @@ bool arePullsQuick(double p99_us, std::size_t ticks)
 {
   constexpr int points = 64;
   constexpr double h_mm = box_mm / (points - 1), mostProbes = 110.0; // which are 10 us where a probe takes 0.09
-  const auto brick = scalarBrick(points, [](const Vec3& i) { return i.norm(); });
+  const auto brick = scalarFieldBlock(points, [](const Vec3& i) { return i.norm(); });
   const double plain_us =
-    probe_us([&brick](const Vec3& index) { return brick->sample(BrickRole::Scalar, index)->value; }, ticks, h_mm);
+    probe_us([&brick](const Vec3& index) { return brick->sample(FieldBlockRole::Scalar, index)->value; }, ticks, h_mm);
   std::printf("  beside a probe of %.3f us: p99 %.1f\n", plain_us, p99_us / plain_us);
   return p99_us <= mostProbes * plain_us;
 }

@@ -53,7 +53,7 @@ Vec3 tipAt(int tick)
   return { 1e-3 + 0.02 * way, 2e-3 - 0.03 * way, before + way };
 }
 
-/// Through wall and liver of tetrahedra, whose packets come at 25 Hz.
+/// Through wall and liver of tetrahedra, whose snapshots come at 25 Hz.
 Seen needle(int strokes, double turning_Nm_per_rad)
 {
   MechanismInputs inputs = wallAndLiver(2);
@@ -106,7 +106,7 @@ Seen block(int ticks, double slope)
     const Vec3 at(foot & 1 ? half : -half, foot & 2 ? half : -half, -high);
     const std::string name = "foot " + std::to_string(foot);
     rig.addSoft(name, springWall(name, at, Vec3::UnitZ(), 0.01, 1.0 / tissue));
-    MechanismLaw& law = rig.join(LawKind::Friction, name, at, at);
+    MechanismConstraint& law = rig.join(ConstraintKind::Friction, name, at, at);
     law.a = "block";
     law.axis_B = Vec3::UnitZ();
     law.friction = 0.3;
@@ -114,7 +114,7 @@ Seen block(int ticks, double slope)
   const Vec3 top(0.01, 0.0, high);
   if (slope == 0.0)
   {
-    rig.join(LawKind::Attachment, "block", Vec3(0.0, 0.0, rod), top);
+    rig.join(ConstraintKind::Attachment, "block", Vec3(0.0, 0.0, rod), top);
   }
   const ProcessorClock clock;
   CostSample cost(static_cast<std::size_t>(ticks), clock);

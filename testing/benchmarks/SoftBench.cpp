@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// palpate-soft-bench: what a packet of a soft body costs its worker, beside one solve with the body's factor, and a
+// palpate-soft-bench: what a snapshot of a soft body costs its worker, beside one solve with the body's factor, and a
 // tick the servo, beside one on a rigid body.
 #include <sys/resource.h>
 
@@ -11,7 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "haptics/compliance/packet/PacketMaker.h"
+#include "haptics/compliance/snapshot/SnapshotMaker.h"
 #include "haptics/contact/GodObject.h"
 #include "testing/haptics/compliance/SoftScenes.h"
 #include "testing/support/CostSample.h"
@@ -26,7 +26,7 @@ constexpr double mostOfRigid = 32.0;
 
 struct Options
 {
-  int packets = 10;
+  int snapshots = 10;
   bool small = false, withAssertions = false;
 };
 
@@ -39,7 +39,7 @@ struct Case
   Factoring factoring = Factoring::EachStep;
   int newtonSteps = 1;
   double goal_Hz = 0.0;    ///< 0: none is asked for
-  double mostSolves = 0.0; ///< that a packet may cost (p50)
+  double mostSolves = 0.0; ///< that a snapshot may cost (p50)
 };
 
 double residentMB()
@@ -62,22 +62,22 @@ std::uint32_t triangleAt(const SoftSurface& surface, const Vec3& p_W)
 
 /// A ball goes to and fro over the block, 20 mm to either side, at .1 m/s, and presses with 2 and with 3 N in turn, the
 /// second time askew.
-PacketRequest requestAt(const SoftSurface& surface, int packet, double period_s)
+SnapshotRequest requestAt(const SoftSurface& surface, int snapshot, double period_s)
 {
   constexpr double speed = 0.1, aside_u = 0.02;
-  const double gone_u = std::fmod(speed * period_s * packet, 4.0 * aside_u);
-  PacketRequest request;
+  const double gone_u = std::fmod(speed * period_s * snapshot, 4.0 * aside_u);
+  SnapshotRequest request;
   request.ball_W = middleOfPad() + Vec3(std::abs(gone_u - 2.0 * aside_u) - aside_u, 0.0, 0.0);
   request.velocity_u_per_s = Vec3(gone_u < 2.0 * aside_u ? -speed : speed, 0.0, 0.0);
   request.radius_u = 0.005;
   request.period_s = period_s;
   request.forceAt.push_back(
     { surface.triangles[triangleAt(surface, request.ball_W)], Vec3::Constant(1.0 / 3.0), request.ball_W });
-  request.force_N.emplace_back(0.3 * (packet % 2), 0.0, packet % 2 == 0 ? -2.0 : -3.0);
+  request.force_N.emplace_back(0.3 * (snapshot % 2), 0.0, snapshot % 2 == 0 ? -2.0 : -3.0);
   return request;
 }
 
-/// Whether a packet costs no more solves than it may.
+/// Whether a snapshot costs no more solves than it may.
 bool benchmark(const Case& c, const Options& options)
 {
   SoftBodyInput input = pad(c.cells);
@@ -87,30 +87,30 @@ bool benchmark(const Case& c, const Options& options)
   SoftBody& body = *made.body;
   body.factorsBe(c.factoring);
   const SoftSurface surface = makeSoftSurface(body, made.checked.mesh);
-  PacketMaker maker(body, surface);
+  SnapshotMaker maker(body, surface);
   const ProcessorClock clock;
-  CostSample packets(static_cast<std::size_t>(options.packets), clock);
-  CostSample solves(static_cast<std::size_t>(options.packets), clock);
+  CostSample snapshots(static_cast<std::size_t>(options.snapshots), clock);
+  CostSample solves(static_cast<std::size_t>(options.snapshots), clock);
   const Eigen::VectorXd load = Eigen::VectorXd::Constant(body.displacement().size(), 1e-3);
   std::size_t vertices = 0;
   double sum = 0.0;
   const double period_s = c.goal_Hz > 0.0 ? 1.0 / c.goal_Hz : 0.04;
-  for (int i = -1; i < options.packets; ++i)
+  for (int i = -1; i < options.snapshots; ++i)
   {
-    std::shared_ptr<const CompliancePacket> packet;
-    const auto make = [&] { packet = maker.make(requestAt(surface, i + 1, period_s), c.newtonSteps); };
+    std::shared_ptr<const ComplianceSnapshot> snapshot;
+    const auto make = [&] { snapshot = maker.make(requestAt(surface, i + 1, period_s), c.newtonSteps); };
     if (i < 0)
     {
       make(); // to be warm
       continue;
     }
-    packets.time(make);
+    snapshots.time(make);
     solves.time([&] { sum += body.linearAnswer(load).sum(); });
-    vertices = packet->near.size();
+    vertices = snapshot->near.size();
   }
-  const double packet_ms = 1e-3 * packets.quantile_us(0.5), solve_ms = 1e-3 * solves.quantile_us(0.5);
-  std::printf("%-44s %6zu nodes, %3zu vertices: packet p50 %7.2f ms p99 %7.2f ms, %6.1f Hz", c.name.c_str(),
-    input.mesh.vertices_W.size(), vertices, packet_ms, 1e-3 * packets.quantile_us(0.99), 1e3 / packet_ms);
+  const double packet_ms = 1e-3 * snapshots.quantile_us(0.5), solve_ms = 1e-3 * solves.quantile_us(0.5);
+  std::printf("%-44s %6zu nodes, %3zu vertices: snapshot p50 %7.2f ms p99 %7.2f ms, %6.1f Hz", c.name.c_str(),
+    input.mesh.vertices_W.size(), vertices, packet_ms, 1e-3 * snapshots.quantile_us(0.99), 1e3 / packet_ms);
   std::printf("%s", c.goal_Hz > 0.0 ? (" (goal " + std::to_string(static_cast<int>(c.goal_Hz)) + " Hz)").c_str() : "");
   std::printf("; a solve %.3f ms, ratio %.1f; factor %.0f MB, all %.0f MB; %zu factorings%s\n", solve_ms,
     packet_ms / solve_ms, 1e-6 * static_cast<double>(body.factorBytes()), residentMB(), body.factorings(),
@@ -150,14 +150,14 @@ int main(int argc, char** argv)
   using namespace palpate;
   using namespace palpate::test;
   Options options;
-  CLI::App app("what a packet of a soft body costs its worker");
-  app.add_option("--packets", options.packets, "of each body");
+  CLI::App app("what a snapshot of a soft body costs its worker");
+  app.add_option("--snapshots", options.snapshots, "of each body");
   app.add_flag("--small", options.small, "without what takes minutes");
-  app.add_flag("--assert", options.withAssertions, "fail if a packet costs more solves than it may");
+  app.add_flag("--assert", options.withAssertions, "fail if a snapshot costs more solves than it may");
   CLI11_PARSE(app, argc, argv);
   constexpr auto hooke = ElasticModel::Linear, rubber = ElasticModel::NeoHookean;
   constexpr auto linear = ElementKind::Linear, smoothed = ElementKind::EdgeSmoothed;
-  // At most twice the solves that were seen with the plain BLAS; with a better one a packet costs half as many.
+  // At most twice the solves that were seen with the plain BLAS; with a better one a snapshot costs half as many.
   std::vector<Case> cases{ { "linear law", 12, hooke, linear, Factoring::EachStep, 1, 0.0, 20.0 },
     { "neo-Hookean, 2 steps", 12, rubber, linear, Factoring::EachStep, 2, 20.0, 200.0 },
     { "neo-Hookean, 2 steps, edge-smoothed", 12, rubber, smoothed, Factoring::EachStep, 2, 0.0, 240.0 },

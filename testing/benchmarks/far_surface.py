@@ -70,7 +70,7 @@ class Walk(ViewTest):
 
     def requests(self, processes, half):
         parts, seconds, kib, cells, before = 0, 0.0, 0.0, 0, sum(map(cpu_s, processes))
-        sentence = self.session.GetServerSentence()
+        sentence = self.session.GetServerText()
         for i in range(2000):
             self.session.SetHandPosition(-0.5 * half + 0.01 * i * min(1.0, half / 20.0), 1.3, 0.7)
             self.session.Step(1)
@@ -79,7 +79,7 @@ class Walk(ViewTest):
                 seconds += time.monotonic() - begun
                 parts += 1
                 self.session.FinishScene()
-                sentence = self.session.GetServerSentence()
+                sentence = self.session.GetServerText()
                 cells += int(sentence.split()[1])
         used = sum(map(cpu_s, processes)) - before
         print(f"{parts} parts of {cells / parts:.0f} polygons, {parts / seconds:.1f} a second, {used / parts:.3f} s of server CPU each; "

@@ -31,9 +31,9 @@ MechanismChoice glued(const Vec3& at_W)
   rod.length_u = 20.0;
   rod.diameter_u = 1.0;
   world.name = "world";
-  MechanismLaw glue;
+  MechanismConstraint glue;
   glue.name = "glue";
-  glue.kind = LawKind::Break;
+  glue.kind = ConstraintKind::Break;
   glue.a = rod.name;
   glue.b = world.name;
   glue.point_B = at_W;

@@ -3,10 +3,13 @@
 
 import gzip
 import json
+import re
 import unittest
 
+import palpate
 from palpate_cli import (SQUARE_FACES, SQUARE_POINTS, CommandLineTest, nifti_bytes, obj_text, off_text, ply_text,
                          stl_bytes, stl_text, vti_text, vtp_text, vtu_text)
+from vtkmodules.vtkCommonCore import vtkVersion
 
 NAN_POINTS = [(float("nan"), 0, 0), (1, 0, 0), (0, 1, 0)]
 LINE_POINTS = [(0, 0, 0), (1, 1, 1), (2, 2, 2)]
@@ -311,7 +314,11 @@ class Options(CommandLineTest):
     def test_help_and_version_are_no_errors(self):
         self.assertIn("touch", self.succeed("--help").stdout)
         self.assertIn("--path", self.succeed("touch", "--help").stdout)
-        self.succeed("--version")
+
+    def test_the_version_is_given_with_those_of_the_libraries(self):
+        own, libraries = self.succeed("--version").stdout.strip().split("\n")
+        self.assertEqual(own, palpate.__version__)
+        self.assertRegex(libraries, r"^made with ParaView [0-9.]+ and Qt [56], runs with VTK " + re.escape(vtkVersion.GetVTKVersion()) + "$")
 
 
 if __name__ == "__main__":

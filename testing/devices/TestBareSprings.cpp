@@ -5,7 +5,7 @@
 
 #include "devices/common/BareSprings.h"
 #include "devices/simulated/SimulatedDevice.h"
-#include "haptics/force/HeldWalls.h"
+#include "haptics/force/DeviceWalls.h"
 #include "testing/support/PlainJoystick.h"
 #include "testing/support/Random.h"
 
@@ -51,7 +51,7 @@ TEST(BareSprings, GiveTheForceOfTheWallsWhereTheHandleIsAndNoneBeforeThem)
     Vec3 force_N = Vec3::Zero();
     for (std::size_t k = 0; k < held.wallCount; ++k)
     {
-      const HeldWall& wall = held.walls[k];
+      const DeviceWall& wall = held.walls[k];
       force_N +=
         conditionForce(bareSpring(wall.offset_m, wall.stiffness_N_per_m), wall.normal_D.dot(p_D)) * wall.normal_D;
     }

@@ -3,7 +3,7 @@
 
 #include "devices/simulated/DeviceModels.h"
 #include "devices/simulated/SerialLink.h"
-#include "haptics/force/HeldWalls.h"
+#include "haptics/force/DeviceWalls.h"
 #include "haptics/force/StabilityLimits.h"
 #include "testing/support/Random.h"
 

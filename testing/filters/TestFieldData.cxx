@@ -85,12 +85,12 @@ std::optional<std::vector<double>> probed(vtkDataSet* data, const char* name, co
   return tuple;
 }
 
-MadeBrick brickOf(vtkDataObject* data, const vtkHapticFieldArrays& arrays, const Vec3& centre_W = Vec3::Zero(),
+MadeFieldBlock brickOf(vtkDataObject* data, const vtkHapticFieldArrays& arrays, const Vec3& centre_W = Vec3::Zero(),
   double reach_u = endless)
 {
   const vtkHapticFieldResult field = vtkHapticToField(data, arrays);
   EXPECT_EQ(field.Problem, "");
-  return field.Source ? field.Source->brickAround({ centre_W, reach_u, 1 }) : MadeBrick{};
+  return field.Source ? field.Source->brickAround({ centre_W, reach_u, 1 }) : MadeFieldBlock{};
 }
 
 vtkHapticFieldArrays scalar(const char* name)
@@ -113,7 +113,7 @@ TEST_P(FieldOfAnImage, HasTheValuesOfVtksProbeTurnedOrMirroredAndOfUnevenSpacing
   addRandom(*image, "v", 3, random);
   vtkHapticFieldArrays arrays = scalar("f");
   arrays.Vector = "v";
-  const MadeBrick made = brickOf(image, arrays);
+  const MadeFieldBlock made = brickOf(image, arrays);
   ASSERT_TRUE(made.brick);
   EXPECT_EQ(made.reach_u, endless);
   for (std::size_t n = 0; n < test::testCount(200); ++n)
@@ -123,7 +123,7 @@ TEST_P(FieldOfAnImage, HasTheValuesOfVtksProbeTurnedOrMirroredAndOfUnevenSpacing
     const auto f = probed(image, "f", p_W), v = probed(image, "v", p_W);
     ASSERT_TRUE(f && v) << p_W.transpose();
     // The brick's numbers are floats.
-    EXPECT_NEAR(made.brick->sample(BrickRole::Scalar, p_W)->value, f->at(0), 1e-6);
+    EXPECT_NEAR(made.brick->sample(FieldBlockRole::Scalar, p_W)->value, f->at(0), 1e-6);
     EXPECT_LT((*made.brick->vector(p_W) - Vec3(v->data())).norm(), 1e-6);
   }
 }
@@ -142,18 +142,18 @@ TEST(FieldData, TwoWindowsOfOneImageHaveTheSameBitsWhereTheyOverlapSmoothedOrNot
     const vtkHapticFieldResult field = vtkHapticToField(image, arrays);
     ASSERT_TRUE(field.Source);
     const double* const centre = image->GetCenter();
-    const MadeBrick largest = field.Source->brickAround({ Vec3(centre), endless, 3 });
+    const MadeFieldBlock largest = field.Source->brickAround({ Vec3(centre), endless, 3 });
     ASSERT_TRUE(largest.brick);
-    EXPECT_LE(largest.brick->bytes(), Brick::mostBytes);
-    EXPECT_GT(largest.brick->bytes(), Brick::mostBytes / 2);
-    const MadeBrick one = field.Source->brickAround({ Vec3(centre), 9.0, 1 });
-    const MadeBrick two = field.Source->brickAround({ Vec3(centre) + Vec3(4.0, -3.0, 5.0), 9.0, 2 });
+    EXPECT_LE(largest.brick->bytes(), FieldBlock::mostBytes);
+    EXPECT_GT(largest.brick->bytes(), FieldBlock::mostBytes / 2);
+    const MadeFieldBlock one = field.Source->brickAround({ Vec3(centre), 9.0, 1 });
+    const MadeFieldBlock two = field.Source->brickAround({ Vec3(centre) + Vec3(4.0, -3.0, 5.0), 9.0, 2 });
     ASSERT_TRUE(one.brick && two.brick);
     EXPECT_GE(one.reach_u, 9.0);
     for (std::size_t n = 0; n < test::testCount(200); ++n)
     {
       const Vec3 p_W = Vec3(centre) + Vec3(random.uniform(-4, 8), random.uniform(-8, 5), random.uniform(-3, 8));
-      const auto a = one.brick->sample(BrickRole::Scalar, p_W), b = two.brick->sample(BrickRole::Scalar, p_W);
+      const auto a = one.brick->sample(FieldBlockRole::Scalar, p_W), b = two.brick->sample(FieldBlockRole::Scalar, p_W);
       ASSERT_TRUE(a && b);
       // The corners are the same bits; the place in the cell is computed from another first point.
       EXPECT_NEAR(a->value, b->value, 1e-12);
@@ -195,14 +195,14 @@ TEST(FieldData, NoiseThatTrapsAHandIsSmoothedOnceByItselfBesideTheLevelThatIsFel
   {
     const auto image = noisyHeights(sigma);
     const vtkHapticFieldResult field = vtkHapticToField(image, scalar("f"));
-    const MadeBrick made = field.Source->brickAround({ Vec3::Zero(), endless, 1, 12.25 });
+    const MadeFieldBlock made = field.Source->brickAround({ Vec3::Zero(), endless, 1, 12.25 });
     EXPECT_NEAR(made.smoothness.noise, 0.6 * sigma, 0.15 * sigma + 1e-6);
     EXPECT_EQ(made.smoothness.passes, sigma > 0.4 ? 1 : 0);
     EXPECT_EQ(field.Source->brickAround({ Vec3::Zero(), endless, 2 }).smoothness.passes, 0) << "no surface is felt";
     vtkHapticFieldArrays asked = scalar("f");
     asked.Smoothing = sigma > 0.4 ? 1 : 0;
     EXPECT_EQ(made.brick->contentHash(), brickOf(image, asked).brick->contentHash());
-    const std::string said = fieldSentence("head", made, 1.0, 1.0);
+    const std::string said = fieldText("head", made, 1.0, 1.0);
     EXPECT_EQ(said.find("smoothed once: noise of 0.") != std::string::npos, sigma > 0.4) << said;
   }
 }
@@ -219,9 +219,9 @@ TEST(FieldData, SmoothingLeavesALinearFunctionAlone)
   image->GetPointData()->AddArray(values);
   vtkHapticFieldArrays arrays = scalar("f");
   arrays.Smoothing = 3;
-  const MadeBrick made = brickOf(image, arrays);
+  const MadeFieldBlock made = brickOf(image, arrays);
   const Vec3 p_W(image->GetCenter());
-  EXPECT_NEAR(made.brick->sample(BrickRole::Scalar, p_W)->value, p_W.x() - 2 * p_W.y(), 1e-4);
+  EXPECT_NEAR(made.brick->sample(FieldBlockRole::Scalar, p_W)->value, p_W.x() - 2 * p_W.y(), 1e-4);
 }
 
 /// An image cut into tetrahedra, with a linear function at its points.
@@ -250,7 +250,7 @@ TEST(FieldData, ALinearFunctionOnTetrahedraIsFeltAsItIsAloneAndInBlocks)
   test::Random random(test::testSeed(1703));
   for (vtkDataObject* data : { static_cast<vtkDataObject*>(tetrahedra), static_cast<vtkDataObject*>(blocks) })
   {
-    const MadeBrick made = brickOf(data, scalar("f"));
+    const MadeFieldBlock made = brickOf(data, scalar("f"));
     ASSERT_TRUE(made.brick);
     double bounds[6];
     tetrahedra->GetBounds(bounds);
@@ -258,14 +258,14 @@ TEST(FieldData, ALinearFunctionOnTetrahedraIsFeltAsItIsAloneAndInBlocks)
     {
       const Vec3 p_W(random.uniform(bounds[0], bounds[1]), random.uniform(bounds[2], bounds[3]),
         random.uniform(bounds[4], bounds[5]));
-      const auto sample = made.brick->sample(BrickRole::Scalar, p_W);
+      const auto sample = made.brick->sample(FieldBlockRole::Scalar, p_W);
       if (!sample)
       {
         continue; // VTK's probe may miss a point on the rim by rounding
       }
       EXPECT_NEAR(sample->value, p_W.x() - 2 * p_W.y() + 3 * p_W.z(), 1e-4);
     }
-    EXPECT_TRUE(made.brick->sample(BrickRole::Scalar, Vec3(tetrahedra->GetCenter())));
+    EXPECT_TRUE(made.brick->sample(FieldBlockRole::Scalar, Vec3(tetrahedra->GetCenter())));
   }
 }
 
@@ -279,10 +279,10 @@ TEST(FieldData, TetrahedraHaveTheValuesOfVtksProbeAtEachPointOfTheLattice)
   {
     values->SetValue(i, random.uniform(-1.0, 1.0));
   }
-  const MadeBrick made = brickOf(tetrahedra, scalar("f"));
+  const MadeFieldBlock made = brickOf(tetrahedra, scalar("f"));
   ASSERT_TRUE(made.brick);
-  const BrickGrid& grid = made.brick->grid();
-  const BrickComponent f = made.brick->component(BrickRole::Scalar);
+  const FieldBlockGrid& grid = made.brick->grid();
+  const FieldBlockComponent f = made.brick->component(FieldBlockRole::Scalar);
   for (std::size_t n = 0; n < test::testCount(200); ++n)
   {
     GridIndex at;
@@ -306,13 +306,13 @@ TEST(FieldData, ValuesOfCellsAreTakenToThePointsAsVtkTakesThem)
     values->InsertNextValue(static_cast<double>(i % 5));
   }
   image->GetCellData()->AddArray(values);
-  const MadeBrick made = brickOf(image, scalar("c"));
+  const MadeFieldBlock made = brickOf(image, scalar("c"));
   vtkNew<vtkCellDataToPointData> toPoints;
   toPoints->SetInputData(image);
   toPoints->Update();
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
-    const auto sample = made.brick->sample(BrickRole::Scalar, Vec3(image->GetPoint(i)));
+    const auto sample = made.brick->sample(FieldBlockRole::Scalar, Vec3(image->GetPoint(i)));
     ASSERT_TRUE(sample);
     EXPECT_NEAR(sample->value, toPoints->GetOutput()->GetPointData()->GetArray("c")->GetComponent(i, 0), 1e-6);
   }
@@ -330,11 +330,11 @@ TEST(FieldData, BlankedCellsHaveNoValue)
     return image;
   };
   const auto image = withoutMiddle(5);
-  const MadeBrick made = brickOf(image, scalar("f"));
+  const MadeFieldBlock made = brickOf(image, scalar("f"));
   ASSERT_TRUE(made.brick);
-  EXPECT_FALSE(made.brick->sample(BrickRole::Scalar, Vec3(image->GetCenter())));
-  EXPECT_TRUE(made.brick->sample(BrickRole::Scalar, Vec3(image->GetPoint(0))));
-  const MadeBrick none = brickOf(withoutMiddle(3), scalar("f")); // each of 27 cells has a corner of the middle one
+  EXPECT_FALSE(made.brick->sample(FieldBlockRole::Scalar, Vec3(image->GetCenter())));
+  EXPECT_TRUE(made.brick->sample(FieldBlockRole::Scalar, Vec3(image->GetPoint(0))));
+  const MadeFieldBlock none = brickOf(withoutMiddle(3), scalar("f")); // each of 27 cells has a corner of the middle one
   EXPECT_FALSE(none.brick);
   EXPECT_THAT(none.problem, HasSubstr("too few visible cells"));
 }
@@ -348,9 +348,9 @@ TEST(FieldData, AScalarOfSeveralComponentsIsTheirLengthOrTheOneThatIsChosen)
   const Vec3 p_W(image->GetPoint(13));
   const double* const v = image->GetPointData()->GetArray("v")->GetTuple3(13);
   const Vec3 expected(v);
-  EXPECT_NEAR(brickOf(image, arrays).brick->sample(BrickRole::Scalar, p_W)->value, expected.norm(), 1e-6);
+  EXPECT_NEAR(brickOf(image, arrays).brick->sample(FieldBlockRole::Scalar, p_W)->value, expected.norm(), 1e-6);
   arrays.Component = 2;
-  EXPECT_NEAR(brickOf(image, arrays).brick->sample(BrickRole::Scalar, p_W)->value, expected.z(), 1e-6);
+  EXPECT_NEAR(brickOf(image, arrays).brick->sample(FieldBlockRole::Scalar, p_W)->value, expected.z(), 1e-6);
 }
 
 TEST(FieldData, OfDataLargerThanABrickThereAreSomeCellsAroundAHandThatReachesLessFarThanOne)
@@ -365,9 +365,9 @@ TEST(FieldData, OfDataLargerThanABrickThereAreSomeCellsAroundAHandThatReachesLes
     heights->SetValue(i, static_cast<float>(i / 22500));
   }
   image->GetPointData()->AddArray(heights);
-  const MadeBrick made = brickOf(image, scalar("f"), Vec3(70.2, 70.3, 70.4), 0.01);
+  const MadeFieldBlock made = brickOf(image, scalar("f"), Vec3(70.2, 70.3, 70.4), 0.01);
   ASSERT_TRUE(made.brick);
-  EXPECT_NEAR(made.brick->sample(BrickRole::Scalar, Vec3(70.2, 70.3, 70.4))->value, 70.4, 1e-4);
+  EXPECT_NEAR(made.brick->sample(FieldBlockRole::Scalar, Vec3(70.2, 70.3, 70.4))->value, 70.4, 1e-4);
   EXPECT_GT(made.reach_u, 1.0);
 }
 
@@ -384,10 +384,11 @@ TEST(FieldData, ACloudOfPointsIsInterpolatedBetweenThemAndEndsBesideThem)
   vtkNew<vtkPolyData> cloud;
   cloud->SetPoints(points);
   cloud->GetPointData()->AddArray(values);
-  const MadeBrick made = brickOf(cloud, scalar("f"));
+  const MadeFieldBlock made = brickOf(cloud, scalar("f"));
   ASSERT_TRUE(made.brick);
-  EXPECT_NEAR(made.brick->sample(BrickRole::Scalar, Vec3(2.3, 2.6, 2.4))->value, 7.0, 1e-6); // an average of sevens
-  EXPECT_FALSE(made.brick->sample(BrickRole::Scalar, Vec3(9, 2, 2)));
+  EXPECT_NEAR(
+    made.brick->sample(FieldBlockRole::Scalar, Vec3(2.3, 2.6, 2.4))->value, 7.0, 1e-6); // an average of sevens
+  EXPECT_FALSE(made.brick->sample(FieldBlockRole::Scalar, Vec3(9, 2, 2)));
 }
 
 TEST(FieldData, ValuesInWhichThereIsNothingToFeelAreRefusedInWords)
@@ -430,7 +431,7 @@ TEST(FieldData, ValuesThatDifferLittleFromALargeNumberAreFeltAsFinelyAsOthers)
     values->InsertNextValue(pressure + slope * image->GetPoint(i)[2]);
   }
   image->GetPointData()->AddArray(values);
-  const MadeBrick made = brickOf(image, scalar("f"));
+  const MadeFieldBlock made = brickOf(image, scalar("f"));
   ASSERT_TRUE(made.brick);
   double bounds[6];
   image->GetBounds(bounds);
@@ -438,7 +439,7 @@ TEST(FieldData, ValuesThatDifferLittleFromALargeNumberAreFeltAsFinelyAsOthers)
   {
     const Vec3 p(
       0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), bounds[4] + share * (bounds[5] - bounds[4]));
-    const auto sample = made.brick->sample(BrickRole::Scalar, p);
+    const auto sample = made.brick->sample(FieldBlockRole::Scalar, p);
     ASSERT_TRUE(sample);
     EXPECT_NEAR(sample->value, pressure + slope * p.z(), 3e-11) << "two roundings of a double of that size";
     EXPECT_NEAR(sample->gradient_W.z(), slope, 1e-5 * slope);

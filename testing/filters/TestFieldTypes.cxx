@@ -70,21 +70,21 @@ vtkSmartPointer<vtkUnstructuredGrid> voxels(int points)
   return append->GetOutput();
 }
 
-MadeBrick fieldOf(vtkDataObject* data, const char* array = "f")
+MadeFieldBlock fieldOf(vtkDataObject* data, const char* array = "f")
 {
   vtkHapticFieldArrays arrays;
   arrays.Scalar = array;
   const vtkHapticFieldResult field = vtkHapticToField(data, arrays);
   EXPECT_EQ(field.Problem, "");
-  return field.Source ? field.Source->brickAround({ Vec3::Zero(), everywhere, 1 }) : MadeBrick{};
+  return field.Source ? field.Source->brickAround({ Vec3::Zero(), everywhere, 1 }) : MadeFieldBlock{};
 }
 
 /// Calls visit(p_W, value) for every point of the brick; NaN where it has no value.
 template<class Visit>
-void forEachPoint(const Brick& brick, const Visit& visit)
+void forEachPoint(const FieldBlock& brick, const Visit& visit)
 {
   const GridIndex& size = brick.grid().size;
-  const BrickComponent values = brick.component(BrickRole::Scalar);
+  const FieldBlockComponent values = brick.component(FieldBlockRole::Scalar);
   for (int k = 0; k < size[2]; ++k)
   {
     for (int j = 0; j < size[1]; ++j)
@@ -98,7 +98,8 @@ void forEachPoint(const Brick& brick, const Visit& visit)
 }
 
 /// Every value of the brick is the function's, and those without one are no more than a share of its points.
-void expectValues(const MadeBrick& made, const FieldFunction& function, double withoutAtMost, double within = asFloats)
+void expectValues(
+  const MadeFieldBlock& made, const FieldFunction& function, double withoutAtMost, double within = asFloats)
 {
   ASSERT_TRUE(made.brick) << made.problem;
   std::size_t without = 0;
@@ -115,7 +116,7 @@ void expectValues(const MadeBrick& made, const FieldFunction& function, double w
 }
 
 /// Values and where there are any are those of VTK's probe.
-void expectAsProbed(const MadeBrick& made, vtkDataSet* data)
+void expectAsProbed(const MadeFieldBlock& made, vtkDataSet* data)
 {
   ASSERT_TRUE(made.brick) << made.problem;
   vtkNew<vtkPoints> points;
@@ -186,10 +187,10 @@ TEST(FieldTypes, ACurvilinearGridHasItsValuesAndNoneWhereItIsNot)
 {
   const auto grid = bentGrid();
   addArray(*grid, tilted);
-  const MadeBrick made = fieldOf(grid);
+  const MadeFieldBlock made = fieldOf(grid);
   expectValues(made, tilted, 0.6); // a bent grid fills half of its box
   expectAsProbed(made, grid);
-  EXPECT_FALSE(made.brick->sample(BrickRole::Scalar, Vec3(1.5, 1.5, 2.0))); // inside of the bend
+  EXPECT_FALSE(made.brick->sample(FieldBlockRole::Scalar, Vec3(1.5, 1.5, 2.0))); // inside of the bend
 }
 
 TEST(FieldTypes, BlankedCellsOfACurvilinearGridHaveNoValue)
@@ -197,7 +198,7 @@ TEST(FieldTypes, BlankedCellsOfACurvilinearGridHaveNoValue)
   const auto grid = bentGrid();
   addArray(*grid, tilted);
   const Vec3 inside = 4.0 * Vec3(std::cos(0.6), std::sin(0.6), 0.0) + Vec3(0, 0, 2.1);
-  ASSERT_TRUE(fieldOf(grid).brick->sample(BrickRole::Scalar, inside));
+  ASSERT_TRUE(fieldOf(grid).brick->sample(FieldBlockRole::Scalar, inside));
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
     if (grid->GetCell(i)->GetBounds()[4] > 1.0)
@@ -205,15 +206,15 @@ TEST(FieldTypes, BlankedCellsOfACurvilinearGridHaveNoValue)
       grid->BlankCell(i);
     }
   }
-  const MadeBrick made = fieldOf(grid);
-  EXPECT_FALSE(made.brick && made.brick->sample(BrickRole::Scalar, inside));
-  EXPECT_TRUE(made.brick->sample(BrickRole::Scalar, inside - Vec3(0, 0, 1.7)));
+  const MadeFieldBlock made = fieldOf(grid);
+  EXPECT_FALSE(made.brick && made.brick->sample(FieldBlockRole::Scalar, inside));
+  EXPECT_TRUE(made.brick->sample(FieldBlockRole::Scalar, inside - Vec3(0, 0, 1.7)));
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
     grid->BlankCell(i);
   }
-  const MadeBrick nothing = fieldOf(grid);
-  EXPECT_FALSE(nothing.brick && nothing.brick->sample(BrickRole::Scalar, inside));
+  const MadeFieldBlock nothing = fieldOf(grid);
+  EXPECT_FALSE(nothing.brick && nothing.brick->sample(FieldBlockRole::Scalar, inside));
 }
 
 TEST(FieldTypes, VoxelsAndHexahedraOfAnUnstructuredGridHaveTheirValues)
@@ -264,15 +265,15 @@ TEST(FieldTypes, WhatIsRefinedOfAnAmrHasTheValuesOfItsFinestLevel)
     amr->SetDataSet(level, 0, grid);
   }
   amr->GenerateParentChildInformation();
-  const MadeBrick made = fieldOf(amr);
+  const MadeFieldBlock made = fieldOf(amr);
   ASSERT_TRUE(made.brick);
   for (const Vec3& p_W : { Vec3(1.0, 1.25, 1.5), Vec3(7.0, 7.5, 6.5), Vec3(1.0, 4.0, 4.0) })
   {
-    EXPECT_NEAR(made.brick->sample(BrickRole::Scalar, p_W)->value, tilted(p_W), asFloats);
+    EXPECT_NEAR(made.brick->sample(FieldBlockRole::Scalar, p_W)->value, tilted(p_W), asFloats);
   }
   for (const Vec3& p_W : { Vec3(4.0, 4.25, 4.5), Vec3(3.0, 3.5, 5.0) })
   {
-    EXPECT_NEAR(made.brick->sample(BrickRole::Scalar, p_W)->value, tilted(p_W) + 8.0, asFloats);
+    EXPECT_NEAR(made.brick->sample(FieldBlockRole::Scalar, p_W)->value, tilted(p_W) + 8.0, asFloats);
   }
 }
 
@@ -294,15 +295,15 @@ vtkSmartPointer<vtkUnstructuredGrid> markedTetrahedra(unsigned char mark)
 
 TEST(FieldTypes, HiddenCellsOfTetrahedraHaveNoValueAndTheOthersHaveTheirs)
 {
-  const MadeBrick made = fieldOf(markedTetrahedra(vtkDataSetAttributes::HIDDENCELL));
+  const MadeFieldBlock made = fieldOf(markedTetrahedra(vtkDataSetAttributes::HIDDENCELL));
   expectValues(made, tilted, 0.6);
-  EXPECT_TRUE(made.brick->sample(BrickRole::Scalar, Vec3(1.5, 3.1, 3.2)));
-  EXPECT_FALSE(made.brick->sample(BrickRole::Scalar, Vec3(4.5, 3.1, 3.2)));
+  EXPECT_TRUE(made.brick->sample(FieldBlockRole::Scalar, Vec3(1.5, 3.1, 3.2)));
+  EXPECT_FALSE(made.brick->sample(FieldBlockRole::Scalar, Vec3(4.5, 3.1, 3.2)));
 }
 
 TEST(FieldTypes, CellsThatAnotherRankHasTooHaveTheirValues)
 {
-  const MadeBrick made = fieldOf(markedTetrahedra(vtkDataSetAttributes::DUPLICATECELL));
+  const MadeFieldBlock made = fieldOf(markedTetrahedra(vtkDataSetAttributes::DUPLICATECELL));
   expectValues(made, tilted, 0.0);
   auto image = cubeOfPoints(6);
   addArray(*image, tilted);
@@ -335,7 +336,7 @@ TEST(FieldTypes, ATimeSeriesHasTheValuesOfItsTime)
       arrays.Vector = "Velocity";
       const vtkHapticFieldResult field = vtkHapticToField(source->GetOutputDataObject(0), arrays);
       ASSERT_TRUE(field.Source) << field.Problem;
-      const MadeBrick made = field.Source->brickAround({ Vec3::Zero(), everywhere, 1 });
+      const MadeFieldBlock made = field.Source->brickAround({ Vec3::Zero(), everywhere, 1 });
       const Vec3 p_W(0.8, 0.35, 0.25); // a point of the image and of the mesh
       // Tetrahedra are seen on a lattice between their points: h^2 / 8 times second derivatives of at most 0.1 pi^3
       // each.

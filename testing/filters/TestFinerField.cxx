@@ -68,7 +68,7 @@ vtkHapticFieldResult fieldFrom(vtkDataObject* data)
 }
 
 /// The largest difference to VTK's probe at places around one, of a brick.
-double errorOf(const Brick& brick, vtkDataSet* data, const Vec3& centre_W, double around_u)
+double errorOf(const FieldBlock& brick, vtkDataSet* data, const Vec3& centre_W, double around_u)
 {
   test::Random random(test::testSeed(1660));
   vtkNew<vtkPoints> points;
@@ -87,7 +87,7 @@ double errorOf(const Brick& brick, vtkDataSet* data, const Vec3& centre_W, doubl
   double largest = 0.0;
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
-    const auto sample = brick.sample(BrickRole::Scalar, Vec3(points->GetPoint(i)));
+    const auto sample = brick.sample(FieldBlockRole::Scalar, Vec3(points->GetPoint(i)));
     largest = std::max(largest, sample ? std::abs(sample->value - truth->GetTuple1(i)) : INFINITY);
   }
   return largest;
@@ -104,15 +104,15 @@ TEST(FinerField, WhereCellsAreSmallerAFinerBrickHoldsThemAndElsewhereThereIsNone
   {
     const vtkHapticFieldResult field = fieldFrom(data);
     ASSERT_TRUE(field.Source) << field.Problem;
-    const MadeBrick here = field.Source->brickAround({ middle, 20.0, 1 }),
-                    there = field.Source->brickAround({ corner, 20.0, 2 });
+    const MadeFieldBlock here = field.Source->brickAround({ middle, 20.0, 1 }),
+                         there = field.Source->brickAround({ corner, 20.0, 2 });
     ASSERT_TRUE(here.brick && there.brick) << here.problem << there.problem;
     EXPECT_FALSE(there.brick->finer());
     EXPECT_TRUE(std::isfinite(there.finerReach_u)) << "a hand that comes to the small cells is noticed";
     ASSERT_TRUE(here.brick->finer());
-    const BrickGrid& finer = here.brick->finer()->grid();
+    const FieldBlockGrid& finer = here.brick->finer()->grid();
     EXPECT_LE(finer.spacing_u.maxCoeff(), 0.75 * small) << "about half of a cell";
-    EXPECT_LE(here.brick->bytes(), Brick::mostBytes);
+    EXPECT_LE(here.brick->bytes(), FieldBlock::mostBytes);
     const double around = 0.4 * std::min(finer.roomAt_u(middle), side / 8.0);
     EXPECT_LT(errorOf(*here.brick->finer(), data, middle, around), 0.2 * errorOf(*here.brick, data, middle, around))
       << data->GetClassName();
@@ -140,7 +140,7 @@ TEST(FinerField, OfCellsThatAreAllAlikeIsNoneAndNoBrickIsMadeForOne)
   box->GetPointData()->AddArray(values);
   const vtkHapticFieldResult field = fieldFrom(box);
   ASSERT_TRUE(field.Source) << field.Problem;
-  const MadeBrick made = field.Source->brickAround({ Vec3(12, 12, 12), 5.0, 1 });
+  const MadeFieldBlock made = field.Source->brickAround({ Vec3(12, 12, 12), 5.0, 1 });
   ASSERT_TRUE(made.brick);
   EXPECT_FALSE(made.brick->finer());
   EXPECT_TRUE(std::isinf(made.finerReach_u));

@@ -96,7 +96,7 @@ TEST(HapticSessionDevice, ADeviceThatIsChosenMeanwhileChangesNothingOfTheOneThat
   chosenAnew->SetSetting("DeviceName", "mouse");
   EXPECT_TRUE(chosenAnew->GetDeviceGivesForce());
   chosenAnew->SetSetting("DeviceName", "simulated-premium");
-  EXPECT_THAT(chosenAnew->GetPlanSentence(), StrEq(asBefore->GetPlanSentence()));
+  EXPECT_THAT(chosenAnew->GetPlanText(), StrEq(asBefore->GetPlanText()));
   chosenAnew->FitWorkspace();
   asBefore->FitWorkspace();
   EXPECT_EQ(chosenAnew->GetSetting("Scale"), asBefore->GetSetting("Scale"));
@@ -116,7 +116,7 @@ TEST(HapticSessionDevice, ADeviceThatIsChosenMeanwhileChangesNothingOfTheOneThat
   EXPECT_GE(mostHeld, 1);
   chosenAnew->TouchingOff();
   EXPECT_FALSE(chosenAnew->GetRaisesLines());
-  EXPECT_TRUE(test::says(chosenAnew->GetPlanSentence(), { "device holds none", "guided" }));
+  EXPECT_TRUE(test::says(chosenAnew->GetPlanText(), { "device holds none", "guided" }));
 }
 
 TEST(HapticSessionDevice, AMouseThatIsChosenMeanwhileLeadsNoOtherHand)

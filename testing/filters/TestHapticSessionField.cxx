@@ -145,7 +145,7 @@ TEST_F(HapticSessionField, OfADetentItsLevelIsDrawnAndOfASnapItsPlaceAndTheWayTh
   places->SetPoints(points);
   this->session_->SetSetting("FieldDetent", 0.0);
   this->session_->SetSetting("FieldSnap", 0.1);
-  this->session_->GetSight()->SetFieldBeside(nullptr, places);
+  this->session_->GetSight()->SetComparedField(nullptr, places);
   ASSERT_TRUE(this->session_->FinishField());
   this->go({ 12.0, 9.0, 3.0 }, { 12.0, 9.0, 4.0 });
   this->session_->GetSight()->GetFieldShape(shape);
@@ -192,7 +192,7 @@ TEST_F(HapticSessionField, LargerThanABrickComesAlongWithTheHand)
   this->start(from);
   this->go(from, to);
   EXPECT_NEAR(this->force().x(), -stiffness * 2.0 / scale, 1e-6);
-  EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("u around the hand"));
+  EXPECT_THAT(this->session_->GetFieldText(), HasSubstr("u around the hand"));
 }
 
 TEST_F(HapticSessionField, WithoutAModeThatIsOnNothingIsFeltAndThePersonIsTold)
@@ -212,7 +212,7 @@ TEST_F(HapticSessionField, ThatCannotBeFeltIsRefusedByNameAndARightArrayTakesThe
     errorsOf(this->session_, [&] { EXPECT_FALSE(this->session_->AddField("ball", distances(20, 1.0))); });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_TRUE(test::says(errors[0], { "array", "\"gone\"", "exist" }));
-  EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("\"gone\""));
+  EXPECT_THAT(this->session_->GetFieldText(), HasSubstr("\"gone\""));
   EXPECT_FALSE(this->session_->FinishField());
   this->session_->SetSetting("FieldArray", "distance");
   EXPECT_STREQ(this->session_->GetProblem(), "");
@@ -318,7 +318,7 @@ TEST_F(HapticSessionField, SaysWithHowMuchSmoothLevelsHoldAlsoWhereItIsLargerTha
     largest_N = std::max(largest_N, this->force().norm());
   }
   EXPECT_NEAR(largest_N, most_N, 0.06 * most_N) << "bounds may be a twentieth too large";
-  EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("smooth levels hold with 0.00"));
+  EXPECT_THAT(this->session_->GetFieldText(), HasSubstr("smooth levels hold with 0.00"));
 }
 
 TEST_F(HapticSessionField, SaysWhatThePushGivesAndCountsTheTicksBeyondTheNumbers)
@@ -376,9 +376,9 @@ TEST_F(HapticSessionField, SaysThatTheDataDoNotHaveTheIsovalueAndThatWhatWasFelt
   this->session_->SetSetting("FieldIsovalue", 500.0);
   ASSERT_TRUE(this->session_->AddField("ball", distances(41, 1.0)));
   ASSERT_TRUE(this->session_->FinishField());
-  EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("do not contain the isovalue 500"));
+  EXPECT_THAT(this->session_->GetFieldText(), HasSubstr("do not contain the isovalue 500"));
   this->session_->SetSetting("FieldIsovalue", 10.0);
-  EXPECT_THAT(this->session_->GetFieldSentence(), ::testing::Not(HasSubstr("isovalue")));
+  EXPECT_THAT(this->session_->GetFieldText(), ::testing::Not(HasSubstr("isovalue")));
   this->start(Vec3(12.0, 0.0, 0.0));
   EXPECT_STREQ(this->session_->GetWarning(), "");
   this->session_->AddField(nullptr, nullptr); // as who follows a view does when no source has the array any more
@@ -401,7 +401,7 @@ TEST_F(HapticSessionField, IsComparedWithOtherDataAndSnapsToTheirPoints)
   this->session_->SetSetting("FieldArray", "distance");
   this->session_->SetSetting("FieldCompare", 0.4);
   this->session_->SetSetting("FieldCompareFull", 5.0);
-  this->session_->GetSight()->SetFieldBeside(other, nullptr);
+  this->session_->GetSight()->SetComparedField(other, nullptr);
   ASSERT_TRUE(this->session_->AddField("ball", image));
   ASSERT_TRUE(this->session_->FinishField()) << this->session_->GetProblem();
   const auto drag = [this](double x)
@@ -426,7 +426,7 @@ TEST_F(HapticSessionField, IsComparedWithOtherDataAndSnapsToTheirPoints)
   cores->SetPoints(points);
   this->session_->SetSetting("FieldSnap", 0.3);
   this->session_->SetSetting("FieldSnapReach", 4.0);
-  this->session_->GetSight()->SetFieldBeside(nullptr, cores);
+  this->session_->GetSight()->SetComparedField(nullptr, cores);
   ASSERT_TRUE(this->session_->FinishField());
   this->at(Vec3(-8.0, 3.0, 0.0));
   this->session_->Step(100);

@@ -128,7 +128,7 @@ protected:
   }
 
   [[nodiscard]] double force_N() const { return this->session_->GetForceMagnitude(); }
-  [[nodiscard]] std::string sentence() const { return this->session_->GetPlanSentence(); }
+  [[nodiscard]] std::string sentence() const { return this->session_->GetPlanText(); }
 
   double angle_ = 0.0; ///< of the hand on the ring
 };

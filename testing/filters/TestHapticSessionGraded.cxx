@@ -63,7 +63,7 @@ TEST_F(HapticSessionGraded, OfAChannelHoldsAHandAtThirtyCentimetresASecondThroug
     EXPECT_EQ(this->session_->GetContacts(), 1);
     EXPECT_NEAR(Vec3(this->session_->GetProxyPosition()).x(), 1.9, 2.0 * handStep_u);
     EXPECT_GT(this->force().y(), 0.0);
-    EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("cells of the data"));
+    EXPECT_THAT(this->session_->GetFieldText(), HasSubstr("cells of the data"));
     this->session_->TouchingOff();
   }
 }
@@ -97,7 +97,7 @@ TEST_F(HapticSessionGraded, ThatAreNotFeltInTheirCellsAreSaidWithTheSpacingOfWha
 {
   this->session_->SetSetting("FieldSmoothing", 1);
   this->feel(channel(25, 13), 0.9, { 1.1, 0.2, 1.4 });
-  EXPECT_TRUE(test::says(this->session_->GetFieldSentence(), { "isosurfaces", "samples 0." }));
-  EXPECT_TRUE(test::says(this->session_->GetFieldSentence(), { "not from its own cells", "smoothed" }));
+  EXPECT_TRUE(test::says(this->session_->GetFieldText(), { "isosurfaces", "samples 0." }));
+  EXPECT_TRUE(test::says(this->session_->GetFieldText(), { "not from its own cells", "smoothed" }));
 }
 } // namespace

@@ -81,7 +81,7 @@ protected:
   static Vec3 handAt(double angle, double r) { return r * Vec3(std::cos(angle), std::sin(angle), 0.3).normalized(); }
 
   [[nodiscard]] double force_N() const { return this->session_->GetForceMagnitude(); }
-  [[nodiscard]] std::string sentence() const { return this->session_->GetPlanSentence(); }
+  [[nodiscard]] std::string sentence() const { return this->session_->GetPlanText(); }
 };
 } // namespace
 

@@ -49,11 +49,11 @@ TEST_F(HapticSessionPlane, AJoystickHoldsTheWallsOfLinesItself)
   }
   this->show({ { -40, 0, 0 }, { 40, 0, 0 } });
   EXPECT_TRUE(this->session_->GetPlaneWorld());
-  EXPECT_TRUE(test::says(this->session_->GetPlanSentence(), { "device itself holds", "125 Hz" }));
+  EXPECT_TRUE(test::says(this->session_->GetPlanText(), { "device itself holds", "125 Hz" }));
   std::ostringstream drag; // K s (Th - T) / 2
   drag.precision(3);
   drag << "a drag of " << std::min(wall, this->session_->GetLargestStiffness()) * 0.1 * (0.008 - 0.001) / 2 << " N";
-  EXPECT_THAT(this->session_->GetPlanSentence(), HasSubstr(drag.str()));
+  EXPECT_THAT(this->session_->GetPlanText(), HasSubstr(drag.str()));
   this->session_->TouchingOn();
   this->session_->Step(ticksToEngage);
   bool felt = false;
@@ -71,7 +71,7 @@ TEST_F(HapticSessionPlane, AJoystickHoldsTheWallsOfLinesItself)
   }
   EXPECT_TRUE(felt);
   this->session_->SetSetting("HoldWalls", false);
-  EXPECT_TRUE(test::says(this->session_->GetPlanSentence(), { "program renders the walls", "as set" }));
+  EXPECT_TRUE(test::says(this->session_->GetPlanText(), { "program renders the walls", "as set" }));
   this->session_->Step(10);
   EXPECT_EQ(this->session_->GetWallsHeld(), 0);
 }
@@ -152,9 +152,9 @@ TEST_F(HapticSessionPlane, FittingTurnsAJoystickIntoThePlaneOfTheLines)
 {
   this->session_->SetSetting("DeviceName", "simulated-joystick");
   this->show({ { 5, -40, -40 }, { 5, 40, -40 }, { 5, 40, 40 } });
-  EXPECT_TRUE(test::says(this->session_->GetPlanSentence(), { "because the plane is not" }));
+  EXPECT_TRUE(test::says(this->session_->GetPlanText(), { "because the plane is not" }));
   this->session_->FitWorkspace();
-  EXPECT_THAT(this->session_->GetPlanSentence(), HasSubstr("device itself holds"));
+  EXPECT_THAT(this->session_->GetPlanText(), HasSubstr("device itself holds"));
   const Quat q(this->session_->GetSettingNumbers("Rotation")[0], this->session_->GetSettingNumbers("Rotation")[1],
     this->session_->GetSettingNumbers("Rotation")[2], this->session_->GetSettingNumbers("Rotation")[3]);
   EXPECT_LE((q * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-12);

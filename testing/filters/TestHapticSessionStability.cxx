@@ -113,18 +113,18 @@ TEST_F(HapticSessionStability, HowStiffTheDeviceCanBeIsKnownBeforeItRunsAndFollo
   plan.enabled = false;
   this->session_->SetSetting("Passivity", false);
   EXPECT_EQ(this->session_->GetLargestStiffness(), largest("simulated-generic", { period_s, 0.0, plan }));
-  EXPECT_THAT(this->session_->GetStabilitySentence(), HasSubstr("without the passivity controller"));
+  EXPECT_THAT(this->session_->GetStabilityText(), HasSubstr("without the passivity controller"));
 }
 
 TEST_F(HapticSessionStability, TheSentenceIsThatOfTheChosenDeviceAndOfTheRunningOneWhileItRuns)
 {
-  const std::string generic = this->session_->GetStabilitySentence();
+  const std::string generic = this->session_->GetStabilityText();
   EXPECT_THAT(generic, HasSubstr("0.1 kg and 1 N s/m"));
   this->startTouching();
   this->session_->SetSetting("DeviceName", "fed");
-  EXPECT_EQ(this->session_->GetStabilitySentence(), generic);
+  EXPECT_EQ(this->session_->GetStabilityText(), generic);
   this->session_->TouchingOff();
-  EXPECT_THAT(this->session_->GetStabilitySentence(), HasSubstr("renders no force"));
+  EXPECT_THAT(this->session_->GetStabilityText(), HasSubstr("renders no force"));
   EXPECT_TRUE(std::isinf(this->session_->GetLargestStiffness()));
 }
 

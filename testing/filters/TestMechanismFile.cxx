@@ -68,8 +68,8 @@ TEST(MechanismFile, WhatAFileSaysIsWhatIsRead)
   EXPECT_EQ(mechanism.bodies[2].pose_W.q.x(), 1.0);
   EXPECT_EQ(mechanism.bodies[2].load_W, Vec3(0, 0, -0.5));
   ASSERT_EQ(mechanism.laws.size(), 3u);
-  const MechanismLaw &skin = mechanism.laws[0], &rest = mechanism.laws[1], &stop = mechanism.laws[2];
-  EXPECT_EQ(skin.kind, LawKind::Puncture);
+  const MechanismConstraint &skin = mechanism.laws[0], &rest = mechanism.laws[1], &stop = mechanism.laws[2];
+  EXPECT_EQ(skin.kind, ConstraintKind::Puncture);
   EXPECT_EQ(std::tie(skin.a, skin.b), std::make_tuple("needle", "wall"));
   EXPECT_EQ(skin.strength_N, 1.5);
   EXPECT_EQ(skin.tear_N, 9.0);
@@ -77,7 +77,7 @@ TEST(MechanismFile, WhatAFileSaysIsWhatIsRead)
   EXPECT_EQ(rest.point_B, Vec3(1, 2, 0));
   EXPECT_DOUBLE_EQ(rest.stiffness_N_per_u, 0.4) << "a unit is a millimetre";
   EXPECT_EQ(rest.rest_u, 2.0);
-  EXPECT_EQ(skin.stiffness_N_per_u, MechanismLaw::unlimited) << "nobody has named one";
+  EXPECT_EQ(skin.stiffness_N_per_u, MechanismConstraint::unlimited) << "nobody has named one";
   EXPECT_EQ(std::pair(stop.least_u, stop.most_u), std::pair(-1.0, 4.0));
 }
 
@@ -198,32 +198,32 @@ TEST(MechanismFile, LawsAreAddedReplacedAndTakenAwayAndTheRestStaysAsItIs)
 {
   std::string problem;
   const std::string more = R"({ "name": "glue", "kind": "break", "a": "plate", "b": "table", "strength_N": 2 })";
-  const std::string four = vtkHapticWithLaw(whole, "", more, problem);
+  const std::string four = vtkHapticWithConstraint(whole, "", more, problem);
   ASSERT_EQ(problem, "");
   const auto lawsOf = [](const std::string& laws)
   {
     const vtkHapticMechanismResult read = vtkHapticParseMechanism(whole, ".", laws);
     EXPECT_TRUE(read.Inputs) << read.Problem;
-    return read.Inputs ? read.Inputs->mechanism.laws : std::vector<MechanismLaw>();
+    return read.Inputs ? read.Inputs->mechanism.laws : std::vector<MechanismConstraint>();
   };
-  std::vector<MechanismLaw> expected = lawsOf("");
-  const std::vector<MechanismLaw> now = lawsOf(four);
+  std::vector<MechanismConstraint> expected = lawsOf("");
+  const std::vector<MechanismConstraint> now = lawsOf(four);
   ASSERT_EQ(now.size(), 4u);
   EXPECT_TRUE(std::equal(expected.begin(), expected.end(), now.begin()));
-  EXPECT_EQ(now.back().kind, LawKind::Break);
+  EXPECT_EQ(now.back().kind, ConstraintKind::Break);
   EXPECT_EQ(now.back().strength_N, 2.0);
-  const std::string three = vtkHapticWithoutLaw(whole, four, "rest", problem);
+  const std::string three = vtkHapticWithoutConstraint(whole, four, "rest", problem);
   ASSERT_EQ(problem, "");
   EXPECT_EQ(lawsOf(three).size(), 3u);
   EXPECT_EQ(lawsOf(three)[1].name, "stop");
-  const std::string again = vtkHapticWithLaw(
+  const std::string again = vtkHapticWithConstraint(
     whole, three, R"({ "name": "glue", "kind": "break", "a": "plate", "b": "table", "strength_N": 7 })", problem);
   EXPECT_EQ(lawsOf(again).size(), 3u) << "in the place of the one of its name";
   EXPECT_EQ(lawsOf(again).back().strength_N, 7.0);
-  EXPECT_EQ(vtkHapticWithoutLaw(whole, four, "nobody", problem), "");
+  EXPECT_EQ(vtkHapticWithoutConstraint(whole, four, "nobody", problem), "");
   EXPECT_THAT(problem, HasSubstr("no constraint \"nobody\""));
-  EXPECT_EQ(vtkHapticWithLaw(whole, four, R"({ "kind": "break" })", problem), "");
+  EXPECT_EQ(vtkHapticWithConstraint(whole, four, R"({ "kind": "break" })", problem), "");
   EXPECT_THAT(problem, HasSubstr("law.name: this key is missing"));
-  EXPECT_EQ(vtkHapticWithLaw(whole, "7", more, problem), "");
+  EXPECT_EQ(vtkHapticWithConstraint(whole, "7", more, problem), "");
   EXPECT_THAT(problem, HasSubstr("must be a list"));
 }

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "VirtualSession.h"
-#include "haptics/compliance/packet/SoftSurface.h"
+#include "haptics/compliance/snapshot/SoftSurface.h"
 #include "testing/support/Linear.h"
 #include "testing/support/Says.h"
 #include "testing/support/TemporaryFolder.h"
@@ -287,7 +287,7 @@ TEST_F(MechanismShown, OtherLawsOfTheSameBodiesLeaveThemWhereTheyAreSeenUntilThe
   ASSERT_GT(before.z() - face, 0.3);
   const double depth = this->session_->GetMechanismDepth();
   ASSERT_GT(depth, 3.0);
-  this->session_->SetSetting("MechanismLaws", ("[" + skin + "]").c_str());
+  this->session_->SetSetting("MechanismConstraints", ("[" + skin + "]").c_str());
   this->session_->Update();
   ASSERT_TRUE(this->look());
   EXPECT_LE((this->seen(joint_W) - before).norm(), 1e-12);

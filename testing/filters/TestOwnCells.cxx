@@ -144,9 +144,9 @@ TEST(OwnCells, OfMoreThanAreHandedOutAtATimeAreThoseAroundTheHandWithTheValuesOf
   test::Random random(test::testSeed(2803));
   for (const Vec3& hand_W : { Vec3(1.0, 0.02, 1.0), Vec3(4.0, 1.0, 2.0) })
   {
-    const MadeBrick made = field.Source->brickAround({ hand_W, 1.0, 1 });
+    const MadeFieldBlock made = field.Source->brickAround({ hand_W, 1.0, 1 });
     ASSERT_TRUE(made.brick && made.brick->cells());
-    EXPECT_LE(made.brick->bytes(), Brick::mostBytes);
+    EXPECT_LE(made.brick->bytes(), FieldBlock::mostBytes);
     EXPECT_LE(made.finerReach_u, made.brick->cells()->parts().reach_u);
     const double reach_u = made.brick->cells()->parts().reach_u;
     EXPECT_GT(reach_u, 0.3);
@@ -232,13 +232,13 @@ std::string saidOf(vtkDataObject* data, double value, const Vec3& hand_W)
   arrays.Scalar = "u";
   const vtkHapticFieldResult field = vtkHapticToField(data, arrays);
   EXPECT_TRUE(field.Source) << field.Problem;
-  const MadeBrick made = field.Source->brickAround({ hand_W, 2.0, 1 });
+  const MadeFieldBlock made = field.Source->brickAround({ hand_W, 2.0, 1 });
   EXPECT_TRUE(made.brick);
   FieldPlan plan;
-  EXPECT_EQ(latticeSentence(plan, made, hand_W), "") << "no surface is felt";
+  EXPECT_EQ(latticeText(plan, made, hand_W), "") << "no surface is felt";
   plan.isosurface = true;
   plan.isovalue = value;
-  return latticeSentence(plan, made, hand_W);
+  return latticeText(plan, made, hand_W);
 }
 
 /// x + 0.3 y + 0.1 z at the points of a grid.

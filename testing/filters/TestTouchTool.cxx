@@ -155,19 +155,19 @@ TEST(TouchTool, TheLeverIsTheRootOfTwoThirdsOfTheMeanSquareUnlessItIsGiven)
   // Of the faces of a cube about its middle: each has z^2 = 1 and x^2 + y^2 with the mean 2 (1/3), so |p|^2 has 5/3.
   const double own_u = std::sqrt(2.0 / 3.0 * 5.0 / 3.0);
   const double angle = 0.05;
-  for (const double lever_u : { 0.0, own_u, 3.0 })
+  for (const double characteristic_u : { 0.0, own_u, 3.0 })
   {
     const auto touch = touchWith(cubeHeldAt(Vec3::Zero()), { Vec3(0, 0, 3), Vec3(0, 0, 0.5) });
     addTurns(vtkPolyData::SafeDownCast(touch->GetInputDataObject(1, 0)),
       { Quat::Identity(), Quat(Eigen::AngleAxisd(angle, Vec3::UnitY())) });
     touch->SetTurnArray("turn");
-    touch->SetSetting("ToolLever", lever_u);
+    touch->SetSetting("ToolLever", characteristic_u);
     touch->Update();
     const double left =
       2.0 * std::acos(std::min(1.0, std::abs(turnAt(*touch, 1).w()))); // flat: all of the turn is spring
-    const double used_u = lever_u > 0.0 ? lever_u : own_u;
+    const double used_u = characteristic_u > 0.0 ? characteristic_u : own_u;
     const double torque_Nm = stiffness_N_per_m * used_u * used_u * (angle - left) / (scale_u_per_m * scale_u_per_m);
-    EXPECT_NEAR(vectorAt(*touch, "Torque", 1).norm(), torque_Nm, 1e-6 * torque_Nm) << lever_u;
+    EXPECT_NEAR(vectorAt(*touch, "Torque", 1).norm(), torque_Nm, 1e-6 * torque_Nm) << characteristic_u;
   }
 }
 

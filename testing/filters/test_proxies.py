@@ -288,10 +288,10 @@ class Session(unittest.TestCase):
 
     def test_says_how_stiff_the_chosen_device_can_be_before_it_is_touched(self):
         self.assertEqual(read(self.proxy, "LargestStiffness"), math.inf)  # "fed" pushes nobody
-        self.assertIn("renders no force", read(self.proxy, "StabilitySentence"))
+        self.assertIn("renders no force", read(self.proxy, "StabilityText"))
         write(self.proxy, "DeviceName", "simulated-joystick")
         self.assertEqual(read(self.proxy, "LargestStiffness"), JOYSTICK_STIFFNESS)
-        self.assertIn("the device's own limit", read(self.proxy, "StabilitySentence"))
+        self.assertIn("the device's own limit", read(self.proxy, "StabilityText"))
 
     def test_a_device_is_pushed_no_stiffer_than_it_can_hold(self):
         write(self.proxy, "VirtualTime", 1)

@@ -32,7 +32,7 @@ bool isReadWell(const std::vector<char>& bytes)
     require(mechanism.plan.held >= 0 && mechanism.plan.held < mechanism.plan.bodyCount);
     for (const palpate::RecordedMechanism::Body& body : mechanism.bodies)
     {
-      require(body.body->packet->free_W.size() == body.body->packet->placeOf.size());
+      require(body.body->snapshot->free_W.size() == body.body->snapshot->placeOf.size());
     }
   }
   for (const palpate::RecordedEntry& entry : recording.entries)

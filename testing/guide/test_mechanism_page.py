@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from page_commands import commands  # noqa: E402
 from paraview import simple  # noqa: E402
 
-from palpate.simple import GetHapticSession, HapticState, Laws, LetGo, SetHaptics  # noqa: E402
+from palpate.simple import GetHapticSession, HapticState, Constraints, LetGo, SetHaptics  # noqa: E402
 
 ROOT = os.environ["PALPATE_SOURCE_DIR"]
 TICKS_TO_ENGAGE = 1500
@@ -32,7 +32,7 @@ class MechanismPage(unittest.TestCase):
         hand.SetHandPosition(0, 0, FACE - 5 - TIP)
         printed = []
         said = {"print": printed.append}
-        blocks = commands("mechanisms.md", "A needle through a wall").split("print(Laws())")
+        blocks = commands("mechanisms.md", "A needle through a wall").split("print(Constraints())")
         with chdir(ROOT):
             exec(compile(blocks[0], "mechanisms.md", "exec"), said)  # the page itself is the program
             hand.Step(TICKS_TO_ENGAGE)
@@ -41,16 +41,16 @@ class MechanismPage(unittest.TestCase):
                 hand.Step(40)
             hand.Step(200)
             self.assertAlmostEqual(HapticState()["ForceMagnitude"], DRAG, delta=0.02 * DRAG)
-            changes, broken = blocks[1].split("\nBreakLaw")
-            exec(compile("print(Laws())" + changes, "mechanisms.md", "exec"), said)
+            changes, broken = blocks[1].split("\nBreakConstraint")
+            exec(compile("print(Constraints())" + changes, "mechanisms.md", "exec"), said)
             hand.Step(200)
-            exec(compile("BreakLaw" + broken, "mechanisms.md", "exec"), said)
-        self.assertEqual([law["Law"] for law in printed[0]], ["skin", "capsule"])
+            exec(compile("BreakConstraint" + broken, "mechanisms.md", "exec"), said)
+        self.assertEqual([law["Constraint"] for law in printed[0]], ["skin", "capsule"])
         self.assertEqual(printed[0][0]["Phase"], "inside")
         hand.Step(200)
-        self.assertEqual(Laws()[0]["Phase"], "gone")
+        self.assertEqual(Constraints()[0]["Phase"], "gone")
         LetGo()
-        SetHaptics(MechanismSource="", MechanismLaws="")
+        SetHaptics(MechanismSource="", MechanismConstraints="")
         for proxy in [*simple.GetSources().values(), *simple.GetRenderViews()]:
             simple.Delete(proxy)
 

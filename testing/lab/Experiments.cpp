@@ -131,7 +131,7 @@ std::vector<Experiment> fieldExperiments()
     { "fields", "numbers in space by a proxy, by maps of force, by followers and as a mesh; where sampled maps shake",
       { 82, 83, 84 }, runFields },
     { "brick", "how true the numbers around a hand are, what they cost, and how fast a hand may go before they end", {},
-      runBricks },
+      runFieldBlocks },
   };
 }
 
@@ -151,7 +151,7 @@ std::vector<Experiment> softExperiments()
       runStruck },
     { "contacts", "contacts that share compliance: what the tick's solver leaves open, and what it costs", { 38, 42 },
       runContacts },
-    { "laws", "each law between two bodies is its closed form, in any hand, turn and tissue", { 64 }, runLaws },
+    { "laws", "each law between two bodies is its closed form, in any hand, turn and tissue", { 64 }, runConstraints },
     { "mechanism",
       "a needle through a wall and an organ: what they share, and what an operator without that makes of it",
       { 65, 66 }, runMechanism },

@@ -52,7 +52,7 @@ class FieldInAView(ViewTest):
         simple.Render(self.view)
         self.follow()
         self.session.FinishField()
-        self.assertIn("11 x 11 x 11", self.session.GetFieldSentence())
+        self.assertIn("11 x 11 x 11", self.session.GetFieldText())
         put(self.proxy, "FieldArray", "")
         self.follow()
         self.assertFalse(self.session.FinishField())
@@ -85,7 +85,7 @@ class FieldInAView(ViewTest):
         shown = self.show_wavelet("Outline")
         chosen = simple.Wavelet(registrationName="Chosen", WholeExtent=[-4, 4, -4, 4, -4, 4], XFreq=10)
         self.assertTrue(self.feel(FieldArray="RTData", FieldIsosurface=1, FieldIsovalue=1e6, FeltSource="Chosen"))
-        self.assertIn("Chosen: RTData on 9 x 9 x 9", self.session.GetFieldSentence())
+        self.assertIn("Chosen: RTData on 9 x 9 x 9", self.session.GetFieldText())
         point = (0.25, 3.5, -2.125)
         self.session.SetHandPosition(*point)
         put(self.proxy, "Touching", 1)
@@ -101,7 +101,7 @@ class FieldInAView(ViewTest):
         self.scene.Update()
         self.assertIn('Chosen has not "Other"', self.scene.GetReport())
         self.assertTrue(self.feel(FeltSource="", FieldArray="RTData"))
-        self.assertIn("21 x 21 x 21", self.session.GetFieldSentence())
+        self.assertIn("21 x 21 x 21", self.session.GetFieldText())
 
     def test_an_array_that_goes_while_it_is_felt_is_said(self):
         wavelet = self.show_wavelet("Outline")

@@ -35,14 +35,14 @@ class Hand(ViewTest):
         put(self.proxy, "FieldSmoothing", 0)
         self.session.SetHandPosition(-75.0, 0.3, -0.7)
         assert self.feel(FieldArray="RTData", FieldDetent=0.2, FieldDetentSpacing=100.0, FieldIsosurface=1, FieldIsovalue=150.0), \
-            self.session.GetFieldSentence()
+            self.session.GetFieldText()
         put(self.proxy, "Touching", 1)
         self.session.Step(1200)
         felt = []
         for i in range(1, 151):
             self.at(-75.0 + i)
             felt.append(tuple(self.session.GetForce()))
-        bricks = self.session.GetFieldSentence()
+        bricks = self.session.GetFieldText()
         wavelet.XFreq = 20.0
         simple.Render(self.view)
         self.at(75.0)

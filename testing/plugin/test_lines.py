@@ -79,7 +79,7 @@ class LinesInAView(ViewTest):
         put(self.proxy, "DeviceName", "simulated-joystick")
         self.show(simple.Line(Point1=[0.0, -1.0, 0.0], Point2=[0.0, 1.0, 0.0]))
         self.assertTrue(self.follow())
-        self.assertIn("device itself holds", self.session.GetPlanSentence())
+        self.assertIn("device itself holds", self.session.GetPlanText())
 
 
 if __name__ == "__main__":

@@ -17,8 +17,8 @@ from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
-from palpate.simple import (AddLaw, BreakLaw, GetHapticSession, HapticRefusal, HapticState, HoldMechanism, Laws,  # noqa: E402
-                            LetGo, RemoveLaw, SetHaptics, Touch)
+from palpate.simple import (AddConstraint, BreakConstraint, GetHapticSession, HapticRefusal, HapticState, HoldMechanism, Constraints,  # noqa: E402
+                            LetGo, RemoveConstraint, SetHaptics, Touch)
 from says import unsaid
 
 SCENES = pathlib.Path(os.environ["PALPATE_SOURCE_DIR"]) / "data" / "mechanisms"
@@ -66,7 +66,7 @@ def loaded(state):
     lead(ASIDE, 0, FACE + 1.0)
     GetHapticSession().Step(200)
     told = HapticState()
-    print("told:" + json.dumps({"laws": Laws(), "force": list(told["Force"]), "text": told["MechanismText"]}))
+    print("told:" + json.dumps({"laws": Constraints(), "force": list(told["Force"]), "text": told["MechanismText"]}))
 
 
 class Held(unittest.TestCase):
@@ -76,7 +76,7 @@ class Held(unittest.TestCase):
 
     def tearDown(self):
         LetGo()
-        SetHaptics(MechanismSource="", MechanismLaws="")
+        SetHaptics(MechanismSource="", MechanismConstraints="")
         for proxy in [*simple.GetSources().values(), *simple.GetRenderViews()]:
             simple.Delete(proxy)
 
@@ -113,16 +113,16 @@ class Mechanism(Held):
     def test_a_needle_presses_pierces_and_drags_and_its_table_and_picture_say_so(self):
         source = self.hold()
         self.assertIn("2 constraints", HapticState()["MechanismText"])
-        self.assertEqual([law["Law"] for law in Laws()], ["skin", "capsule"])
+        self.assertEqual([law["Constraint"] for law in Constraints()], ["skin", "capsule"])
         self.assertEqual(HapticState()["ForceMagnitude"], 0.0)
         pressed = self.press(FACE + 1.0)
         self.assertLess(pressed["Force"][2], 0.0)
-        self.assertEqual(Laws()[0]["Phase"], "closed")
-        self.assertAlmostEqual(Laws()[0]["Force"], -pressed["Force"][2], delta=1e-6)
+        self.assertEqual(Constraints()[0]["Phase"], "closed")
+        self.assertAlmostEqual(Constraints()[0]["Force"], -pressed["Force"][2], delta=1e-6)
         for depth in range(2, 14):
             self.press(FACE + depth, 20)
         inside = self.press(FACE + 14)
-        self.assertEqual(Laws()[0]["Phase"], "inside")
+        self.assertEqual(Constraints()[0]["Phase"], "inside")
         self.assertAlmostEqual(-inside["Force"][2], 0.4, delta=1e-3)
         simple.Render(self.view)
         top = servermanager.Fetch(source).GetBounds()[5]
@@ -132,22 +132,22 @@ class Mechanism(Held):
 
     def test_laws_are_added_taken_away_and_broken_and_a_state_keeps_them(self):
         self.hold("suture.json", TIP)  # the hand at the origin, 40 before the knot
-        self.assertEqual([law["Kind"] for law in Laws()], ["break"])
+        self.assertEqual([law["Kind"] for law in Constraints()], ["break"])
         self.press(TIP + 1.0)
-        self.assertEqual(Laws()[0]["Phase"], "closed")
-        BreakLaw("thread")
+        self.assertEqual(Constraints()[0]["Phase"], "closed")
+        BreakConstraint("thread")
         self.assertLess(self.press(TIP + 1.0, 1000)["ForceMagnitude"], 1e-6)
-        self.assertEqual(Laws()[0]["Phase"], "gone")
-        AddLaw(name="tape", kind="attachment", a="needle", b="tissue", point_a=[0, 0, 40], point_b=[0, 0, 40])
-        self.assertEqual([law["Law"] for law in Laws()], ["thread", "tape"])
+        self.assertEqual(Constraints()[0]["Phase"], "gone")
+        AddConstraint(name="tape", kind="attachment", a="needle", b="tissue", point_a=[0, 0, 40], point_b=[0, 0, 40])
+        self.assertEqual([law["Constraint"] for law in Constraints()], ["thread", "tape"])
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "mechanism.pvsm")
             simple.SaveState(file)
             self.assertIn("tape", pathlib.Path(file).read_text())
-        RemoveLaw("thread")
-        self.assertEqual([law["Law"] for law in Laws()], ["tape"])
-        for call, words in ((lambda: RemoveLaw("nothing"), "there is no constraint"), (lambda: BreakLaw("nothing"), "there is no constraint"),
-                            (lambda: AddLaw(name="x", kind="weld", a="needle", b="tissue"), "valid kinds: contact")):
+        RemoveConstraint("thread")
+        self.assertEqual([law["Constraint"] for law in Constraints()], ["tape"])
+        for call, words in ((lambda: RemoveConstraint("nothing"), "there is no constraint"), (lambda: BreakConstraint("nothing"), "there is no constraint"),
+                            (lambda: AddConstraint(name="x", kind="weld", a="needle", b="tissue"), "valid kinds: contact")):
             with self.assertRaisesRegex(HapticRefusal, words):
                 call()
 
@@ -173,24 +173,24 @@ class Mechanism(Held):
         SetHaptics(MechanismSource="")
         HoldMechanism(source)
         self.assertIn("2 constraints", HapticState()["MechanismText"])
-        self.assertEqual([law["Law"] for law in Laws()], ["skin", "capsule"])
+        self.assertEqual([law["Constraint"] for law in Constraints()], ["skin", "capsule"])
 
     def test_a_law_that_nobody_can_meet_is_refused_and_a_needle_that_is_in_stays_in(self):
         source = self.hold()
         for depth in range(1, 14):
             self.press(FACE + depth, 20)
-        self.assertEqual(Laws()[0]["Phase"], "inside")
+        self.assertEqual(Constraints()[0]["Phase"], "inside")
         before = self.press(FACE + 14)["ForceMagnitude"]
         bad = (dict(b="nobody"), '"nobody"'), (dict(b="needle"), "itself"), (dict(kind="break", strength_N=0), "0 N or less"), \
             (dict(point_a=[0, 0, 500]), 'outside of "needle"')
         for values, words in bad:
             law = {**CLAMP, **values}
-            for call in (lambda law=law: AddLaw(**law), lambda law=law: HoldMechanism(source, laws=[law])):
+            for call in (lambda law=law: AddConstraint(**law), lambda law=law: HoldMechanism(source, laws=[law])):
                 with self.assertRaisesRegex(HapticRefusal, words):
                     call()
-                self.assertEqual([one["Law"] for one in Laws()], ["skin", "capsule"])
+                self.assertEqual([one["Constraint"] for one in Constraints()], ["skin", "capsule"])
                 self.assertAlmostEqual(self.press(FACE + 14, 10)["ForceMagnitude"], before, delta=1e-4)
-                self.assertEqual(Laws()[0]["Phase"], "inside")
+                self.assertEqual(Constraints()[0]["Phase"], "inside")
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "mechanism.pvsm")
             simple.SaveState(file)
@@ -201,7 +201,7 @@ class Mechanism(Held):
         with self.assertRaisesRegex(HapticRefusal, '"nobody"'):
             HoldMechanism(source, laws=[{**CLAMP, "b": "nobody"}])
         HoldMechanism(source, laws=[CLAMP])
-        self.assertEqual([law["Law"] for law in Laws()], ["clamp"])
+        self.assertEqual([law["Constraint"] for law in Constraints()], ["clamp"])
 
     def test_one_that_is_drawn_elsewhere_than_its_file_has_it_is_refused_or_said(self):
         source = self.hold()
@@ -225,13 +225,13 @@ class Mechanism(Held):
 
     def test_a_row_says_what_its_law_is_and_what_joins_two_points_is_never_open(self):
         self.hold()
-        self.assertEqual(Laws()[0]["Numbers"], "1.5 N, drags 0.4 N, friction 1")
+        self.assertEqual(Constraints()[0]["Numbers"], "1.5 N, drags 0.4 N, friction 1")
         HoldMechanism(None)
         simple.Delete(simple.FindSource("Mechanism"))
         LetGo()
         self.hold("suture.json", TIP)
         self.assertLess(HapticState()["ForceMagnitude"], 1e-6)
-        self.assertEqual(Laws()[0]["Phase"], "closed")
+        self.assertEqual(Constraints()[0]["Phase"], "closed")
 
     def test_a_source_that_is_deleted_while_it_is_held_lets_the_hand_go(self):
         source = self.hold()
@@ -263,8 +263,8 @@ class Mechanism(Held):
 
     def test_a_state_file_gives_another_process_the_same_laws_and_the_same_force(self):
         self.hold()
-        AddLaw(**CLAMP)
-        RemoveLaw("capsule")
+        AddConstraint(**CLAMP)
+        RemoveConstraint("capsule")
         lead(ASIDE, 0, FACE - 5)
         GetHapticSession().Step(300)
         lead(ASIDE, 0, FACE + 1.0)
@@ -272,8 +272,8 @@ class Mechanism(Held):
         here = HapticState()
         self.assertGreater(abs(here["Force"][0]), 0.05)  # of the clamp
         self.assertGreater(abs(here["Force"][2]), 0.05)  # of the skin
-        laws = Laws()
-        self.assertEqual([law["Law"] for law in laws], ["skin", "clamp"])
+        laws = Constraints()
+        self.assertEqual([law["Constraint"] for law in laws], ["skin", "clamp"])
         LetGo()
         with tempfile.TemporaryDirectory() as folder:
             state = os.path.join(folder, "mechanism.pvsm")
@@ -284,7 +284,7 @@ class Mechanism(Held):
         there = json.loads(said[0][len("told:"):])
         self.assertEqual(there["text"], here["MechanismText"])
         for one, other in zip(laws, there["laws"], strict=True):
-            for name in ("Law", "Kind", "A", "B", "Phase"):
+            for name in ("Constraint", "Kind", "A", "B", "Phase"):
                 self.assertEqual(other[name], one[name])
             self.assertAlmostEqual(other["Force"], one["Force"], delta=1e-6)
         for one, other in zip(here["Force"], there["force"], strict=True):
@@ -348,9 +348,9 @@ class Files(Held):
         held = self.hold_joined()
         kept = pathlib.Path(self.folder.name) / "kept.vtu"
         shutil.move(self.body, kept)
-        AddLaw(name="tape", kind="spring", a="needle", b="tissue", point_a=[0, 0, 40], point_b=[0, 0, 40], stiffness_N_per_m=1)
+        AddConstraint(name="tape", kind="spring", a="needle", b="tissue", point_a=[0, 0, 40], point_b=[0, 0, 40], stiffness_N_per_m=1)
         self.assertAlmostEqual(self.steps(), held, delta=1e-3)
-        self.assertEqual([law["Law"] for law in Laws()], ["thread", "tape"])
+        self.assertEqual([law["Constraint"] for law in Constraints()], ["thread", "tape"])
         self.read_again()
         self.assertLess(self.steps(), 1e-6)
         for _ in range(3):
@@ -364,7 +364,7 @@ class Files(Held):
         shutil.move(kept, self.body)
         self.read_again()
         self.assertAlmostEqual(self.steps(), held, delta=1e-3)
-        self.assertEqual([law["Law"] for law in Laws()], ["thread", "tape"])
+        self.assertEqual([law["Constraint"] for law in Constraints()], ["thread", "tape"])
 
 
 class Wrong(Held):

@@ -75,7 +75,7 @@ class MechanismOnAServer(unittest.TestCase):
             with connected(ranks), held(SCENES / "needle.json") as there:
                 self.assertIn("2 constraints", there.text())
                 found = there.forces()
-                self.assertEqual(there.session.GetServerSentence(), "", "nothing of it is fetched to be touched as a surface")
+                self.assertEqual(there.session.GetServerText(), "", "nothing of it is fetched to be touched as a surface")
             for one, other in zip(found, expected):
                 for a, b in zip(one, other):
                     self.assertAlmostEqual(a, b, delta=1e-9)

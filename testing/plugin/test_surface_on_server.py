@@ -145,10 +145,10 @@ class SurfaceOnAServer(unittest.TestCase):
         with hand() as there:
             self.check(there.forces(self.way, limit))
             self.assertEqual(bool(there.view.GetClientSideObject().GetUseDistributedRenderingForRender()), drawn_there)
-            self.assertIn(sentence, there.session.GetServerSentence())
+            self.assertIn(sentence, there.session.GetServerText())
             self.assertIn("Touching Waves.", there.scene.GetReport())
             self.assertEqual(there.session.GetServerTicksBeyond(), 0)
-            cells = int(there.session.GetServerSentence().split()[1]) if "around the hand" in sentence else 0
+            cells = int(there.session.GetServerText().split()[1]) if "around the hand" in sentence else 0
             self.assertLess(cells, thickest)
 
     def test_whole_or_in_parts_drawn_here_or_there_on_one_rank_or_two_it_feels_as_the_built_in_servers(self):
@@ -165,17 +165,17 @@ class SurfaceOnAServer(unittest.TestCase):
     def test_of_what_is_not_drawn_as_a_surface_any_more_nothing_is_kept(self):
         with connected(), hand() as there:
             there.touch(self.way, WHOLE)
-            self.assertIn("Waves: all of its", there.session.GetServerSentence())
+            self.assertIn("Waves: all of its", there.session.GetServerText())
             display = simple.GetDisplayProperties(there.contour, there.view)
             display.Representation = "Outline"
             simple.Render(there.view)
             there.follow()
-            self.assertEqual(there.session.GetServerSentence(), "")
+            self.assertEqual(there.session.GetServerText(), "")
             there.contour.Isosurfaces = [150.0]
             display.Representation = "Surface"
             simple.Render(there.view)
             there.follow()
-            self.assertIn("Waves: all of its", there.session.GetServerSentence())
+            self.assertIn("Waves: all of its", there.session.GetServerText())
 
     def test_touch_along_path_on_two_ranks_is_that_of_the_built_in_server(self):
         def felt():
@@ -200,7 +200,7 @@ class SurfaceOnAServer(unittest.TestCase):
     def test_over_a_link_of_200_ms_the_forces_are_the_same(self):
         with connected(delay_s=0.2), hand() as there:
             self.check(there.forces(self.way[:10], PART))
-            self.assertIn("u around the hand", there.session.GetServerSentence())
+            self.assertIn("u around the hand", there.session.GetServerText())
 
     def test_the_commands_of_the_guide_do_what_it_says(self):
         guide = Path(os.environ["PALPATE_SOURCE_DIR"], "docs/servers.md").read_text(encoding="utf-8")

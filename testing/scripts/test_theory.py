@@ -194,7 +194,7 @@ class Theory(unittest.TestCase):
 
     def test_a_lever_and_a_stroke(self):
         y, rows, spots = 5e-3, np.array([[1, 0.05], [1, 0.15]]), np.diag([500.0, 200.0])
-        lever = tables("Laws between bodies")[1]
+        lever = tables("Constraints between bodies")[1]
         for turning, row in ((2.0, lever[1]), (0.0, lever[2])):
             pose = np.linalg.solve(np.diag([1000.0, turning]) + rows.T @ spots @ rows, [1000 * y, 0])  # of least energy
             force = -spots @ rows @ pose
@@ -202,7 +202,7 @@ class Theory(unittest.TestCase):
         strength, friction, c, s = 1.5, 0.4, 1 / 1000 + 1 / 500, 0.02
         work = strength**2 * c / 2 + friction * (s - strength * c) + friction * (s - 2 * friction * c)
         for said in (f"{1e3 * strength * c:.1f} mm", f"{2e3 * friction * c:.1f} mm", f"{1e3 * work:.3f} mJ"):
-            self.assertIn(said, section("Laws between bodies"))
+            self.assertIn(said, section("Constraints between bodies"))
 
     def test_an_object_that_is_driven_at_a_low_rate(self):
         mass, stiffness, damping = 5e-3, 3000.0, 0.5

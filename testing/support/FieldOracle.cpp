@@ -25,7 +25,7 @@ Quad3 indexOf(const GridPlace& place)
 }
 
 /// The polynomial of a cell as the sum over its corners of a value times three weights.
-Quad polynomial(const BrickComponent& field, const GridIndex& cell, const Quad3& at, double level, double side)
+Quad polynomial(const FieldBlockComponent& field, const GridIndex& cell, const Quad3& at, double level, double side)
 {
   const TrilinearCell corners = field.cell(cell);
   Quad sum = 0;

@@ -12,7 +12,7 @@ namespace palpate::test
 class FieldOracle final : public FieldPathSink
 {
 public:
-  explicit FieldOracle(const BrickComponent& field) noexcept : field_(field) {}
+  explicit FieldOracle(const FieldBlockComponent& field) noexcept : field_(field) {}
 
   void piece(const GridPlace& from, const GridPlace& to, double level, double side) noexcept override;
 
@@ -26,7 +26,7 @@ public:
   std::uint64_t wrongEnds = 0; ///< that end below 0
 
 private:
-  BrickComponent field_;
+  FieldBlockComponent field_;
   mutable double largestLevel_ = 0.0, largest_ = -1.0;
 };
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "haptics/field/Brick.h"
+#include "haptics/field/FieldBlock.h"
 
 namespace palpate::test
 {
@@ -49,11 +49,11 @@ std::vector<float> sampledVectors(const GridIndex& size, const Function& functio
 
 /// A scalar on a cube of points one unit apart, whatever memory it takes.
 template<class Function>
-std::shared_ptr<const Brick> scalarBrick(int points, const Function& function)
+std::shared_ptr<const FieldBlock> scalarFieldBlock(int points, const Function& function)
 {
   const GridIndex size{ points, points, points };
-  return std::make_shared<const Brick>(
-    1, BrickGrid{ size }, std::vector<BrickArray>{ { BrickRole::Scalar, "f", sampledValues(size, function) } });
+  return std::make_shared<const FieldBlock>(1, FieldBlockGrid{ size },
+    std::vector<FieldBlockArray>{ { FieldBlockRole::Scalar, "f", sampledValues(size, function) } });
 }
 
 } // namespace palpate::test

@@ -12,7 +12,7 @@
 namespace palpate::test
 {
 
-/// The hand and the tissue of docs/theory.md, "Laws between bodies" [N/m, N m/rad].
+/// The hand and the tissue of docs/theory.md, "Constraints between bodies" [N/m, N m/rad].
 inline constexpr double kc = 1000.0, kr = 2.0, tissue = 500.0;
 
 /// A body of that surface that gives way as a whole: one spring, the same along every axis.
@@ -25,15 +25,15 @@ inline std::shared_ptr<const PressedBody> springBody(const std::string& name, st
   input.ordered = true;
   SceneBuilder builder;
   const std::size_t count = mesh->vertices_W.size();
-  auto packet = std::make_shared<CompliancePacket>();
-  packet->free_W = mesh->vertices_W;
-  packet->near.resize(count);
-  std::iota(packet->near.begin(), packet->near.end(), 0);
-  packet->placeOf.assign(packet->near.begin(), packet->near.end());
-  packet->compliance = Mat3(compliance_u_per_N * Mat3::Identity())
-                         .replicate(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(count));
-  packet->springs.resize(count);
-  packet->patchRadius_u.assign(count, patchRadius_u);
+  auto snapshot = std::make_shared<ComplianceSnapshot>();
+  snapshot->free_W = mesh->vertices_W;
+  snapshot->near.resize(count);
+  std::iota(snapshot->near.begin(), snapshot->near.end(), 0);
+  snapshot->placeOf.assign(snapshot->near.begin(), snapshot->near.end());
+  snapshot->compliance = Mat3(compliance_u_per_N * Mat3::Identity())
+                           .replicate(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(count));
+  snapshot->springs.resize(count);
+  snapshot->patchRadius_u.assign(count, patchRadius_u);
   auto body = std::make_shared<PressedBody>();
   body->revision = revision;
   body->scene = builder.build({ input }, nullptr).scene;
@@ -41,8 +41,8 @@ inline std::shared_ptr<const PressedBody> springBody(const std::string& name, st
   {
     throw std::runtime_error("the surface is no scene");
   }
-  body->packet = packet;
-  body->touch = { 0, packet.get() };
+  body->snapshot = snapshot;
+  body->touch = { 0, snapshot.get() };
   return body;
 }
 
@@ -90,9 +90,9 @@ public:
     this->bodies_.push_back(std::move(body));
   }
 
-  MechanismLaw& join(LawKind kind, const std::string& b, const Vec3& point_A, const Vec3& point_B)
+  MechanismConstraint& join(ConstraintKind kind, const std::string& b, const Vec3& point_A, const Vec3& point_B)
   {
-    MechanismLaw law;
+    MechanismConstraint law;
     law.name = "law " + std::to_string(this->mechanism.laws.size());
     law.kind = kind;
     law.a = "needle";

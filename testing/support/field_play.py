@@ -81,7 +81,7 @@ def later(time):
 
 def ready():
     """Waits for the worker: what a scripted hand does next is not to depend on how busy the machine is."""
-    assert session().FinishField(), session().GetFieldSentence() + session().GetProblem()
+    assert session().FinishField(), session().GetFieldText() + session().GetProblem()
 
 
 def check_value_at_proxy(array, value, within):

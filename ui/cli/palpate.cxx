@@ -9,6 +9,7 @@
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticMechanismFile.h"
+#include "vtkVersion.h"
 
 namespace
 {
@@ -309,7 +310,8 @@ int main(int argc, char** argv)
 {
   Arguments arguments;
   CLI::App app("Touch data without a display, with the same tick that drives a haptic device.", "palpate");
-  app.set_version_flag("--version", PALPATE_VERSION);
+  app.set_version_flag("--version",
+    std::string(PALPATE_VERSION "\nmade with " PALPATE_MADE_WITH ", runs with VTK ") + vtkVersion::GetVTKVersion());
   app.require_subcommand(0, 1); // a wrong name is reported as such, not as a missing one
   AddDevices(app, arguments);
   AddCheck(app, arguments);

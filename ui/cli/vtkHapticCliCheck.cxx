@@ -11,7 +11,7 @@
 #include "haptics/contact/view/PlanFor.h"
 #include "haptics/geometry/scene/ScenePlan.h"
 #include "haptics/geometry/scene/SceneSimplifier.h"
-#include "haptics/session/PlanSentence.h"
+#include "haptics/session/PlanText.h"
 #include "haptics/session/path/PathRunner.h"
 #include "haptics/session/settings/AutoChoice.h"
 #include "vtkHapticCliFaults.h"
@@ -154,7 +154,7 @@ Choice ChoiceOf(const Subject& subject, const vtkHapticCliCheckOptions& options)
   touch.plan.friction = options.Settings.Friction();
   touch.plan = palpate::planFor(scene, touch.plan);
   touch.frictionFromData = palpate::hasOwnFriction(scene);
-  choice.Sentence = palpate::planSentence(choice.Surfaces, touch);
+  choice.Sentence = palpate::planText(choice.Surfaces, touch);
   return choice;
 }
 

@@ -11,7 +11,7 @@
 #include "devices/DeviceFactory.h"
 #include "devices/calibration/CalibrationFiles.h"
 #include "devices/io/broker/DBusBroker.h"
-#include "devices/simulated/MazePlayer.h"
+#include "devices/simulated/LabyrinthPlayer.h"
 #include "haptics/core/Text.h"
 #include "haptics/session/HapticSession.h"
 #include "vtkHapticCliCommands.h"
@@ -129,9 +129,9 @@ std::unique_ptr<palpate::HapticDevice> Open(
   return std::move(made.device);
 }
 
-std::vector<palpate::MazeOnOffer> Offer(std::vector<palpate::Labyrinth> labyrinths)
+std::vector<palpate::LabyrinthOnOffer> Offer(std::vector<palpate::Labyrinth> labyrinths)
 {
-  std::vector<palpate::MazeOnOffer> offer;
+  std::vector<palpate::LabyrinthOnOffer> offer;
   for (palpate::Labyrinth& labyrinth : labyrinths)
   {
     std::shared_ptr<const palpate::Scene> walls = vtkHapticCliBuild({ palpate::wallsOf(labyrinth) });
@@ -154,7 +154,8 @@ std::string WhatHolds(const palpate::DeadMan& deadMan)
   return text.str();
 }
 
-void Welcome(const std::string& device, const std::vector<palpate::MazeOnOffer>& offer, const palpate::DeadMan& deadMan)
+void Welcome(
+  const std::string& device, const std::vector<palpate::LabyrinthOnOffer>& offer, const palpate::DeadMan& deadMan)
 {
   std::cout << device << ": press";
   for (std::size_t i = 0; i < offer.size(); ++i)
@@ -168,33 +169,34 @@ void Welcome(const std::string& device, const std::vector<palpate::MazeOnOffer>&
     return;
   }
   std::cout << "Hold " << WhatHolds(deadMan) << " while you play; any other button pressed for "
-            << palpate::MazeMenu::giveUp_s << " s gives up." << std::endl;
+            << palpate::LabyrinthMenu::giveUp_s << " s gives up." << std::endl;
 }
 
 /// Tells what happened. True when it is over.
-bool Tell(palpate::MazeNews news, const palpate::MazeHost& host, palpate::Fault fault, int& arrived)
+bool Tell(palpate::LabyrinthNews news, const palpate::LabyrinthHost& host, palpate::Fault fault, int& arrived)
 {
-  if (news == palpate::MazeNews::Fault)
+  if (news == palpate::LabyrinthNews::Fault)
   {
     std::cout << palpate::describe(fault) << std::endl;
   }
-  if (news == palpate::MazeNews::None || news == palpate::MazeNews::Fault || news == palpate::MazeNews::End)
+  if (news == palpate::LabyrinthNews::None || news == palpate::LabyrinthNews::Fault ||
+      news == palpate::LabyrinthNews::End)
   {
-    return news == palpate::MazeNews::End;
+    return news == palpate::LabyrinthNews::End;
   }
   std::cout << host.chosen()->name << ": ";
   switch (news)
   {
-    case palpate::MazeNews::Chosen:
+    case palpate::LabyrinthNews::Chosen:
       std::cout << "hold " << WhatHolds(host.held());
       break;
-    case palpate::MazeNews::Leads:
+    case palpate::LabyrinthNews::Leads:
       std::cout << "the device guides your hand to the start";
       break;
-    case palpate::MazeNews::LetGo:
+    case palpate::LabyrinthNews::LetGo:
       std::cout << "find the exit by touch";
       break;
-    case palpate::MazeNews::Arrived:
+    case palpate::LabyrinthNews::Arrived:
       ++arrived;
       std::cout << "arrived after " << host.time_s() << " s";
       break;
@@ -212,7 +214,7 @@ int Played(palpate::HapticSession& session, int arrived)
   return arrived > 0 ? 0 : NobodyArrived;
 }
 
-int PlayByHand(palpate::HapticSession& session, palpate::MazeHost& host)
+int PlayByHand(palpate::HapticSession& session, palpate::LabyrinthHost& host)
 {
   constexpr auto pause = std::chrono::milliseconds(10);
   std::signal(SIGINT, Interrupt);
@@ -226,7 +228,7 @@ int PlayByHand(palpate::HapticSession& session, palpate::MazeHost& host)
 }
 
 /// A simulated hand plays each of them, in virtual time.
-int PlaySimulated(palpate::HapticSession& session, palpate::MazeHost& host, palpate::MazePlayer& player)
+int PlaySimulated(palpate::HapticSession& session, palpate::LabyrinthHost& host, palpate::LabyrinthPlayer& player)
 {
   int arrived = 0;
   while (!Tell(host.look(), host, session.state().fault, arrived))
@@ -258,7 +260,7 @@ int vtkHapticCliPlay(std::vector<palpate::Labyrinth> labyrinths, const vtkHaptic
   const std::string name = options.Device.empty() ? PluggedIn(wanted) : options.Device;
   std::unique_ptr<palpate::HapticDevice> device = Open(name, deadMan, wanted);
   auto* const simulated = dynamic_cast<palpate::SimulatedDevice*>(device.get());
-  const std::vector<palpate::MazeOnOffer> offer = Offer(std::move(labyrinths));
+  const std::vector<palpate::LabyrinthOnOffer> offer = Offer(std::move(labyrinths));
   palpate::SessionOptions how;
   how.virtualTime = simulated != nullptr;
   how.engage = false;
@@ -273,13 +275,13 @@ int vtkHapticCliPlay(std::vector<palpate::Labyrinth> labyrinths, const vtkHaptic
     }
   }
   Welcome(name, offer, deadMan);
-  palpate::MazeHost host(session, offer, deadMan);
+  palpate::LabyrinthHost host(session, offer, deadMan);
   if (simulated == nullptr)
   {
     return PlayByHand(session, host);
   }
   palpate::LabyrinthRun run;
   run.device = *palpate::deviceModel(name);
-  palpate::MazePlayer player(*simulated, run, offer, deadMan);
+  palpate::LabyrinthPlayer player(*simulated, run, offer, deadMan);
   return PlaySimulated(session, host, player);
 }

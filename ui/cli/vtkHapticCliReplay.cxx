@@ -59,13 +59,13 @@ std::vector<std::shared_ptr<const palpate::Scene>> ScenesOf(const vtkHapticCliRe
 }
 
 /// A recording numbers laws, and has their kinds and no names.
-std::string NumberedLaw(int law)
+std::string NumberedConstraint(int law)
 {
   return "law" + std::to_string(law + 1);
 }
 
 /// Of the mechanism with most laws.
-int LawsOf(const palpate::Recording& recording)
+int ConstraintsOf(const palpate::Recording& recording)
 {
   int most = 0;
   for (const palpate::RecordedMechanism& mechanism : recording.mechanisms)
@@ -75,29 +75,29 @@ int LawsOf(const palpate::Recording& recording)
   return most;
 }
 
-std::string LawColumns(int laws)
+std::string ConstraintColumns(int laws)
 {
   std::string columns;
   for (int law = 0; law < laws; ++law)
   {
     for (const char* what : { "_force", "_phase", "_inside" })
     {
-      columns += "," + NumberedLaw(law) + what;
+      columns += "," + NumberedConstraint(law) + what;
     }
   }
   return columns;
 }
 
 /// Tells which laws change, as the ticks are recomputed.
-class ChangedLaws
+class ChangedConstraints
 {
 public:
-  explicit ChangedLaws(const palpate::Recording& recording) : Recording(recording) {}
+  explicit ChangedConstraints(const palpate::Recording& recording) : Recording(recording) {}
 
   /// What changed before a recording began is not told.
   void Add(const palpate::HapticState& state)
   {
-    const palpate::LawChanges& now = state.mechanism.changes;
+    const palpate::ConstraintChanges& now = state.mechanism.changes;
     const std::uint64_t kept = std::min<std::uint64_t>(now.count, now.newest.size());
     const std::uint64_t told = this->Before && this->Before->plan == now.plan ? this->Before->count : 0;
     for (std::uint64_t i = std::max(told, now.count - kept); this->Before && i < now.count; ++i)
@@ -116,12 +116,12 @@ private:
     const std::string kind =
       found != all.end() ? std::string(" (") + palpate::nameOf(found->plan.laws[event.law].kind) + ")" : "";
     std::cerr << "palpate: " << state.time_s << " s: tick " << event.tick << ": "
-              << NumberedLaw(static_cast<int>(event.law)) << kind << ' ' << palpate::wordsOf(event.change) << " at "
-              << event.force_N << " N\n";
+              << NumberedConstraint(static_cast<int>(event.law)) << kind << ' ' << palpate::wordsOf(event.change)
+              << " at " << event.force_N << " N\n";
   }
 
   const palpate::Recording& Recording;
-  std::optional<palpate::LawChanges> Before; ///< of the tick before
+  std::optional<palpate::ConstraintChanges> Before; ///< of the tick before
 };
 
 /// Writes the ticks as they are recomputed. What precedes the first one is no tick, so its cost is not known.
@@ -129,9 +129,9 @@ class TickTable
 {
 public:
   TickTable(const vtkHapticCliReplayOptions& options, int laws)
-    : Output(options.Output, Inputs(options)), Laws(static_cast<std::size_t>(laws))
+    : Output(options.Output, Inputs(options)), Constraints(static_cast<std::size_t>(laws))
   {
-    this->Output.Header(vtkHapticCliOutput::TickColumns + LawColumns(laws));
+    this->Output.Header(vtkHapticCliOutput::TickColumns + ConstraintColumns(laws));
   }
 
   void Add(const palpate::TickOutput& tick)
@@ -141,9 +141,9 @@ public:
     const palpate::Vec3 &device_W = state.device_W.p, &proxy_W = state.proxy_W.p, &force_W = state.force_W;
     std::vector<double> values{ state.time_s, device_W.x(), device_W.y(), device_W.z(), proxy_W.x(), proxy_W.y(),
       proxy_W.z(), force_W.x(), force_W.y(), force_W.z(), static_cast<double>(state.contacts), cost_us };
-    for (std::size_t i = 0; i < this->Laws; ++i)
+    for (std::size_t i = 0; i < this->Constraints; ++i)
     {
-      const palpate::LawReport& law = state.mechanism.laws[i];
+      const palpate::ConstraintReport& law = state.mechanism.laws[i];
       values.insert(values.end(), { law.force_N, static_cast<double>(law.phase), law.inside_u });
     }
     this->Output.Row(values);
@@ -162,7 +162,7 @@ private:
   }
 
   vtkHapticCliOutput Output;
-  std::size_t Laws;
+  std::size_t Constraints;
   palpate::TickCost Cost;
   bool Started = false;
 };
@@ -175,9 +175,9 @@ int vtkHapticCliReplay(const vtkHapticCliReplayOptions& options)
   std::optional<TickTable> table;
   if (!options.Output.empty())
   {
-    table.emplace(options, LawsOf(recording));
+    table.emplace(options, ConstraintsOf(recording));
   }
-  ChangedLaws changed(recording);
+  ChangedConstraints changed(recording);
   std::function<void(const palpate::TickOutput&)> visit;
   if (table || !recording.mechanisms.empty())
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticMainGroup.h"
 
-#include "haptics/session/StateSentence.h"
+#include "haptics/session/StateText.h"
 #include "pqHapticButton.h"
 #include "pqHapticController.h"
 #include "pqHapticDeviceChoice.h"
@@ -68,7 +68,7 @@ void pqHapticMainGroup::addButtons(QFormLayout* form)
   form->addRow(this->Status);
   this->Progress = new pqHapticProgress(this);
   form->addRow(this->Progress);
-  this->Server = pqHapticLabel(this, "server", pqHapticReadoutTip("ServerSentence"));
+  this->Server = pqHapticLabel(this, "server", pqHapticReadoutTip("ServerText"));
   form->addRow(this->Server);
   this->MouseHelp =
     pqHapticLabel(this, "mouseHelp", tr("Functions of mouse and keyboard in the view while they move the hand"));
@@ -126,12 +126,12 @@ QString pqHapticMainGroup::statusOf(vtkHapticSession* session) const
     glance.warning = session->GetWarning();
     glance.problem = session->GetProblem();
   }
-  return QString::fromStdString(palpate::stateSentence(glance));
+  return QString::fromStdString(palpate::stateText(glance));
 }
 
 QString pqHapticMainGroup::serverOf(vtkHapticSession* session) const
 {
-  const QString sentence = session ? QString::fromStdString(session->GetServerSentence()) : QString();
+  const QString sentence = session ? QString::fromStdString(session->GetServerText()) : QString();
   return sentence.isEmpty() ? sentence
                             : tr("Remote surfaces: %1; age %2 s, %3 ticks outside")
                                 .arg(sentence)

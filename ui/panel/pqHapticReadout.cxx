@@ -72,9 +72,10 @@ pqHapticReadout pqHapticReadout::of(vtkHapticSession& session)
                .arg(session.GetCostP99(), 0, 'f', 1)
                .arg(session.GetCostP999(), 0, 'f', 1);
   now.Ticks = QString("%1, missed %2").arg(session.GetTicks()).arg(session.GetMissed());
-  now.Stability = QString("This device can stably render walls of %1.").arg(QString::fromUtf8(session.GetStabilitySentence()));
+  now.Stability =
+    QString("This device can stably render walls of %1.").arg(QString::fromUtf8(session.GetStabilityText()));
   now.Scheduling = QString::fromUtf8(session.GetSchedulingReport());
-  now.Plan = QString::fromUtf8(session.GetPlanSentence());
+  now.Plan = QString::fromUtf8(session.GetPlanText());
   now.Scene = QString::fromUtf8(session.GetSceneReport());
   return now;
 }

@@ -38,7 +38,7 @@ def of(session, wanted_s, clock):
         "peak_stabiliser_N": session.GetPeakStabiliserForce(),
         "stiffness_N_per_m": session.GetStiffnessUsed(),
         "stiffness_limited": session.GetStiffnessLimited(),
-        "stability": session.GetStabilitySentence(),
+        "stability": session.GetStabilityText(),
         "delivered_J": session.GetDeliveredEnergy(),
         "peak_excess_J": session.GetPeakExcessEnergy(),
         "contact_s": session.GetContactSeconds(),

@@ -38,7 +38,7 @@ AxisEdges edgesAcross(int axis, const DeviceCommand& command, const PidScale& sc
   AxisEdges edges;
   for (std::size_t i = 0; i < wallsOf(command); ++i)
   {
-    const HeldWall& wall = command.walls[i];
+    const DeviceWall& wall = command.walls[i];
     const double facing = PidScale::sign(axis) * wall.normal_D[axis];
     if (!(std::fabs(facing) >= alongAxis) || !std::isfinite(wall.offset_m))
     {
@@ -138,7 +138,7 @@ Vec3 hostWallForce(const DeviceCommand& command, const WallPlan& plan, const Vec
   {
     if (!plan.held[i])
     {
-      const HeldWall& wall = command.walls[i];
+      const DeviceWall& wall = command.walls[i];
       Condition spring = lowerWall(wall.offset_m, wall.stiffness_N_per_m);
       spring.negativeSaturation = std::max(0.0, wall.largest_N);
       force += conditionForce(spring, wall.normal_D.dot(p_D)) * wall.normal_D;

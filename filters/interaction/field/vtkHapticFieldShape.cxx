@@ -15,8 +15,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-using palpate::Brick;
-using palpate::BrickRole;
+using palpate::FieldBlock;
+using palpate::FieldBlockRole;
 using palpate::Vec3;
 
 namespace
@@ -24,7 +24,7 @@ namespace
 constexpr int CellsAround = 6; ///< of the proxy: a patch as large as a hand looks at, made anew for each picture
 
 /// The values around a place, in index coordinates, as far as there are any.
-vtkSmartPointer<vtkImageData> ValuesAround(const Brick& brick, const Vec3& index)
+vtkSmartPointer<vtkImageData> ValuesAround(const FieldBlock& brick, const Vec3& index)
 {
   int extent[6];
   for (int k = 0; k < 3; ++k)
@@ -35,7 +35,7 @@ vtkSmartPointer<vtkImageData> ValuesAround(const Brick& brick, const Vec3& index
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetExtent(extent);
-  const palpate::BrickComponent values = brick.component(BrickRole::Scalar);
+  const palpate::FieldBlockComponent values = brick.component(FieldBlockRole::Scalar);
   vtkNew<vtkDoubleArray> array;
   for (int z = extent[4]; z <= extent[5]; ++z)
   {
@@ -51,7 +51,7 @@ vtkSmartPointer<vtkImageData> ValuesAround(const Brick& brick, const Vec3& index
   return image;
 }
 
-void AddPatch(const Brick& brick, double isovalue, const Vec3& proxy_W, vtkPolyData* shape)
+void AddPatch(const FieldBlock& brick, double isovalue, const Vec3& proxy_W, vtkPolyData* shape)
 {
   vtkNew<vtkFlyingEdges3D> contour;
   contour->SetInputData(ValuesAround(brick, brick.grid().toIndex(proxy_W)));
@@ -68,7 +68,7 @@ void AddPatch(const Brick& brick, double isovalue, const Vec3& proxy_W, vtkPolyD
 }
 
 /// Along the streamline through a place, forwards or backwards.
-std::vector<Vec3> Walk(const Brick& brick, const Vec3& from_W, double step_u)
+std::vector<Vec3> Walk(const FieldBlock& brick, const Vec3& from_W, double step_u)
 {
   std::vector<Vec3> way{ from_W };
   Vec3 ahead = Vec3::Zero();
@@ -96,7 +96,7 @@ void AddLine(const std::vector<Vec3>& line_W, vtkPolyData* shape)
   }
 }
 
-void AddStreamline(const Brick& brick, const Vec3& proxy_W, vtkPolyData* shape)
+void AddStreamline(const FieldBlock& brick, const Vec3& proxy_W, vtkPolyData* shape)
 {
   const double step_u = 0.5 * brick.grid().spacing_u.minCoeff();
   std::vector<Vec3> line = Walk(brick, proxy_W, -step_u);
@@ -107,9 +107,9 @@ void AddStreamline(const Brick& brick, const Vec3& proxy_W, vtkPolyData* shape)
 }
 
 /// A square along the level that the proxy is on.
-void AddLevel(const Brick& brick, const Vec3& proxy_W, vtkPolyData* shape)
+void AddLevel(const FieldBlock& brick, const Vec3& proxy_W, vtkPolyData* shape)
 {
-  const auto sample = brick.sample(BrickRole::Scalar, proxy_W);
+  const auto sample = brick.sample(FieldBlockRole::Scalar, proxy_W);
   if (!sample || sample->gradient_W.isZero(0.0))
   {
     return;
@@ -121,7 +121,7 @@ void AddLevel(const Brick& brick, const Vec3& proxy_W, vtkPolyData* shape)
 }
 
 /// A cross at the place that a hand is drawn to, and the way there.
-void AddSnap(const Brick& brick, double reach_u, const Vec3& hand_W, vtkPolyData* shape)
+void AddSnap(const FieldBlock& brick, double reach_u, const Vec3& hand_W, vtkPolyData* shape)
 {
   const auto place_W = brick.nearestPlace_W(hand_W, reach_u);
   if (!place_W)
@@ -138,7 +138,7 @@ void AddSnap(const Brick& brick, double reach_u, const Vec3& hand_W, vtkPolyData
 } // namespace
 
 void vtkHapticFieldShape(
-  const Brick& brick, const palpate::FieldPlan& plan, const Vec3& hand_W, const Vec3& proxy_W, vtkPolyData* shape)
+  const FieldBlock& brick, const palpate::FieldPlan& plan, const Vec3& hand_W, const Vec3& proxy_W, vtkPolyData* shape)
 {
   shape->Initialize();
   vtkNew<vtkPoints> points;
@@ -146,11 +146,11 @@ void vtkHapticFieldShape(
   shape->SetPoints(points);
   vtkNew<vtkCellArray> lines;
   shape->SetLines(lines);
-  if (plan.isosurface && brick.component(BrickRole::Scalar).exists())
+  if (plan.isosurface && brick.component(FieldBlockRole::Scalar).exists())
   {
     AddPatch(brick, plan.isovalue, proxy_W, shape);
   }
-  if (plan.follow_N > 0.0 && brick.component(BrickRole::Vector).exists())
+  if (plan.follow_N > 0.0 && brick.component(FieldBlockRole::Vector).exists())
   {
     AddStreamline(brick, proxy_W, shape);
   }

@@ -2,7 +2,7 @@
 #ifndef vtkHapticFieldShape_h
 #define vtkHapticFieldShape_h
 
-#include "haptics/field/Brick.h"
+#include "haptics/field/FieldBlock.h"
 #include "haptics/field/proxy/FieldPlan.h"
 
 class vtkPolyData;
@@ -10,7 +10,7 @@ class vtkPolyData;
 /// The field within some cells around the proxy, for drawing: the patch of the isosurface as
 /// triangles; the streamline that is followed, a square along the level of a detent, and a cross at the place that the
 /// hand snaps to with the way there, as lines [u].
-void vtkHapticFieldShape(const palpate::Brick& brick, const palpate::FieldPlan& plan, const palpate::Vec3& hand_W,
+void vtkHapticFieldShape(const palpate::FieldBlock& brick, const palpate::FieldPlan& plan, const palpate::Vec3& hand_W,
   const palpate::Vec3& proxy_W, vtkPolyData* shape);
 
 #endif

@@ -48,7 +48,7 @@ void vtkHapticSession::Internals::TakeField(bool wait)
 {
   if (this->FollowField(wait))
   {
-    const palpate::MadeBrick& made = this->FeltField.made();
+    const palpate::MadeFieldBlock& made = this->FeltField.made();
     const bool first = made.brick && std::exchange(this->FieldIsNew, false);
     palpate::FieldPlan plan = this->Asked.asked().field;
     const palpate::DetentPlan before = plan.detent;
@@ -98,7 +98,7 @@ bool vtkHapticSession::Internals::FollowField(bool wait)
   const auto brick = this->FeltField.follow(hand_W, reach_u, this->Asked.asked().field, wait);
   if (brick)
   {
-    this->Core.setBrick(*brick);
+    this->Core.setFieldBlock(*brick);
   }
   return brick.has_value();
 }
@@ -136,33 +136,32 @@ void vtkHapticSession::Internals::FeelFieldAnew()
 
 std::optional<palpate::FieldSample> vtkHapticSession::Internals::FieldAtHand() const
 {
-  const std::shared_ptr<const palpate::Brick>& brick = this->Core.brick();
+  const std::shared_ptr<const palpate::FieldBlock>& brick = this->Core.brick();
   const palpate::Vec3 hand_W(this->Hand);
-  return brick ? brick->finestAt(hand_W).sample(palpate::BrickRole::Scalar, hand_W) : std::nullopt;
+  return brick ? brick->finestAt(hand_W).sample(palpate::FieldBlockRole::Scalar, hand_W) : std::nullopt;
 }
 
-const char* vtkHapticSession::Internals::SayFieldSentence()
+const char* vtkHapticSession::Internals::SayFieldText()
 {
-  this->FieldSentence = this->FieldProblem.empty() ? this->FieldGone : this->FieldProblem;
-  const palpate::MadeBrick& made = this->FeltField.made();
+  this->FieldText = this->FieldProblem.empty() ? this->FieldGone : this->FieldProblem;
+  const palpate::MadeFieldBlock& made = this->FeltField.made();
   if (this->FeltField.hasSource())
   {
     const palpate::HapticParameters& asked = this->Asked.asked();
-    this->FieldSentence =
-      palpate::fieldSentence(this->FieldName, made, asked.map.scale_u_per_m, vtkHapticHandPace::ahead_s);
-    const std::string point = palpate::pointSentence(asked.field, asked.contact.radius_u);
-    this->FieldSentence += point.empty() ? "" : "; " + point;
-    const std::string lattice = palpate::latticeSentence(asked.field, made, palpate::Vec3(this->Hand));
-    this->FieldSentence += lattice.empty() ? "" : "; " + lattice;
+    this->FieldText = palpate::fieldText(this->FieldName, made, asked.map.scale_u_per_m, vtkHapticHandPace::ahead_s);
+    const std::string point = palpate::pointText(asked.field, asked.contact.radius_u);
+    this->FieldText += point.empty() ? "" : "; " + point;
+    const std::string lattice = palpate::latticeText(asked.field, made, palpate::Vec3(this->Hand));
+    this->FieldText += lattice.empty() ? "" : "; " + lattice;
     const double stiffness_N_per_m =
       this->State.stiffness_N_per_m > 0.0 ? this->State.stiffness_N_per_m : asked.stiffness_N_per_m;
     const std::string detent =
-      made.brick ? palpate::detentSentence(asked.field, stiffness_N_per_m / asked.map.scale_u_per_m) : "";
-    this->FieldSentence += detent.empty() ? "" : "; " + detent;
-    const std::string level = palpate::levelSentence(asked.field, this->FieldEnds);
-    this->FieldSentence += level.empty() ? "" : "; " + level;
+      made.brick ? palpate::detentText(asked.field, stiffness_N_per_m / asked.map.scale_u_per_m) : "";
+    this->FieldText += detent.empty() ? "" : "; " + detent;
+    const std::string level = palpate::levelText(asked.field, this->FieldEnds);
+    this->FieldText += level.empty() ? "" : "; " + level;
   }
-  return this->FieldSentence.c_str();
+  return this->FieldText.c_str();
 }
 
 double* vtkHapticSession::Internals::GradientNow()

@@ -15,9 +15,9 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkHapticHeldTool.h"
 #include "vtkHapticMechanismData.h"
 #include "vtkHapticSoftBodyData.h"
+#include "vtkHapticTool.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -82,7 +82,7 @@ std::vector<Way> WaysOf(const palpate::MechanismInputs& inputs, std::span<const 
 }
 
 /// What a law is set to, as a person reads it: "1.5 N, drags 0.4 N".
-std::string NumbersOf(const palpate::MechanismLaw& law, double unit_m)
+std::string NumbersOf(const palpate::MechanismConstraint& law, double unit_m)
 {
   std::ostringstream all;
   const auto say = [&all](bool is, const char* before, double value, const char* unit)
@@ -102,12 +102,12 @@ std::string NumbersOf(const palpate::MechanismLaw& law, double unit_m)
   return all.str();
 }
 
-/// Laws that join two points hold with any force, and none: they are never open.
-const char* PhaseOf(const palpate::MechanismLaw& law, palpate::LawPhase phase)
+/// Constraints that join two points hold with any force, and none: they are never open.
+const char* PhaseOf(const palpate::MechanismConstraint& law, palpate::ConstraintPhase phase)
 {
-  using enum palpate::LawKind;
+  using enum palpate::ConstraintKind;
   const bool joins = law.kind == Attachment || law.kind == Break || law.kind == Hinge || law.kind == Slider;
-  const auto shown = joins && phase == palpate::LawPhase::Open ? palpate::LawPhase::Closed : phase;
+  const auto shown = joins && phase == palpate::ConstraintPhase::Open ? palpate::ConstraintPhase::Closed : phase;
   return Phases[static_cast<std::size_t>(shown)];
 }
 
@@ -155,8 +155,9 @@ std::string vtkHapticHeldMechanism::Convert(vtkDataObject* data, const std::stri
   if (data && !this->File.empty() && !vtkHapticIsWhereMade(*data))
   {
     this->File.clear(); // it would be felt where its scene file has it
-    this->Problem = this->Name + " cannot be held: it was moved away from the position of its scene file; hold the Haptic "
-                           "Mechanism itself, and move bodies in that file";
+    this->Problem = this->Name +
+                    " cannot be held: it was moved away from the position of its scene file; hold the Haptic "
+                    "Mechanism itself, and move bodies in that file";
   }
   return this->TakeAgain();
 }
@@ -169,7 +170,8 @@ std::string vtkHapticHeldMechanism::TakeAgain()
   {
     return this->Problem;
   }
-  const vtkHapticMechanismResult read = vtkHapticParseMechanism(this->File, this->Folder, this->Laws, this->Read);
+  const vtkHapticMechanismResult read =
+    vtkHapticParseMechanism(this->File, this->Folder, this->Constraints, this->Read);
   this->Inputs = read.Inputs;
   this->Read = read.Inputs ? read.Inputs->soft : this->Read;
   this->Held = read.Inputs && this->HeldBody() < read.Inputs->mechanism.bodies.size()
@@ -217,13 +219,13 @@ std::string vtkHapticHeldMechanism::Refusal(const std::string& laws, const palpa
 std::string vtkHapticHeldMechanism::With(const std::string& law, std::string& problem) const
 {
   problem = "no mechanism is held: hold a mechanism before adding a constraint";
-  return this->File.empty() ? "" : vtkHapticWithLaw(this->File, this->Laws, law, problem);
+  return this->File.empty() ? "" : vtkHapticWithConstraint(this->File, this->Constraints, law, problem);
 }
 
 std::string vtkHapticHeldMechanism::Without(const std::string& name, std::string& problem) const
 {
   problem = "no mechanism is held: hold a mechanism before removing a constraint";
-  return this->File.empty() ? "" : vtkHapticWithoutLaw(this->File, this->Laws, name, problem);
+  return this->File.empty() ? "" : vtkHapticWithoutConstraint(this->File, this->Constraints, name, problem);
 }
 
 int vtkHapticHeldMechanism::IndexOf(const std::string& name) const
@@ -253,17 +255,16 @@ void vtkHapticHeldMechanism::Look(palpate::HapticSession& core, const palpate::H
   {
     this->Seen = {};
   }
-  const auto pushing = [](const palpate::LawReport& law) { return law.force_N > 0.0; };
+  const auto pushing = [](const palpate::ConstraintReport& law) { return law.force_N > 0.0; };
   const bool pushes = std::any_of(this->Now.laws.begin(), this->Now.laws.begin() + this->Now.lawCount, pushing);
   const bool changes = !this->Felt && this->Seen.Held; // of laws, and nobody knows which of them push
   this->Begin_W = pushes || changes ? this->Begin_W : state.device_W.p;
   this->Depth = (state.device_W.p - this->Begin_W).dot(state.proxy_W.q * palpate::Vec3::UnitZ());
 }
 
-std::string vtkHapticHeldMechanism::Sentence(
-  palpate::HapticSession& core, const palpate::HapticState& /*state*/) const
+std::string vtkHapticHeldMechanism::Sentence(palpate::HapticSession& core, const palpate::HapticState& /*state*/) const
 {
-  return this->FeltSentence(core.running()) +
+  return this->FeltText(core.running()) +
          (this->DrawnElsewhere
              ? "; its touched position is that of the scene file, not of the display: reset the display transform, "
                "and move bodies in that file"
@@ -280,7 +281,7 @@ const palpate::Vec3* vtkHapticHeldMechanism::SoftHand_W() const
   return this->Seen.Held && !this->Seen.Soft.empty() ? &this->Seen.Soft.front().shape->hand_W : nullptr;
 }
 
-std::string vtkHapticHeldMechanism::FeltSentence(bool runs) const
+std::string vtkHapticHeldMechanism::FeltText(bool runs) const
 {
   if (!this->Status.problem.empty())
   {
@@ -343,11 +344,11 @@ void vtkHapticHeldMechanism::FillTable(vtkTable& table) const
 {
   std::vector<std::string> names, kinds, firsts, seconds, numbers, phases;
   std::vector<double> forces, insides;
-  const auto laws = this->Inputs ? this->Inputs->mechanism.laws : std::vector<palpate::MechanismLaw>();
+  const auto laws = this->Inputs ? this->Inputs->mechanism.laws : std::vector<palpate::MechanismConstraint>();
   for (std::size_t i = 0; i < laws.size(); ++i)
   {
     const bool known = this->Now.held && i < static_cast<std::size_t>(this->Now.lawCount);
-    const auto now = known ? this->Now.laws[i] : palpate::LawReport{};
+    const auto now = known ? this->Now.laws[i] : palpate::ConstraintReport{};
     names.push_back(laws[i].name);
     kinds.emplace_back(palpate::nameOf(laws[i].kind));
     firsts.push_back(laws[i].a);
@@ -358,7 +359,7 @@ void vtkHapticHeldMechanism::FillTable(vtkTable& table) const
     insides.push_back(now.inside_u);
   }
   table.Initialize();
-  AddNames(table, "Law", names);
+  AddNames(table, "Constraint", names);
   AddNames(table, "Kind", kinds);
   AddNames(table, "A", firsts);
   AddNames(table, "B", seconds);

@@ -17,8 +17,8 @@ class vtkTable;
 class vtkHapticHeldMechanism : public vtkHapticFeltSource
 {
 public:
-  std::string Laws;      ///< a list of laws in place of those of its scene file; "": those
-  double Rate_Hz = 30.0; ///< packets of its soft bodies a second
+  std::string Constraints; ///< a list of laws in place of those of its scene file; "": those
+  double Rate_Hz = 30.0;   ///< snapshots of its soft bodies a second
 
   bool DrawnElsewhere = false;
 
@@ -44,7 +44,7 @@ public:
   vtkPolyData* HeldShape() const { return this->Seen.Held ? this->Held.Get() : nullptr; }
   /// Where the hand was when its soft bodies were computed last; null: they are not held, or there are none.
   const palpate::Vec3* SoftHand_W() const;
-  /// A row a law: Law, Kind, A, B, Numbers, Phase, Force [N], Inside [u].
+  /// A row a law: Constraint, Kind, A, B, Numbers, Phase, Force [N], Inside [u].
   void FillTable(vtkTable& table) const;
 
   double Depth = 0.0; ///< the hand's way along what it holds since nothing pushed [u]
@@ -65,7 +65,7 @@ private:
   void Look(palpate::HapticSession& core, const palpate::HapticState& state, double now_s) override;
   std::string Sentence(palpate::HapticSession& core, const palpate::HapticState& state) const override;
   const char* Absent() const override;
-  std::string FeltSentence(bool runs) const;
+  std::string FeltText(bool runs) const;
   std::size_t HeldBody() const;
 
   std::string File, Folder; ///< text of the scene file, and where that lies

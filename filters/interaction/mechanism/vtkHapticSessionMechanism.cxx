@@ -10,13 +10,13 @@ bool vtkHapticSession::AddMechanism(const char* name, vtkDataObject* data, const
   return this->Impl->AddFelt(this->Impl->Mechanism, name, data, reason);
 }
 
-std::string vtkHapticSession::Internals::FollowMechanismLaws()
+std::string vtkHapticSession::Internals::FollowMechanismConstraints()
 {
-  const std::string& laws = this->Settings.text("MechanismLaws");
+  const std::string& laws = this->Settings.text("MechanismConstraints");
   std::string problem = this->Mechanism.Refusal(laws, this->Core); // what is held stays as it is
   if (problem.empty())
   {
-    this->Mechanism.Laws = laws;
+    this->Mechanism.Constraints = laws;
     this->Feel(this->Mechanism, this->Mechanism.TakeAgain());
   }
   return problem;

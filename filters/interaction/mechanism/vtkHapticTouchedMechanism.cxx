@@ -31,7 +31,7 @@ void vtkHapticTouchedMechanism::GetTable(vtkTable* table) const
   this->Behind().Mechanism.FillTable(*table);
 }
 
-std::string vtkHapticTouchedMechanism::GetLawsWith(const char* law)
+std::string vtkHapticTouchedMechanism::GetConstraintsWith(const char* law)
 {
   std::string problem;
   const std::string laws = this->Behind().Mechanism.With(law ? law : "", problem);
@@ -40,7 +40,7 @@ std::string vtkHapticTouchedMechanism::GetLawsWith(const char* law)
   return problem.empty() ? laws : "";
 }
 
-std::string vtkHapticTouchedMechanism::GetLawsWithout(const char* name)
+std::string vtkHapticTouchedMechanism::GetConstraintsWithout(const char* name)
 {
   std::string problem;
   std::string laws = this->Behind().Mechanism.Without(name ? name : "", problem);
@@ -48,7 +48,7 @@ std::string vtkHapticTouchedMechanism::GetLawsWithout(const char* name)
   return laws;
 }
 
-bool vtkHapticTouchedMechanism::BreakLaw(const char* name)
+bool vtkHapticTouchedMechanism::BreakConstraint(const char* name)
 {
   const int law = this->Behind().Mechanism.IndexOf(name ? name : "");
   const bool felt = this->Behind().Mechanism.IsFelt(); // else the servo may number other laws
@@ -57,7 +57,7 @@ bool vtkHapticTouchedMechanism::BreakLaw(const char* name)
                                : "these constraints are not active: break a constraint while the mechanism is touched");
   if (law >= 0 && felt)
   {
-    this->Behind().Core.breakLaw(static_cast<std::uint32_t>(law));
+    this->Behind().Core.breakConstraint(static_cast<std::uint32_t>(law));
   }
   return law >= 0 && felt;
 }

@@ -24,11 +24,11 @@ public:
   /// Moves and bends shapes; false: they are as at first.
   bool Move(vtkPolyData* shapes);
   void GetTable(vtkTable* table) const; ///< one row per constraint: description, Phase, Force [N], Inside [u]
-  /// The setting MechanismLaws with another constraint, an object as in a scene file, and with one less; "", with the
-  /// session's GetProblem().
-  std::string GetLawsWith(const char* law);
-  std::string GetLawsWithout(const char* name);
-  bool BreakLaw(const char* name); ///< it holds no more until the mechanism begins anew; false: there is none
+  /// The setting MechanismConstraints with another constraint, an object as in a scene file, and with one less; "",
+  /// with the session's GetProblem().
+  std::string GetConstraintsWith(const char* law);
+  std::string GetConstraintsWithout(const char* name);
+  bool BreakConstraint(const char* name); ///< it holds no more until the mechanism begins anew; false: there is none
 
 private:
   explicit vtkHapticTouchedMechanism(vtkHapticSession& session) : vtkHapticSessionPart(session) {}

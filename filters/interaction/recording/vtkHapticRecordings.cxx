@@ -10,7 +10,7 @@
 #include "devices/ReplayDevice.h"
 #include "haptics/geometry/scene/Scene.h"
 #include "haptics/recording/writing/EndedRecording.h"
-#include "haptics/session/RecordingSentence.h"
+#include "haptics/session/RecordingText.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
 
@@ -149,7 +149,7 @@ const char* vtkHapticRecordings::Say()
   glance.length_s = this->Seconds;
   glance.file = this->File;
   glance.saved = this->Saved;
-  this->Text = palpate::recordingSentence(glance);
+  this->Text = palpate::recordingText(glance);
   return this->Text.c_str();
 }
 
@@ -173,9 +173,9 @@ void vtkHapticRecordings::FollowPlayed()
   {
     const auto& felt = this->Behind.Core.scene();
     const std::uint64_t shown = felt && !felt->empty() ? felt->geometryHash() : 0;
-    const std::string other = palpate::otherSceneSentence(*this->Played, shown);
+    const std::string other = palpate::otherSceneText(*this->Played, shown);
     this->SceneKnown = this->SceneKnown || other.empty();
-    this->PlayedSentence = this->SceneKnown || this->Behind.Scene.worker().building() ? "" : other;
+    this->PlayedText = this->SceneKnown || this->Behind.Scene.worker().building() ? "" : other;
   }
 }
 

@@ -21,7 +21,7 @@ public:
 
   std::string File;                            ///< the last that is whole
   std::optional<palpate::RecordedHand> Played; ///< by the running device
-  std::string PlayedSentence;                  ///< that it was recorded on something else; "": it was not
+  std::string PlayedText;                      ///< that it was recorded on something else; "": it was not
 
   /// Where what is touched from now on is recorded; "": it is not.
   std::string FileOfTouch() const;

@@ -11,7 +11,7 @@
   vtkHapticTextMacro(DeviceNotes) \
   vtkHapticTextMacro(LinkText) \
   vtkHapticReadoutMacro(LargestStiffness, double) \
-  vtkHapticTextMacro(StabilitySentence) \
+  vtkHapticTextMacro(StabilityText) \
   vtkHapticTextMacro(StateText) \
   vtkHapticTextMacro(FaultText) \
   vtkHapticTextMacro(Warning) \
@@ -80,12 +80,12 @@
   vtkHapticReadoutMacro(FieldTicksBeyond, vtkIdType) \
   vtkHapticReadoutMacro(FieldError, double) \
   vtkHapticReadoutMacro(FieldAge, double) \
-  vtkHapticTextMacro(FieldSentence) \
-  vtkHapticTextMacro(ServerSentence) \
+  vtkHapticTextMacro(FieldText) \
+  vtkHapticTextMacro(ServerText) \
   vtkHapticReadoutMacro(ServerAge, double) \
   vtkHapticReadoutMacro(ServerTicksBeyond, vtkIdType) \
   vtkHapticTextMacro(SchedulingReport) \
-  vtkHapticTextMacro(PlanSentence) \
+  vtkHapticTextMacro(PlanText) \
   vtkHapticReadoutMacro(SceneProgress, double) \
   vtkHapticTextMacro(SceneReport) \
   /* the end of the read-outs */

@@ -31,7 +31,7 @@
 
 class vtkHapticFeltSource;
 class vtkHapticHeldMechanism;
-class vtkHapticHeldTool;
+class vtkHapticTool;
 class vtkHapticPressedBody;
 class vtkHapticRecordings;
 class vtkHapticSceneSurfaces;
@@ -68,13 +68,13 @@ public:
   palpate::FeltField FeltField;
   bool FieldIsNew = false;  ///< no brick has come of it yet
   std::string FieldProblem; ///< why the data that was added is not felt
-  std::string FieldSentence;
+  std::string FieldText;
   std::string FieldGone;               ///< that the touched data are gone
   std::array<double, 6> FieldBounds{}; ///< of the data that was added [u]
   double FieldGradient[3] = { 0.0, 0.0, 0.0 };
   palpate::Quat HandTurn_W = palpate::Quat::Identity(); ///< where a program holds it
   bool Raises = false;                                  ///< lines, as the surfaces were told
-  std::string PlanSentence;
+  std::string PlanText;
 
   std::string CalibrationFolder;
   std::optional<palpate::Calibration> Felt; ///< calibration of a device without serial number, walls included
@@ -94,7 +94,7 @@ public:
   palpate::HapticState State;
   palpate::LoopReport Report;
   palpate::StabilityLimits Limits;
-  std::string StabilitySentence;
+  std::string StabilityText;
   std::string DeviceKind, DeviceNotes, LinkText, LossText;
   std::string Scheduling;
   std::string Warning;
@@ -121,7 +121,7 @@ private:
 public:
   vtkHapticSceneSurfaces& Surfaces;
   vtkHapticServerSurfaces& Server;
-  vtkHapticHeldTool& Tool;
+  vtkHapticTool& Tool;
   vtkHapticPressedBody& Soft;
   vtkHapticHeldMechanism& Mechanism;
   vtkHapticCheckState& Check;
@@ -164,7 +164,7 @@ public:
   std::string FollowLinesAsWalls();
   std::string FollowMarksText();
   std::string FollowMaterials();
-  std::string FollowMechanismLaws();
+  std::string FollowMechanismConstraints();
   std::string FollowPlaneWishes();
   std::string FollowRadii();
   std::string FollowRadiusLimit();
@@ -246,7 +246,7 @@ public:
   /// Walls that the device may hold and the guide to their plane, as the scene that is felt allows.
   void FollowPlane();
   /// "; ..." about a plane world, or "".
-  std::string PlaneSentence() const;
+  std::string PlaneText() const;
   /// Passes the surroundings of the hand to the servo, once a worker has them. True after a change.
   bool FollowField(bool wait);
   /// Takes numbers in space, or says why they cannot be felt.
@@ -263,10 +263,10 @@ public:
   const char* SayDeviceKind();
   const char* SayDeviceNotes();
   const char* SayFaultText();
-  const char* SayFieldSentence();
+  const char* SayFieldText();
   const char* SayFrictionText();
   const char* SayLinkText();
-  const char* SayPlanSentence();
+  const char* SayPlanText();
   const char* SayToolContacts();
 
   /// A setting may name another source.

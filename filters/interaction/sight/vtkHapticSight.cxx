@@ -8,10 +8,10 @@
 #include "vtkCamera.h"
 #include "vtkHapticFieldShape.h"
 #include "vtkHapticHeldMechanism.h"
-#include "vtkHapticHeldTool.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticServerSurfaces.h"
 #include "vtkHapticSessionInternals.h"
+#include "vtkHapticTool.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 
@@ -120,7 +120,7 @@ bool vtkHapticSight::AddRemoteField(const char* name, const vtkHapticFieldResult
   return this->Behind().FeelField(name, made);
 }
 
-void vtkHapticSight::SetFieldBeside(vtkDataObject* compared, vtkDataObject* snap)
+void vtkHapticSight::SetComparedField(vtkDataObject* compared, vtkDataObject* snap)
 {
   auto& impl = this->Behind();
   const vtkMTimeType time = std::max(compared ? compared->GetMTime() : 0, snap ? snap->GetMTime() : 0);
@@ -135,7 +135,7 @@ void vtkHapticSight::SetFieldBeside(vtkDataObject* compared, vtkDataObject* snap
 
 void vtkHapticSight::GetFieldShape(vtkPolyData* shape) const
 {
-  const std::shared_ptr<const palpate::Brick>& brick = this->Behind().Core.brick();
+  const std::shared_ptr<const palpate::FieldBlock>& brick = this->Behind().Core.brick();
   shape->Initialize();
   const palpate::Vec3& proxy_W = this->Behind().State.field.proxy_W;
   if (brick && proxy_W.allFinite())

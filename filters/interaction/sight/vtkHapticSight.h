@@ -37,7 +37,7 @@ public:
   int GetScenesCancelled() const; ///< how often CancelScene() did that
   /// Other data that the field is compared with, and whose points and lines the hand snaps to; null: none. Kept by
   /// reference. FeltSource, CompareSource and SnapSource name all of them for whoever follows a view.
-  void SetFieldBeside(vtkDataObject* compared, vtkDataObject* snap);
+  void SetComparedField(vtkDataObject* compared, vtkDataObject* snap);
 #ifndef __VTK_WRAP__
   bool AddRemoteField(const char* name, const vtkHapticFieldResult& made); ///< of data elsewhere, made there
   vtkHapticServerSurfaces& ServerSurfaces() const;                         ///< loaded parts of remote surfaces

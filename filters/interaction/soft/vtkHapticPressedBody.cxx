@@ -36,7 +36,7 @@ std::string vtkHapticPressedBody::Convert(vtkDataObject* data, const std::string
 
 void vtkHapticPressedBody::CountPackets(double now_s)
 {
-  if (this->Status.packets < this->CountedPackets) // of another body
+  if (this->Status.snapshots < this->CountedPackets) // of another body
   {
     this->CountedPackets = 0;
     this->Counted_s = now_s;
@@ -44,8 +44,8 @@ void vtkHapticPressedBody::CountPackets(double now_s)
   if (now_s - this->Counted_s >= CountEvery_s)
   {
     this->PacketsPerSecond =
-      static_cast<double>(this->Status.packets - this->CountedPackets) / (now_s - this->Counted_s);
-    this->CountedPackets = this->Status.packets;
+      static_cast<double>(this->Status.snapshots - this->CountedPackets) / (now_s - this->Counted_s);
+    this->CountedPackets = this->Status.snapshots;
     this->Counted_s = now_s;
   }
 }

@@ -17,7 +17,7 @@ class vtkUnstructuredGrid;
 class vtkHapticPressedBody : public vtkHapticFeltSource
 {
 public:
-  double Rate_Hz = 30.0; ///< packets a second
+  double Rate_Hz = 30.0; ///< snapshots a second
 
   const char* Setting() const override { return "SoftSource"; }
   const char* Subject() const override { return "soft body"; }

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "haptics/geometry/measure/ContactPlace.h"
-#include "vtkHapticHeldTool.h"
 #include "vtkHapticSessionInternals.h"
+#include "vtkHapticTool.h"
 
 bool vtkHapticSession::AddTool(const char* name, vtkDataObject* data)
 {

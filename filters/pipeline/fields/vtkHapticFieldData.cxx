@@ -267,7 +267,7 @@ bool vtkHapticAllAtPoints(vtkDataSet& data, const vtkHapticFieldArrays& arrays)
 }
 
 vtkHapticFieldResult vtkHapticToField(
-  vtkDataObject* data, const vtkHapticFieldArrays& arrays, const vtkHapticFieldBeside& beside)
+  vtkDataObject* data, const vtkHapticFieldArrays& arrays, const vtkHapticComparedField& beside)
 {
   vtkHapticFieldArrays own = arrays;
   own.Beside = beside.Compared != nullptr;

@@ -33,7 +33,7 @@ struct vtkHapticFieldArrays
 };
 
 /// Other data that have to do with a field; null: there are none.
-struct vtkHapticFieldBeside
+struct vtkHapticComparedField
 {
   vtkDataObject* Compared = nullptr; ///< whose array Other is; without a name the one that is called as the scalar
   vtkDataObject* Snap = nullptr;     ///< whose points and lines the hand snaps to
@@ -52,7 +52,7 @@ struct vtkHapticFieldResult
 /// scan-converted, others by VTK's own probes. Values of cells go to points first. Blanked, ghost and empty places have
 /// no value. `data` is copied shallowly and then read by the worker thread.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticFieldResult vtkHapticToField(
-  vtkDataObject* data, const vtkHapticFieldArrays& arrays, const vtkHapticFieldBeside& beside = {});
+  vtkDataObject* data, const vtkHapticFieldArrays& arrays, const vtkHapticComparedField& beside = {});
 
 /// The box of all data sets in it, low and high x, y, z [u]; low above high where there are no points.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::array<double, 6> vtkHapticFieldBounds(vtkDataObject* data);

@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
-using palpate::BrickGrid;
+using palpate::FieldBlockGrid;
 using palpate::Vec3;
 
 namespace
 {
 /// Points in the middle of cells, evenly over the grid.
-BrickGrid MiddlesOf(const BrickGrid& grid)
+FieldBlockGrid MiddlesOf(const FieldBlockGrid& grid)
 {
   constexpr int most = 12;
-  BrickGrid middles = grid;
+  FieldBlockGrid middles = grid;
   Vec3 first;
   for (int k = 0; k < 3; ++k)
   {
@@ -27,13 +27,14 @@ BrickGrid MiddlesOf(const BrickGrid& grid)
 }
 } // namespace
 
-double vtkHapticFieldError(const palpate::Brick& brick, const vtkHapticFieldPart& part, const HapticFieldCells& cells)
+double vtkHapticFieldError(
+  const palpate::FieldBlock& brick, const vtkHapticFieldPart& part, const HapticFieldCells& cells)
 {
   if (palpate::componentsOf(part.Role) != 1)
   {
     return 0.0;
   }
-  const BrickGrid middles = MiddlesOf(brick.grid());
+  const FieldBlockGrid middles = MiddlesOf(brick.grid());
   const std::vector<float> values = cells(part, middles);
   double largest = 0.0, low = INFINITY, high = -INFINITY;
   for (std::size_t i = 0; i < values.size(); ++i)

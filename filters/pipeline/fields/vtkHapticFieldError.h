@@ -7,6 +7,7 @@
 /// The largest difference between a brick's trilinear values and those of the cells, of the range of the values: in the
 /// middle of up to 12 of the brick's cells along each axis, where it is largest for what bends. Of vectors and axes it
 /// is not looked at: 0.
-double vtkHapticFieldError(const palpate::Brick& brick, const vtkHapticFieldPart& part, const HapticFieldCells& cells);
+double vtkHapticFieldError(
+  const palpate::FieldBlock& brick, const vtkHapticFieldPart& part, const HapticFieldCells& cells);
 
 #endif

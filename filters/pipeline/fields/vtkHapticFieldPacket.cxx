@@ -2,7 +2,7 @@
 #include "vtkHapticFieldPacket.h"
 
 #include "haptics/recording/bytes/RecordingLayout.h"
-#include "haptics/recording/inputs/Bricks.h"
+#include "haptics/recording/inputs/FieldBlocks.h"
 
 namespace
 {
@@ -35,7 +35,7 @@ std::vector<char> vtkHapticPackField(const vtkHapticFieldPacket& packet)
   out.put(packet.Made.brick != nullptr);
   if (packet.Made.brick)
   {
-    palpate::putBrick(out, *packet.Made.brick);
+    palpate::putFieldBlock(out, *packet.Made.brick);
   }
   return out.bytes();
 }
@@ -45,8 +45,8 @@ std::optional<vtkHapticFieldPacket> vtkHapticUnpackField(std::span<const char> b
   palpate::ByteReader in(bytes.data(), bytes.size());
   vtkHapticFieldPacket packet;
   Each(palpate::Get{ in }, packet);
-  bool hasBrick = false;
-  in.get(hasBrick);
-  packet.Made.brick = hasBrick ? palpate::readBrick(in) : nullptr;
+  bool hasFieldBlock = false;
+  in.get(hasFieldBlock);
+  packet.Made.brick = hasFieldBlock ? palpate::readFieldBlock(in) : nullptr;
   return in.ok() && in.left() == 0 ? std::optional(packet) : std::nullopt;
 }

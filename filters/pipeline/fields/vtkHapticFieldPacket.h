@@ -16,7 +16,7 @@ struct vtkHapticFieldPacket
   std::string Problem; ///< why it cannot be felt; "": it can
   palpate::FieldEnds Ends{ 1.0, 0.0 };
   std::array<double, 6> Bounds{}; ///< [u]
-  palpate::MadeBrick Made;
+  palpate::MadeFieldBlock Made;
 };
 
 /// As bytes; a brick in them is the same to the bit.

@@ -11,8 +11,8 @@
 #include "haptics/field/Extrema.h"
 #include "haptics/field/Smoothing.h"
 
-using palpate::BrickGrid;
-using palpate::BrickRole;
+using palpate::FieldBlockGrid;
+using palpate::FieldBlockRole;
 using palpate::GridIndex;
 using palpate::Vec3;
 
@@ -31,7 +31,7 @@ std::size_t FloatsPerPoint(const std::vector<vtkHapticFieldPart>& parts)
 }
 
 /// Points of the lattice within a box around a place; none where the place is too far outside.
-std::optional<vtkHapticFieldWindow> Around(const BrickGrid& lattice, const Vec3& centre, const Vec3& reach)
+std::optional<vtkHapticFieldWindow> Around(const FieldBlockGrid& lattice, const Vec3& centre, const Vec3& reach)
 {
   vtkHapticFieldWindow window;
   for (int k = 0; k < 3; ++k)
@@ -56,7 +56,7 @@ std::size_t PointsOf(const vtkHapticFieldWindow& window)
 
 /// As far as asked, or as the memory of a brick allows; all of it where that fits.
 std::optional<vtkHapticFieldWindow> WindowAround(
-  const BrickGrid& lattice, const Vec3& centre_W, double reach_u, std::size_t mostPoints)
+  const FieldBlockGrid& lattice, const Vec3& centre_W, double reach_u, std::size_t mostPoints)
 {
   if (lattice.points() <= mostPoints)
   {
@@ -80,7 +80,7 @@ std::optional<vtkHapticFieldWindow> WindowAround(
 }
 
 /// How far one may go from a place before a window ends that is not the end of the lattice [u].
-double RoomIn(const vtkHapticFieldWindow& window, const BrickGrid& lattice, const Vec3& centre_W)
+double RoomIn(const vtkHapticFieldWindow& window, const FieldBlockGrid& lattice, const Vec3& centre_W)
 {
   const Vec3 centre = lattice.toIndex(centre_W);
   double room = endless;
@@ -95,7 +95,7 @@ double RoomIn(const vtkHapticFieldWindow& window, const BrickGrid& lattice, cons
 }
 
 /// How far a place may go before it can be in the lattice [u]: what it is outside by along the axis of most.
-double WayInto(const BrickGrid& lattice, const Vec3& centre_W)
+double WayInto(const FieldBlockGrid& lattice, const Vec3& centre_W)
 {
   const Vec3 centre = lattice.toIndex(centre_W);
   double way = 0.0;
@@ -107,7 +107,7 @@ double WayInto(const BrickGrid& lattice, const Vec3& centre_W)
 }
 
 /// With `more` points all around, as far as there are any.
-vtkHapticFieldWindow Grown(const vtkHapticFieldWindow& window, const BrickGrid& lattice, int more)
+vtkHapticFieldWindow Grown(const vtkHapticFieldWindow& window, const FieldBlockGrid& lattice, int more)
 {
   vtkHapticFieldWindow grown;
   for (int k = 0; k < 3; ++k)
@@ -136,8 +136,8 @@ std::vector<float> Cropped(
 
 /// What the scalar needs so that a hand is not trapped beside the level whose surface is felt, measured on values that
 /// were read as they are.
-palpate::FieldSmoothness Needed(
-  const std::vector<float>& values, const GridIndex& size, double offset, const palpate::BrickWish& wish, int asked)
+palpate::FieldSmoothness Needed(const std::vector<float>& values, const GridIndex& size, double offset,
+  const palpate::FieldBlockWish& wish, int asked)
 {
   palpate::FieldSmoothness smooth;
   smooth.passes = std::max(0, asked);
@@ -160,8 +160,9 @@ palpate::FieldSmoothness Needed(
 }
 
 /// The scalar in a window, smoothed as asked or as needed, which is told.
-std::vector<float> Scalar(const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window, const BrickGrid& lattice,
-  int asked, const HapticFieldReading& read, const palpate::BrickWish& wish, palpate::FieldSmoothness& told)
+std::vector<float> Scalar(const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window,
+  const FieldBlockGrid& lattice, int asked, const HapticFieldReading& read, const palpate::FieldBlockWish& wish,
+  palpate::FieldSmoothness& told)
 {
   const vtkHapticFieldWindow grown = Grown(window, lattice, std::abs(asked));
   std::vector<float> values = read(part, grown);
@@ -169,9 +170,9 @@ std::vector<float> Scalar(const vtkHapticFieldPart& part, const vtkHapticFieldWi
   return Cropped(palpate::smoothed(std::move(values), grown.Size, told.passes), grown, window);
 }
 /// Whether there is a value anywhere.
-bool HasCell(const palpate::Brick& brick, BrickRole role)
+bool HasCell(const palpate::FieldBlock& brick, FieldBlockRole role)
 {
-  const palpate::BrickComponent values = brick.component(role);
+  const palpate::FieldBlockComponent values = brick.component(role);
   const GridIndex& size = values.size();
   const int cells = (size[0] - 1) * (size[1] - 1) * (size[2] - 1);
   for (int i = 0; i < cells; ++i)
@@ -186,10 +187,11 @@ bool HasCell(const palpate::Brick& brick, BrickRole role)
 }
 
 /// Critical points of the vectors, and extrema of the scalar in the room that these leave.
-std::vector<Vec3> SnapPlacesIn(const palpate::Brick& brick)
+std::vector<Vec3> SnapPlacesIn(const palpate::FieldBlock& brick)
 {
-  std::vector<Vec3> places_W = palpate::findCriticalPoints(brick, palpate::Brick::mostPlaces / 2);
-  for (const palpate::Extremum& extremum : palpate::findExtrema(brick, palpate::Brick::mostPlaces - places_W.size()))
+  std::vector<Vec3> places_W = palpate::findCriticalPoints(brick, palpate::FieldBlock::mostPlaces / 2);
+  for (const palpate::Extremum& extremum :
+    palpate::findExtrema(brick, palpate::FieldBlock::mostPlaces - places_W.size()))
   {
     places_W.push_back(extremum.p_W);
   }
@@ -197,9 +199,9 @@ std::vector<Vec3> SnapPlacesIn(const palpate::Brick& brick)
 }
 } // namespace
 
-BrickGrid vtkHapticGridOf(const BrickGrid& lattice, const vtkHapticFieldWindow& window)
+FieldBlockGrid vtkHapticGridOf(const FieldBlockGrid& lattice, const vtkHapticFieldWindow& window)
 {
-  BrickGrid grid = lattice;
+  FieldBlockGrid grid = lattice;
   grid.size = window.Size;
   grid.pose_W.p = lattice.toWorld({ 1.0 * window.First[0], 1.0 * window.First[1], 1.0 * window.First[2] });
   return grid;
@@ -208,13 +210,13 @@ BrickGrid vtkHapticGridOf(const BrickGrid& lattice, const vtkHapticFieldWindow& 
 std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& arrays)
 {
   std::vector<vtkHapticFieldPart> parts;
-  const vtkHapticFieldPart directions = arrays.Tensor
-                                          ? vtkHapticFieldPart{ BrickRole::Axis, arrays.Vector, arrays.Eigenvector }
-                                          : vtkHapticFieldPart{ BrickRole::Vector, arrays.Vector };
+  const vtkHapticFieldPart directions =
+    arrays.Tensor ? vtkHapticFieldPart{ FieldBlockRole::Axis, arrays.Vector, arrays.Eigenvector }
+                  : vtkHapticFieldPart{ FieldBlockRole::Vector, arrays.Vector };
   for (const vtkHapticFieldPart& part :
-    { vtkHapticFieldPart{ BrickRole::Scalar, arrays.Scalar, arrays.Component, arrays.Offset }, directions,
-      vtkHapticFieldPart{ BrickRole::Resistance, arrays.Resistance, arrays.Component },
-      vtkHapticFieldPart{ BrickRole::Other, arrays.Beside ? "" : arrays.Other, arrays.Component, arrays.Offset } })
+    { vtkHapticFieldPart{ FieldBlockRole::Scalar, arrays.Scalar, arrays.Component, arrays.Offset }, directions,
+      vtkHapticFieldPart{ FieldBlockRole::Resistance, arrays.Resistance, arrays.Component },
+      vtkHapticFieldPart{ FieldBlockRole::Other, arrays.Beside ? "" : arrays.Other, arrays.Component, arrays.Offset } })
   {
     if (!part.Name.empty())
     {
@@ -224,8 +226,8 @@ std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& 
   return parts;
 }
 
-palpate::MadeBrick vtkHapticBrickAround(const BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
-  const HapticFieldReading& read, const palpate::BrickWish& wish, std::size_t mostBytes)
+palpate::MadeFieldBlock vtkHapticFieldBlockAround(const FieldBlockGrid& lattice, const vtkHapticFieldArrays& arrays,
+  const HapticFieldReading& read, const palpate::FieldBlockWish& wish, std::size_t mostBytes)
 {
   const Vec3& centre_W = wish.centre_W;
   const std::vector<vtkHapticFieldPart> parts = vtkHapticFieldParts(arrays);
@@ -236,24 +238,24 @@ palpate::MadeBrick vtkHapticBrickAround(const BrickGrid& lattice, const vtkHapti
   {
     return { nullptr, centre_W, WayInto(lattice, centre_W), "" }; // the hand is outside of the data
   }
-  const BrickGrid grid = vtkHapticGridOf(lattice, *window);
-  std::vector<palpate::BrickArray> values;
+  const FieldBlockGrid grid = vtkHapticGridOf(lattice, *window);
+  std::vector<palpate::FieldBlockArray> values;
   palpate::FieldSmoothness smoothness;
   for (const vtkHapticFieldPart& part : parts)
   {
-    const bool scalar = part.Role == BrickRole::Scalar;
+    const bool scalar = part.Role == FieldBlockRole::Scalar;
     values.push_back({ part.Role, part.Name,
       scalar ? Scalar(part, *window, lattice, arrays.Smoothing, read, wish, smoothness) : read(part, *window),
       part.Offset });
   }
-  if (std::string problem = palpate::Brick::refuse(grid, values); !problem.empty())
+  if (std::string problem = palpate::FieldBlock::refuse(grid, values); !problem.empty())
   {
     return { nullptr, centre_W, wish.reach_u, std::move(problem) };
   }
-  auto brick = std::make_shared<const palpate::Brick>(wish.revision, grid, std::move(values));
+  auto brick = std::make_shared<const palpate::FieldBlock>(wish.revision, grid, std::move(values));
   if (std::vector<Vec3> places_W = SnapPlacesIn(*brick); !places_W.empty())
   {
-    brick = std::make_shared<const palpate::Brick>(wish.revision, grid, brick->arrays(), std::move(places_W));
+    brick = std::make_shared<const palpate::FieldBlock>(wish.revision, grid, brick->arrays(), std::move(places_W));
   }
   const double room_u = RoomIn(*window, lattice, centre_W);
   if (std::isinf(room_u) && !HasCell(*brick, parts.front().Role))

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "haptics/field/Brick.h"
+#include "haptics/field/FieldBlock.h"
 #include "haptics/session/scene/FieldSource.h"
 #include "vtkHapticFieldData.h"
 
@@ -31,17 +31,17 @@ struct vtkHapticFieldWindow
 /// value.
 struct vtkHapticFieldPart
 {
-  palpate::BrickRole Role;
+  palpate::FieldBlockRole Role;
   std::string Name;
   int Component = -1;  ///< of a scalar; -1: the length. Of an axis: which eigenvector
   double Offset = 0.0; ///< that its values are less, as they are read
 };
 using HapticFieldReading = std::function<std::vector<float>(const vtkHapticFieldPart&, const vtkHapticFieldWindow&)>;
 /// Values of the cells of data at the points of any grid, NaN without a value.
-using HapticFieldCells = std::function<std::vector<float>(const vtkHapticFieldPart&, const palpate::BrickGrid&)>;
+using HapticFieldCells = std::function<std::vector<float>(const vtkHapticFieldPart&, const palpate::FieldBlockGrid&)>;
 
 /// The points of a window by themselves.
-palpate::BrickGrid vtkHapticGridOf(const palpate::BrickGrid& lattice, const vtkHapticFieldWindow& window);
+palpate::FieldBlockGrid vtkHapticGridOf(const palpate::FieldBlockGrid& lattice, const vtkHapticFieldWindow& window);
 
 /// The data sets in a data object.
 std::vector<vtkDataSet*> vtkHapticFieldSets(vtkDataObject* data);
@@ -52,9 +52,11 @@ bool vtkHapticAllAtPoints(vtkDataSet& data, const vtkHapticFieldArrays& arrays);
 /// The arrays that are asked for.
 std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& arrays);
 
-/// The brick of a lattice around a place. Bricks of one lattice that are smoothed as often have the same values at the
-/// same places, whichever window they were made of: the scalar is smoothed with as much around it as smoothing needs.
-palpate::MadeBrick vtkHapticBrickAround(const palpate::BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
-  const HapticFieldReading& read, const palpate::BrickWish& wish, std::size_t mostBytes = palpate::Brick::mostBytes);
+/// The brick of a lattice around a place. FieldBlocks of one lattice that are smoothed as often have the same values at
+/// the same places, whichever window they were made of: the scalar is smoothed with as much around it as smoothing
+/// needs.
+palpate::MadeFieldBlock vtkHapticFieldBlockAround(const palpate::FieldBlockGrid& lattice,
+  const vtkHapticFieldArrays& arrays, const HapticFieldReading& read, const palpate::FieldBlockWish& wish,
+  std::size_t mostBytes = palpate::FieldBlock::mostBytes);
 
 #endif

@@ -5,19 +5,19 @@
 #include <cmath>
 #include <utility>
 
-using palpate::Brick;
-using palpate::BrickGrid;
-using palpate::MadeBrick;
+using palpate::FieldBlock;
+using palpate::FieldBlockGrid;
+using palpate::MadeFieldBlock;
 using palpate::Vec3;
 
 namespace
 {
-constexpr std::size_t finerBytes = Brick::mostBytes / 8;
+constexpr std::size_t finerBytes = FieldBlock::mostBytes / 8;
 
 /// Every point of the lattice is one of this too.
-BrickGrid Halved(const BrickGrid& lattice, int times)
+FieldBlockGrid Halved(const FieldBlockGrid& lattice, int times)
 {
-  BrickGrid finer = lattice;
+  FieldBlockGrid finer = lattice;
   for (int k = 0; k < 3; ++k)
   {
     finer.size[k] = ((lattice.size[k] - 1) << times) + 1;
@@ -27,7 +27,7 @@ BrickGrid Halved(const BrickGrid& lattice, int times)
 }
 
 /// Its own places, and those of the other beyond it: a hand in it is drawn to what is near on either side of its rim.
-std::vector<Vec3> PlacesOf(const Brick& finer, const Brick& coarse)
+std::vector<Vec3> PlacesOf(const FieldBlock& finer, const FieldBlock& coarse)
 {
   std::vector<Vec3> places_W = finer.places_W();
   std::copy_if(coarse.places_W().begin(), coarse.places_W().end(), std::back_inserter(places_W),
@@ -36,17 +36,18 @@ std::vector<Vec3> PlacesOf(const Brick& finer, const Brick& coarse)
 }
 
 /// With a finer part where there is one.
-MadeBrick BrickWithFiner(const BrickGrid& lattice, const vtkHapticFieldArrays& arrays, const HapticFieldCells& cells,
-  const vtkHapticCellSizes& sizes, std::size_t mostBytes, const palpate::BrickWish& wish)
+MadeFieldBlock FieldBlockWithFiner(const FieldBlockGrid& lattice, const vtkHapticFieldArrays& arrays,
+  const HapticFieldCells& cells, const vtkHapticCellSizes& sizes, std::size_t mostBytes,
+  const palpate::FieldBlockWish& wish)
 {
-  const auto brickOf = [&](const BrickGrid& on, const vtkHapticFieldArrays& felt, std::size_t most)
+  const auto brickOf = [&](const FieldBlockGrid& on, const vtkHapticFieldArrays& felt, std::size_t most)
   {
     const auto read = [&](const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window)
     { return cells(part, vtkHapticGridOf(on, window)); };
-    return vtkHapticBrickAround(on, felt, read, wish, most);
+    return vtkHapticFieldBlockAround(on, felt, read, wish, most);
   };
   const bool varies = std::isfinite(sizes.Reach());
-  MadeBrick made = brickOf(lattice, arrays, mostBytes - (varies ? finerBytes : 0));
+  MadeFieldBlock made = brickOf(lattice, arrays, mostBytes - (varies ? finerBytes : 0));
   const int halvings = made.brick && varies ? sizes.HalvingsAt(wish.centre_W) : 0;
   made.finerReach_u = 2.0 * sizes.Reach(); // of which half may be used up
   if (halvings == 0)
@@ -55,33 +56,33 @@ MadeBrick BrickWithFiner(const BrickGrid& lattice, const vtkHapticFieldArrays& a
   }
   vtkHapticFieldArrays alike = arrays;
   alike.Smoothing = made.smoothness.passes;
-  const MadeBrick finer = brickOf(Halved(lattice, halvings), alike, finerBytes);
+  const MadeFieldBlock finer = brickOf(Halved(lattice, halvings), alike, finerBytes);
   made.finerReach_u = std::min(made.finerReach_u, finer.reach_u);
   if (finer.brick)
   {
-    const Brick &in = *finer.brick, &around = *made.brick;
-    auto part = std::make_shared<const Brick>(wish.revision, in.grid(), in.arrays(), PlacesOf(in, around));
-    made.brick = std::make_shared<const Brick>(
+    const FieldBlock &in = *finer.brick, &around = *made.brick;
+    auto part = std::make_shared<const FieldBlock>(wish.revision, in.grid(), in.arrays(), PlacesOf(in, around));
+    made.brick = std::make_shared<const FieldBlock>(
       wish.revision, around.grid(), around.arrays(), around.places_W(), around.lines_W(), std::move(part));
   }
   return made;
 }
 } // namespace
 
-MadeBrick vtkHapticBrickWithFiner(const BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
+MadeFieldBlock vtkHapticFieldBlockWithFiner(const FieldBlockGrid& lattice, const vtkHapticFieldArrays& arrays,
   const HapticFieldCells& cells, const vtkHapticCellSizes& sizes, const vtkHapticOwnCells* own,
-  const palpate::BrickWish& wish)
+  const palpate::FieldBlockWish& wish)
 {
-  const std::size_t mostBytes = Brick::mostBytes - (own ? vtkHapticOwnCells::mostBytes : 0);
-  MadeBrick made = BrickWithFiner(lattice, arrays, cells, sizes, mostBytes, wish);
+  const std::size_t mostBytes = FieldBlock::mostBytes - (own ? vtkHapticOwnCells::mostBytes : 0);
+  MadeFieldBlock made = FieldBlockWithFiner(lattice, arrays, cells, sizes, mostBytes, wish);
   const bool smoothed = made.smoothness.passes > 0; // what is felt then is not what the cells have
   auto near = made.brick && own && (!smoothed || own->AreFlat()) ? own->Around(wish.centre_W) : nullptr;
   made.whyNoCells = own && made.brick && !near ? "its values are smoothed" : "";
   if (near)
   {
-    const Brick& around = *made.brick;
+    const FieldBlock& around = *made.brick;
     made.finerReach_u = std::min(made.finerReach_u, near->parts().reach_u);
-    made.brick = std::make_shared<const Brick>(wish.revision, around.grid(), around.arrays(), around.places_W(),
+    made.brick = std::make_shared<const FieldBlock>(wish.revision, around.grid(), around.arrays(), around.places_W(),
       around.lines_W(), around.finer(), std::move(near));
   }
   return made;

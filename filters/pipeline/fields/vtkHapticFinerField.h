@@ -10,8 +10,8 @@
 /// lattice is laid out by: its spacing is that of the lattice, halved as often as the cells are, and it reaches as far
 /// as an eighth of a brick's memory does. `own`: the data's own cells, which it has too unless the scalar is smoothed;
 /// null: they are none that can be had.
-palpate::MadeBrick vtkHapticBrickWithFiner(const palpate::BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
-  const HapticFieldCells& cells, const vtkHapticCellSizes& sizes, const vtkHapticOwnCells* own,
-  const palpate::BrickWish& wish);
+palpate::MadeFieldBlock vtkHapticFieldBlockWithFiner(const palpate::FieldBlockGrid& lattice,
+  const vtkHapticFieldArrays& arrays, const HapticFieldCells& cells, const vtkHapticCellSizes& sizes,
+  const vtkHapticOwnCells* own, const palpate::FieldBlockWish& wish);
 
 #endif

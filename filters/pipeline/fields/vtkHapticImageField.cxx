@@ -22,9 +22,9 @@ using palpate::Vec3;
 namespace
 {
 /// The frame of an image's points; true where its first axis had to be turned round to make it right-handed.
-std::pair<palpate::BrickGrid, bool> LatticeOf(vtkImageData& image)
+std::pair<palpate::FieldBlockGrid, bool> LatticeOf(vtkImageData& image)
 {
-  palpate::BrickGrid lattice;
+  palpate::FieldBlockGrid lattice;
   Eigen::Matrix3d axes_W;
   for (int k = 0; k < 3; ++k)
   {
@@ -121,8 +121,9 @@ void Keep(const double* tuple, int components, const vtkHapticFieldPart& part, f
     *to = static_cast<float>(ScalarOf(tuple, components, part.Component) - part.Offset);
     return;
   }
-  const Vec3 kept =
-    part.Role == palpate::BrickRole::Axis ? EigenvectorOf(TensorOf(tuple, components), part.Component) : Vec3(tuple);
+  const Vec3 kept = part.Role == palpate::FieldBlockRole::Axis
+                      ? EigenvectorOf(TensorOf(tuple, components), part.Component)
+                      : Vec3(tuple);
   std::transform(kept.begin(), kept.end(), to, [](double number) { return static_cast<float>(number); });
 }
 
@@ -167,10 +168,10 @@ vtkHapticImageField::vtkHapticImageField(vtkSmartPointer<vtkImageData> image, vt
   std::tie(this->Lattice, this->Mirrored) = LatticeOf(*this->Image);
 }
 
-palpate::MadeBrick vtkHapticImageField::brickAround(const palpate::BrickWish& wish) const
+palpate::MadeFieldBlock vtkHapticImageField::brickAround(const palpate::FieldBlockWish& wish) const
 {
   const auto read = [this](const auto& part, const auto& window) { return this->Read(part, window); };
-  palpate::MadeBrick made = vtkHapticBrickAround(this->Lattice, this->Arrays, read, wish);
+  palpate::MadeFieldBlock made = vtkHapticFieldBlockAround(this->Lattice, this->Arrays, read, wish);
   this->Levels.Tell(made, wish, this->Lattice, this->Arrays, read);
   return made;
 }

@@ -16,7 +16,7 @@ public:
   /// An image of at least two points along each axis, whose arrays are at its points.
   vtkHapticImageField(vtkSmartPointer<vtkImageData> image, vtkHapticFieldArrays arrays);
 
-  palpate::MadeBrick brickAround(const palpate::BrickWish& wish) const override;
+  palpate::MadeFieldBlock brickAround(const palpate::FieldBlockWish& wish) const override;
 
 private:
   std::vector<float> Read(const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window) const;
@@ -25,7 +25,7 @@ private:
 
   vtkSmartPointer<vtkImageData> Image;
   vtkHapticFieldArrays Arrays;
-  palpate::BrickGrid Lattice;
+  palpate::FieldBlockGrid Lattice;
   bool Mirrored = false;    ///< the lattice counts the first axis backwards: its axes are right-handed
   std::vector<bool> Hidden; ///< points without a value; empty: none is
   vtkHapticLevelScan Levels;

@@ -7,14 +7,14 @@
 #include "haptics/field/Smoothing.h"
 
 palpate::LevelBounds vtkHapticLevelsOf(
-  const palpate::BrickGrid& lattice, const vtkHapticFieldArrays& arrays, const HapticFieldReading& read, int tile)
+  const palpate::FieldBlockGrid& lattice, const vtkHapticFieldArrays& arrays, const HapticFieldReading& read, int tile)
 {
   // What is smoothed only where noise asks for it may be steep: an average of values is no steeper than they are.
   const int passes = std::max(0, arrays.Smoothing), step = tile - 2;
   palpate::LevelBounds bounds;
   const std::vector<vtkHapticFieldPart> parts = vtkHapticFieldParts(arrays);
-  const auto scalar = std::find_if(
-    parts.begin(), parts.end(), [](const vtkHapticFieldPart& part) { return part.Role == palpate::BrickRole::Scalar; });
+  const auto scalar = std::find_if(parts.begin(), parts.end(),
+    [](const vtkHapticFieldPart& part) { return part.Role == palpate::FieldBlockRole::Scalar; });
   if (scalar == parts.end())
   {
     return bounds;
@@ -39,8 +39,8 @@ palpate::LevelBounds vtkHapticLevelsOf(
   return bounds;
 }
 
-void vtkHapticLevelScan::Tell(palpate::MadeBrick& made, const palpate::BrickWish& wish,
-  const palpate::BrickGrid& lattice, const vtkHapticFieldArrays& arrays, const HapticFieldReading& read) const
+void vtkHapticLevelScan::Tell(palpate::MadeFieldBlock& made, const palpate::FieldBlockWish& wish,
+  const palpate::FieldBlockGrid& lattice, const vtkHapticFieldArrays& arrays, const HapticFieldReading& read) const
 {
   if (!wish.smoothLevels || !made.brick || std::isinf(made.reach_u) || lattice.points() > mostPoints)
   {

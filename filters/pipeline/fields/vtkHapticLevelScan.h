@@ -16,7 +16,7 @@ public:
   static constexpr std::size_t mostPoints = std::size_t{ 1 } << 27;
 
   /// Says it of a brick where it was wished for, and the brick does not say it itself. Asked by one thread at a time.
-  void Tell(palpate::MadeBrick& made, const palpate::BrickWish& wish, const palpate::BrickGrid& lattice,
+  void Tell(palpate::MadeFieldBlock& made, const palpate::FieldBlockWish& wish, const palpate::FieldBlockGrid& lattice,
     const vtkHapticFieldArrays& arrays, const HapticFieldReading& read) const;
 
 private:
@@ -25,6 +25,6 @@ private:
 
 /// Those of all windows of the lattice together; `tile`: points of a window along each axis, more than 2.
 palpate::LevelBounds vtkHapticLevelsOf(
-  const palpate::BrickGrid& lattice, const vtkHapticFieldArrays& arrays, const HapticFieldReading& read, int tile);
+  const palpate::FieldBlockGrid& lattice, const vtkHapticFieldArrays& arrays, const HapticFieldReading& read, int tile);
 
 #endif

@@ -87,10 +87,10 @@ float DistanceTo(const std::array<float, 6>& box, const std::array<float, 3>& p)
 } // namespace
 
 std::unique_ptr<const vtkHapticOwnCells> vtkHapticOwnCells::Of(
-  vtkDataObject* data, const vtkHapticFieldArrays& arrays, const palpate::BrickGrid& lattice, std::string& why)
+  vtkDataObject* data, const vtkHapticFieldArrays& arrays, const palpate::FieldBlockGrid& lattice, std::string& why)
 {
   const std::vector<vtkHapticFieldPart> felt = vtkHapticFieldParts(arrays);
-  if (felt.empty() || felt.front().Role != palpate::BrickRole::Scalar)
+  if (felt.empty() || felt.front().Role != palpate::FieldBlockRole::Scalar)
   {
     return nullptr;
   }

@@ -69,12 +69,12 @@ Extent ExtentOf(const std::vector<vtkDataSet*>& parts)
 }
 
 /// Half of the mean length of what fills the bounds: then the lattice's own error is half of the data's.
-palpate::BrickGrid LatticeOver(const vtkBoundingBox& bounds, vtkIdType count)
+palpate::FieldBlockGrid LatticeOver(const vtkBoundingBox& bounds, vtkIdType count)
 {
   std::array<double, 3> lengths{};
   bounds.GetLengths(lengths.data());
   const double edge_u = std::cbrt(lengths[0] * lengths[1] * lengths[2] / static_cast<double>(count));
-  palpate::BrickGrid lattice;
+  palpate::FieldBlockGrid lattice;
   bounds.GetMinPoint(lattice.pose_W.p.data());
   constexpr double mostPoints = 1e6; // along an axis: a sliver of a data set
   for (int k = 0; k < 3; ++k)
@@ -114,12 +114,12 @@ class ResampledField : public palpate::FieldSource
 {
 public:
   ResampledField(
-    vtkSmartPointer<vtkDataObject> data, vtkHapticFieldArrays arrays, palpate::BrickGrid lattice, bool cloud)
+    vtkSmartPointer<vtkDataObject> data, vtkHapticFieldArrays arrays, palpate::FieldBlockGrid lattice, bool cloud)
     : Data(std::move(data)), Arrays(std::move(arrays)), Lattice(std::move(lattice)), Cloud(cloud)
   {
   }
 
-  palpate::MadeBrick brickAround(const palpate::BrickWish& wish) const override
+  palpate::MadeFieldBlock brickAround(const palpate::FieldBlockWish& wish) const override
   {
     if (!this->Sizes)
     {
@@ -129,9 +129,9 @@ public:
       this->Own =
         this->Cloud ? nullptr : vtkHapticOwnCells::Of(this->Data, this->Arrays, this->Lattice, this->WhyNoCells);
     }
-    std::optional<palpate::BrickGrid> probed;
+    std::optional<palpate::FieldBlockGrid> probed;
     vtkSmartPointer<vtkImageData> image;
-    const auto cells = [&](const vtkHapticFieldPart& part, const palpate::BrickGrid& grid)
+    const auto cells = [&](const vtkHapticFieldPart& part, const palpate::FieldBlockGrid& grid)
     {
       if (!probed || probed->size != grid.size || probed->spacing_u != grid.spacing_u ||
           probed->pose_W.p != grid.pose_W.p)
@@ -141,8 +141,8 @@ public:
       }
       return this->Values(*image, part);
     };
-    palpate::MadeBrick made =
-      vtkHapticBrickWithFiner(this->Lattice, this->Arrays, cells, *this->Sizes, this->Own.get(), wish);
+    palpate::MadeFieldBlock made =
+      vtkHapticFieldBlockWithFiner(this->Lattice, this->Arrays, cells, *this->Sizes, this->Own.get(), wish);
     made.whyNoCells = this->WhyNoCells.empty() ? made.whyNoCells : this->WhyNoCells;
     made.error = made.brick ? this->ErrorOf(made.brick->finestAt(wish.centre_W)) : 0.0;
     this->Levels.Tell(made, wish, this->Lattice, this->Arrays,
@@ -153,18 +153,18 @@ public:
 
 private:
   /// Of the first brick: to probe once more takes nearly as long as to probe a brick.
-  double ErrorOf(const palpate::Brick& brick) const
+  double ErrorOf(const palpate::FieldBlock& brick) const
   {
     if (!this->Error)
     {
-      const auto cells = [this](const vtkHapticFieldPart& part, const palpate::BrickGrid& grid)
+      const auto cells = [this](const vtkHapticFieldPart& part, const palpate::FieldBlockGrid& grid)
       { return this->Values(*this->Probe(grid), part); };
       this->Error = vtkHapticFieldError(brick, vtkHapticFieldParts(this->Arrays).front(), cells);
     }
     return *this->Error;
   }
 
-  vtkSmartPointer<vtkImageData> Probe(const palpate::BrickGrid& grid) const
+  vtkSmartPointer<vtkImageData> Probe(const palpate::FieldBlockGrid& grid) const
   {
     vtkNew<vtkImageData> places;
     places->SetDimensions(grid.size.data());
@@ -222,7 +222,7 @@ private:
 
   vtkSmartPointer<vtkDataObject> Data;
   vtkHapticFieldArrays Arrays;
-  palpate::BrickGrid Lattice;
+  palpate::FieldBlockGrid Lattice;
   bool Cloud;
   mutable std::optional<double> Error; ///< asked for by one thread at a time
   mutable std::optional<vtkHapticCellSizes> Sizes;
@@ -254,7 +254,7 @@ vtkHapticFieldResult vtkHapticResampled(
   }
   const vtkSmartPointer<vtkDataObject> kept = vtkHapticSharedCopy(data);
   ForgetDuplicates(kept);
-  const palpate::BrickGrid lattice = LatticeOver(extent.Bounds, cloud ? extent.Points : extent.Solid);
+  const palpate::FieldBlockGrid lattice = LatticeOver(extent.Bounds, cloud ? extent.Points : extent.Solid);
   if (vtkHapticIsTetraField(kept, arrays) && !cloud)
   {
     return { std::make_shared<vtkHapticTetraField>(vtkUnstructuredGrid::SafeDownCast(kept), arrays, lattice), "" };

@@ -66,8 +66,8 @@ void AddPart(vtkDataSet& part, palpate::SnapPlaces& places)
 void KeepFinite(palpate::SnapPlaces& places)
 {
   std::erase_if(places.points_W, [](const Vec3& p_W) { return !p_W.allFinite(); });
-  std::erase_if(
-    places.lines_W, [](const palpate::BrickLine& line_W) { return !(line_W[0].allFinite() && line_W[1].allFinite()); });
+  std::erase_if(places.lines_W,
+    [](const palpate::FieldBlockLine& line_W) { return !(line_W[0].allFinite() && line_W[1].allFinite()); });
 }
 } // namespace
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "haptics/session/scene/FieldBeside.h"
+#include "haptics/session/scene/ComparedField.h"
 
 class vtkDataObject;
 

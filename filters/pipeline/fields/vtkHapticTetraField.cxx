@@ -41,7 +41,7 @@ bool vtkHapticIsTetraField(vtkDataObject* data, const vtkHapticFieldArrays& arra
 }
 
 vtkHapticTetraField::vtkHapticTetraField(
-  vtkSmartPointer<vtkUnstructuredGrid> data, vtkHapticFieldArrays arrays, const palpate::BrickGrid& lattice)
+  vtkSmartPointer<vtkUnstructuredGrid> data, vtkHapticFieldArrays arrays, const palpate::FieldBlockGrid& lattice)
   : Data(std::move(data)), Arrays(std::move(arrays)), Lattice(lattice)
 {
 }
@@ -89,21 +89,21 @@ std::vector<float> vtkHapticTetraField::ValuesOf(const vtkHapticFieldPart& part)
   return values;
 }
 
-palpate::MadeBrick vtkHapticTetraField::brickAround(const palpate::BrickWish& wish) const
+palpate::MadeFieldBlock vtkHapticTetraField::brickAround(const palpate::FieldBlockWish& wish) const
 {
   if (!this->Made)
   {
     this->Made = std::make_unique<const Mesh>(this->MakeMesh());
   }
   const Mesh& mesh = *this->Made;
-  const auto cells = [&mesh](const vtkHapticFieldPart& part, const palpate::BrickGrid& grid)
+  const auto cells = [&mesh](const vtkHapticFieldPart& part, const palpate::FieldBlockGrid& grid)
   {
     const palpate::TetraField field{ mesh.Points_W, mesh.Tetrahedra, mesh.Values.at(part.Role),
       palpate::componentsOf(part.Role) };
     return palpate::rasterise(field, *mesh.Bins, grid);
   };
-  palpate::MadeBrick made =
-    vtkHapticBrickWithFiner(this->Lattice, this->Arrays, cells, *mesh.Sizes, mesh.Own.get(), wish);
+  palpate::MadeFieldBlock made =
+    vtkHapticFieldBlockWithFiner(this->Lattice, this->Arrays, cells, *mesh.Sizes, mesh.Own.get(), wish);
   made.whyNoCells = mesh.WhyNoCells.empty() ? made.whyNoCells : mesh.WhyNoCells;
   made.error = made.brick ? vtkHapticFieldError(
                               made.brick->finestAt(wish.centre_W), vtkHapticFieldParts(this->Arrays).front(), cells)

@@ -22,9 +22,9 @@ class vtkHapticTetraField : public palpate::FieldSource
 {
 public:
   vtkHapticTetraField(
-    vtkSmartPointer<vtkUnstructuredGrid> data, vtkHapticFieldArrays arrays, const palpate::BrickGrid& lattice);
+    vtkSmartPointer<vtkUnstructuredGrid> data, vtkHapticFieldArrays arrays, const palpate::FieldBlockGrid& lattice);
 
-  palpate::MadeBrick brickAround(const palpate::BrickWish& wish) const override;
+  palpate::MadeFieldBlock brickAround(const palpate::FieldBlockWish& wish) const override;
 
 private:
   /// The mesh as the core takes it; made by the worker, with the first brick.
@@ -33,7 +33,7 @@ private:
     std::vector<palpate::Vec3> Points_W;
     std::vector<palpate::Tetrahedron> Tetrahedra;
     std::unique_ptr<palpate::TetraBins> Bins;
-    std::map<palpate::BrickRole, std::vector<float>> Values;
+    std::map<palpate::FieldBlockRole, std::vector<float>> Values;
     std::unique_ptr<vtkHapticCellSizes> Sizes;
     std::unique_ptr<const vtkHapticOwnCells> Own;
     std::string WhyNoCells; ///< "": there are some, or the lattice tells the same
@@ -43,7 +43,7 @@ private:
 
   vtkSmartPointer<vtkUnstructuredGrid> Data;
   vtkHapticFieldArrays Arrays;
-  palpate::BrickGrid Lattice;
+  palpate::FieldBlockGrid Lattice;
   mutable std::unique_ptr<const Mesh> Made; ///< asked for by one thread at a time
   vtkHapticLevelScan Levels;
 };

@@ -97,12 +97,12 @@ palpate::MechanismBody BodyOf(const Node& node)
   return body;
 }
 
-palpate::MechanismLaw LawOf(const Node& node, double unit_m)
+palpate::MechanismConstraint ConstraintOf(const Node& node, double unit_m)
 {
-  using enum palpate::LawKind;
+  using enum palpate::ConstraintKind;
   node.Knows({ "name", "kind", "a", "b", "point_a", "point_b", "axis_a", "axis_b", "strength_N", "tear_N", "friction",
     "dry_friction_N", "stiffness_N_per_m", "rest", "least", "most" });
-  palpate::MechanismLaw law;
+  palpate::MechanismConstraint law;
   law.name = node.Name();
   law.kind = KindOf(
     node, { Contact, Attachment, Hinge, Slider, Break, Friction, DryFriction, Spring, Limit, Puncture, Insertion });
@@ -189,7 +189,7 @@ vtkHapticMechanismResult Build(
   PressByHeld(*inputs);
   for (const Node& node : root.List("laws"))
   {
-    inputs->mechanism.laws.push_back(LawOf(node, inputs->unit_m));
+    inputs->mechanism.laws.push_back(ConstraintOf(node, inputs->unit_m));
   }
   result.Inputs = inputs;
   return result;
@@ -218,7 +218,7 @@ std::string ProblemOf(const Read& read)
 }
 
 /// Those of the file, or those in their place.
-Json LawsOf(const std::string& text, const std::string& laws)
+Json ConstraintsOf(const std::string& text, const std::string& laws)
 {
   const Json file = Json::parse(text);
   const Json list = laws.empty() ? (file.is_object() ? file.value("laws", Json::array()) : Json()) : Json::parse(laws);
@@ -248,7 +248,7 @@ vtkHapticMechanismResult vtkHapticParseMechanism(const std::string& text, const 
       Json json = Json::parse(text);
       if (!laws.empty() && json.is_object())
       {
-        json["laws"] = LawsOf(text, laws);
+        json["laws"] = ConstraintsOf(text, laws);
       }
       result = Build(Node(json, ""), folder, read);
     });
@@ -256,7 +256,7 @@ vtkHapticMechanismResult vtkHapticParseMechanism(const std::string& text, const 
   return result;
 }
 
-std::string vtkHapticWithLaw(
+std::string vtkHapticWithConstraint(
   const std::string& text, const std::string& laws, const std::string& law, std::string& problem)
 {
   std::string with;
@@ -264,21 +264,21 @@ std::string vtkHapticWithLaw(
     [&]
     {
       const Json added = Json::parse(law);
-      Json list = Without(LawsOf(text, laws), LawOf(Node(added, "law"), 1.0).name);
+      Json list = Without(ConstraintsOf(text, laws), ConstraintOf(Node(added, "law"), 1.0).name);
       list.push_back(added);
       with = list.dump();
     });
   return with;
 }
 
-std::string vtkHapticWithoutLaw(
+std::string vtkHapticWithoutConstraint(
   const std::string& text, const std::string& laws, const std::string& name, std::string& problem)
 {
   std::string without;
   problem = ProblemOf(
     [&]
     {
-      const Json list = LawsOf(text, laws), others = Without(list, name);
+      const Json list = ConstraintsOf(text, laws), others = Without(list, name);
       if (others.size() == list.size())
       {
         throw vtkHapticJsonProblem("there is no constraint \"" + name + "\"");

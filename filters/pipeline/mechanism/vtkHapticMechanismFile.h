@@ -29,10 +29,10 @@ struct vtkHapticMechanismResult
 
 /// The list of laws of a scene file's text, or `laws` where that is not "", with another one at its end, as an object
 /// of the file; in the place of the one of its name, if there is one. Throws nothing; "" with a problem.
-[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticWithLaw(
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticWithConstraint(
   const std::string& text, const std::string& laws, const std::string& law, std::string& problem);
 /// Likewise without the law of that name.
-[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticWithoutLaw(
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticWithoutConstraint(
   const std::string& text, const std::string& laws, const std::string& name, std::string& problem);
 
 /// The same from a file; the problem names it.

@@ -26,7 +26,7 @@ from palpate.vtkHapticViews import vtkHapticViewScene
 
 __all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "TakeColorRange", "LetGo", "FitHand", "HapticUpdate",
            "HapticState", "Mark", "GetMarks", "ClearMarks", "SaveMarks", "SetSource", "HoldTool", "PressBody", "SoftText",
-           "HoldMechanism", "Laws", "AddLaw", "RemoveLaw", "BreakLaw"]
+           "HoldMechanism", "Constraints", "AddConstraint", "RemoveConstraint", "BreakConstraint"]
 
 
 class HapticRefusal(RuntimeError):
@@ -314,13 +314,13 @@ def HoldMechanism(source=None, turning=None, laws=None):
         if turning is not None:
             _put("MechanismTurning", turning)
         if name != session.GetSettingText("MechanismSource"):
-            _put("MechanismLaws", "")  # those of another mechanism would not fit
+            _put("MechanismConstraints", "")  # those of another mechanism would not fit
         _put("MechanismSource", name or "")
         _follow_if_none()
         HapticUpdate()
         if laws is not None:
-            _put("MechanismLaws", json.dumps(laws) if laws else "")
-            _put("MechanismLaws", session.GetSettingText("MechanismLaws"))  # what was refused is not kept in a state file
+            _put("MechanismConstraints", json.dumps(laws) if laws else "")
+            _put("MechanismConstraints", session.GetSettingText("MechanismConstraints"))  # what was refused is not kept in a state file
             HapticUpdate()
 
 
@@ -331,8 +331,8 @@ def _follow_if_none():
         _follow(view)
 
 
-def Laws():
-    """Returns the constraints of the mechanism in order, each a dictionary with the keys `Law` (name), Kind, A, B, Numbers,
+def Constraints():
+    """Returns the constraints of the mechanism in order, each a dictionary with the keys `Constraint` (name), Kind, A, B, Numbers,
     Phase, Force [N], Inside [u]."""
     table = vtkTable()
     GetHapticSession().GetMechanism().GetTable(table)
@@ -341,25 +341,25 @@ def Laws():
 
 def _put_laws(laws):
     if laws:
-        _put("MechanismLaws", laws)
+        _put("MechanismConstraints", laws)
         HapticUpdate()
 
 
-def AddLaw(**law):
+def AddConstraint(**law):
     """Adds a constraint to the mechanism, with the keys of a scene file. A constraint of the same name is replaced. The
-    setting MechanismLaws stores the result."""
+    setting MechanismConstraints stores the result."""
     with _Refusals() as session:
-        _put_laws(session.GetMechanism().GetLawsWith(json.dumps(law)))
+        _put_laws(session.GetMechanism().GetConstraintsWith(json.dumps(law)))
 
 
-def RemoveLaw(name):
-    """Removes a constraint from the mechanism. The setting MechanismLaws stores the result."""
+def RemoveConstraint(name):
+    """Removes a constraint from the mechanism. The setting MechanismConstraints stores the result."""
     with _Refusals() as session:
-        _put_laws(session.GetMechanism().GetLawsWithout(name))
+        _put_laws(session.GetMechanism().GetConstraintsWithout(name))
 
 
-def BreakLaw(name):
+def BreakConstraint(name):
     """Breaks a constraint from the next tick on, until the mechanism is held or touched anew, or gets other
     constraints."""
     with _Refusals() as session:
-        session.GetMechanism().BreakLaw(name)
+        session.GetMechanism().BreakConstraint(name)

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "vtkCommand.h"
-#include "vtkHapticFieldBrick.h"
+#include "vtkHapticFieldBlock.h"
 #include "vtkHapticServerProxies.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
@@ -28,45 +28,45 @@ class Server
 public:
   Server(vtkSMSourceProxy* source, unsigned int port, double time, const vtkHapticFieldArrays& arrays) : Time(time)
   {
-    this->Brick = vtkHapticMakeProxy(source, "internal_filters", "HapticFieldBrick");
-    if (!this->Brick)
+    this->FieldBlock = vtkHapticMakeProxy(source, "internal_filters", "HapticFieldBlock");
+    if (!this->FieldBlock)
     {
       return;
     }
-    vtkSMPropertyHelper(this->Brick, "Input").Set(source, port);
-    vtkSMPropertyHelper(this->Brick, "Values").Set(arrays.Scalar.c_str());
-    vtkSMPropertyHelper(this->Brick, "Directions").Set(arrays.Vector.c_str());
-    vtkSMPropertyHelper(this->Brick, "Resistance").Set(arrays.Resistance.c_str());
-    vtkSMPropertyHelper(this->Brick, "Other").Set(arrays.Other.c_str());
-    vtkSMPropertyHelper(this->Brick, "Component").Set(arrays.Component);
-    vtkSMPropertyHelper(this->Brick, "Eigenvector").Set(arrays.Eigenvector);
-    vtkSMPropertyHelper(this->Brick, "Smoothing").Set(arrays.Smoothing);
-    this->Brick->UpdateVTKObjects();
+    vtkSMPropertyHelper(this->FieldBlock, "Input").Set(source, port);
+    vtkSMPropertyHelper(this->FieldBlock, "Values").Set(arrays.Scalar.c_str());
+    vtkSMPropertyHelper(this->FieldBlock, "Directions").Set(arrays.Vector.c_str());
+    vtkSMPropertyHelper(this->FieldBlock, "Resistance").Set(arrays.Resistance.c_str());
+    vtkSMPropertyHelper(this->FieldBlock, "Other").Set(arrays.Other.c_str());
+    vtkSMPropertyHelper(this->FieldBlock, "Component").Set(arrays.Component);
+    vtkSMPropertyHelper(this->FieldBlock, "Eigenvector").Set(arrays.Eigenvector);
+    vtkSMPropertyHelper(this->FieldBlock, "Smoothing").Set(arrays.Smoothing);
+    this->FieldBlock->UpdateVTKObjects();
   }
 
   /// None where the server has no such filter or went away.
-  std::optional<vtkHapticFieldPacket> Ask(const palpate::BrickWish& wish)
+  std::optional<vtkHapticFieldPacket> Ask(const palpate::FieldBlockWish& wish)
   {
-    if (!this->Brick)
+    if (!this->FieldBlock)
     {
       return std::nullopt;
     }
-    vtkSMPropertyHelper(this->Brick, "Centre").Set(wish.centre_W.data(), 3);
-    vtkSMPropertyHelper(this->Brick, "Reach").Set(wish.reach_u);
-    vtkSMPropertyHelper(this->Brick, "Revision").Set(static_cast<int>(wish.revision));
-    vtkSMPropertyHelper(this->Brick, "HasLevel").Set(wish.level ? 1 : 0);
-    vtkSMPropertyHelper(this->Brick, "SmoothLevels").Set(wish.smoothLevels ? 1 : 0);
-    vtkSMPropertyHelper(this->Brick, "Level").Set(wish.level.value_or(0.0));
-    this->Brick->UpdateVTKObjects();
-    const vtkSmartPointer<vtkDataObject> came = vtkHapticBring(this->Brick, VTK_TABLE, this->Time);
-    vtkUnsignedCharArray* const bytes = vtkHapticFieldBrick::BytesOf(vtkTable::SafeDownCast(came));
+    vtkSMPropertyHelper(this->FieldBlock, "Centre").Set(wish.centre_W.data(), 3);
+    vtkSMPropertyHelper(this->FieldBlock, "Reach").Set(wish.reach_u);
+    vtkSMPropertyHelper(this->FieldBlock, "Revision").Set(static_cast<int>(wish.revision));
+    vtkSMPropertyHelper(this->FieldBlock, "HasLevel").Set(wish.level ? 1 : 0);
+    vtkSMPropertyHelper(this->FieldBlock, "SmoothLevels").Set(wish.smoothLevels ? 1 : 0);
+    vtkSMPropertyHelper(this->FieldBlock, "Level").Set(wish.level.value_or(0.0));
+    this->FieldBlock->UpdateVTKObjects();
+    const vtkSmartPointer<vtkDataObject> came = vtkHapticBring(this->FieldBlock, VTK_TABLE, this->Time);
+    vtkUnsignedCharArray* const bytes = vtkHapticFieldBlock::BytesOf(vtkTable::SafeDownCast(came));
     return bytes ? vtkHapticUnpackField({ reinterpret_cast<const char*>(bytes->GetPointer(0)),
                      static_cast<std::size_t>(bytes->GetNumberOfValues()) })
                  : std::nullopt;
   }
 
 private:
-  vtkSmartPointer<vtkSMSourceProxy> Brick;
+  vtkSmartPointer<vtkSMSourceProxy> FieldBlock;
   double Time;
 };
 
@@ -85,10 +85,10 @@ public:
     }
   }
 
-  palpate::MadeBrick brickAround(const palpate::BrickWish& wish) const override
+  palpate::MadeFieldBlock brickAround(const palpate::FieldBlockWish& wish) const override
   {
     const auto packet = this->Asked.Ask(wish);
-    return packet ? packet->Made : palpate::MadeBrick{ nullptr, wish.centre_W, wish.reach_u, NoAnswer };
+    return packet ? packet->Made : palpate::MadeFieldBlock{ nullptr, wish.centre_W, wish.reach_u, NoAnswer };
   }
   bool answersAnyThread() const override { return false; }
   std::shared_ptr<const bool> Changed() const { return this->HasChanged; }

@@ -48,7 +48,7 @@ void solveGaps(const ContactProblem& problem, ContactForces& forces) noexcept
   forces.work = static_cast<std::uint32_t>(forces.steps * (1 + problem.count * problem.count / 3));
   forces.force_N.setZero(3 * problem.count);
   forces.residual_u = 0.0;
-  forces.enough_u = 1e-14 * (problem.count > 0 ? problem.free.lpNorm<Eigen::Infinity>() : 0.0);
+  forces.tolerance_u = 1e-14 * (problem.count > 0 ? problem.free.lpNorm<Eigen::Infinity>() : 0.0);
   for (int i = 0; i < problem.count; ++i)
   {
     forces.force_N[3 * i] = set.force(i);

@@ -32,7 +32,7 @@ struct ContactForces
 {
   ContactProblem::Numbers force_N;
   double residual_u = 0.0;
-  double enough_u = 0.0; ///< a residual that rounding explains: nothing is gained below
+  double tolerance_u = 0.0; ///< a residual that rounding explains: nothing is gained below
   int steps = 0;
   std::uint32_t work = 0; ///< done, in the unit of ContactPlan::workBudget
 };
@@ -43,7 +43,7 @@ struct ContactForces
 void solveGaps(const ContactProblem& problem, ContactForces& forces) noexcept;
 
 /// Workspace of the friction solver, owned by the caller.
-struct FrictionRoom
+struct FrictionScratch
 {
   ContactProblem::Square jacobian;
   ContactProblem::Numbers moved;
@@ -61,13 +61,13 @@ struct FrictionRoom
 /// steps on Alart & Curnier's (1991) function with a line search; more sweeps where a step does not help. Beyond 20
 /// contacts sweeps alone, which are then cheaper. The best forces are kept and lie in their cones; so do those where
 /// `budget` ended it, in the unit of ContactPlan::workBudget. Real-time safe.
-void solveFriction(const ContactProblem& problem, FrictionRoom& room, ContactForces& forces,
+void solveFriction(const ContactProblem& problem, FrictionScratch& room, ContactForces& forces,
   std::uint32_t budget = std::numeric_limits<std::uint32_t>::max()) noexcept;
 
 /// How forces that meet the laws change with small displacements of the rows [u], a column each, while each contact is
 /// open, stuck or slipping as it is, into `answer_N`, of the same size. False, and zeros, where that is not determined.
 /// Real-time safe.
-[[nodiscard]] bool answerFriction(const ContactProblem& problem, FrictionRoom& room, const ContactForces& forces,
+[[nodiscard]] bool answerFriction(const ContactProblem& problem, FrictionScratch& room, const ContactForces& forces,
   const Eigen::Ref<const Eigen::MatrixXd>& displaced, Eigen::Ref<Eigen::MatrixXd> answer_N) noexcept;
 
 } // namespace palpate

@@ -27,7 +27,7 @@ Vec3 yieldOf(const SoftState& state, const SharedDents& dents, int c) noexcept
 
 Mat3 complianceOf(const SoftContact& a, const SoftContact& b) noexcept
 {
-  return a.soft && a.soft == b.soft ? complianceBetween(*a.soft->packet, a.point, b.point) : Mat3(Mat3::Zero());
+  return a.soft && a.soft == b.soft ? complianceBetween(*a.soft->snapshot, a.point, b.point) : Mat3(Mat3::Zero());
 }
 
 std::span<const SoftContact> contactsOf(const SoftState& state) noexcept

@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "haptics/compliance/servo/SoftTouch.h"
+#include "haptics/compliance/servo/SoftSurfaceRef.h"
 
 namespace palpate
 {

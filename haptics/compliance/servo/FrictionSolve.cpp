@@ -25,7 +25,7 @@ constexpr double rounding = 1e-14; // of the largest number in the problem
 class FrictionSteps
 {
 public:
-  FrictionSteps(const ContactProblem& problem, FrictionRoom& room) noexcept : p_(problem), room_(room) {}
+  FrictionSteps(const ContactProblem& problem, FrictionScratch& room) noexcept : p_(problem), room_(room) {}
 
   /// One sweep of projected Gauss-Seidel over all contacts but `without`; room.moved is that of f before and after.
   void sweep(ContactProblem::Numbers& f, int without) const noexcept
@@ -243,7 +243,7 @@ private:
   }
 
   const ContactProblem& p_;
-  FrictionRoom& room_;
+  FrictionScratch& room_;
   std::array<int, ContactProblem::most> list_{};
   int pressed_ = 0;
 };
@@ -280,7 +280,7 @@ double solveRound(
   f = *round.from;
   double residual = steps.residual(f);
   constexpr int mostNewton = 20;
-  for (int i = 0; i < mostNewton && count <= newtonUpTo && residual > forces.enough_u && forces.work < budget; ++i)
+  for (int i = 0; i < mostNewton && count <= newtonUpTo && residual > forces.tolerance_u && forces.work < budget; ++i)
   {
     const bool helps = steps.newton(f, residual);
     forces.work += workOfNewton(count, steps.pressed());
@@ -297,7 +297,7 @@ double solveRound(
 /// Begins with the forces that there are. Those that another load has left lie far away where contacts are nearly one:
 /// then nothing at all is nearer. Of nearly one contact mostly one is open, and Newton's steps do not find which: each
 /// is left out in turn. Then sweeps alone go on.
-Round nextRound(int number, int count, FrictionRoom& room, const ContactForces& forces) noexcept
+Round nextRound(int number, int count, FrictionScratch& room, const ContactForces& forces) noexcept
 {
   const int leftOut = count <= leftOutUpTo ? count : 0;
   if (number == 0)
@@ -321,16 +321,16 @@ Round nextRound(int number, int count, FrictionRoom& room, const ContactForces& 
 } // namespace
 
 void solveFriction(
-  const ContactProblem& problem, FrictionRoom& room, ContactForces& forces, std::uint32_t budget) noexcept
+  const ContactProblem& problem, FrictionScratch& room, ContactForces& forces, std::uint32_t budget) noexcept
 {
   FrictionSteps steps(problem, room);
-  forces.enough_u = problem.count > 0 ? rounding * problem.free.lpNorm<Eigen::Infinity>() : 0.0;
+  forces.tolerance_u = problem.count > 0 ? rounding * problem.free.lpNorm<Eigen::Infinity>() : 0.0;
   forces.residual_u = std::numeric_limits<double>::infinity();
   forces.steps = 0;
   forces.work = 0;
   room.best = forces.force_N;
   const int rounds = problem.count > newtonUpTo ? 1 : usualRounds + (problem.count <= leftOutUpTo ? problem.count : 0);
-  for (int number = 0; number < rounds && forces.residual_u > forces.enough_u; ++number)
+  for (int number = 0; number < rounds && forces.residual_u > forces.tolerance_u; ++number)
   {
     const Round round = nextRound(number, problem.count, room, forces);
     if (const double now = solveRound(steps, problem.count, round, budget, forces); now < forces.residual_u)
@@ -342,7 +342,7 @@ void solveFriction(
   forces.force_N = room.best;
 }
 
-bool answerFriction(const ContactProblem& problem, FrictionRoom& room, const ContactForces& forces,
+bool answerFriction(const ContactProblem& problem, FrictionScratch& room, const ContactForces& forces,
   const Eigen::Ref<const Eigen::MatrixXd>& displaced, Eigen::Ref<Eigen::MatrixXd> answer_N) noexcept
 {
   return FrictionSteps(problem, room).answer(forces.force_N, displaced, answer_N);

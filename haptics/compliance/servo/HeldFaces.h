@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "haptics/compliance/servo/SoftTouch.h"
+#include "haptics/compliance/servo/SoftSurfaceRef.h"
 #include "haptics/geometry/scene/Scene.h"
 
 namespace palpate

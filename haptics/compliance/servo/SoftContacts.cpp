@@ -48,10 +48,10 @@ SurfacePoint pointOf(const View& s, const ActiveFeature& f, const Vec3& foot_W) 
   return p;
 }
 
-const SoftTouch* softOf(std::span<const SoftTouch> soft, std::uint32_t surface) noexcept
+const SoftSurfaceRef* softOf(std::span<const SoftSurfaceRef> soft, std::uint32_t surface) noexcept
 {
   const auto found =
-    std::find_if(soft.begin(), soft.end(), [surface](const SoftTouch& s) { return s.surface == surface; });
+    std::find_if(soft.begin(), soft.end(), [surface](const SoftSurfaceRef& s) { return s.surface == surface; });
   return found != soft.end() ? &*found : nullptr;
 }
 
@@ -63,8 +63,8 @@ bool differs(std::span<const SoftContact> contacts, const SoftContact& other, do
 }
 
 template<SceneView AnyScene>
-SoftContact contactAt(const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, const ActiveFeature& f,
-  const Vec3& x_W) noexcept
+SoftContact contactAt(const AnyScene& scene, std::span<const SoftSurfaceRef> soft, double radius_u,
+  const ActiveFeature& f, const Vec3& x_W) noexcept
 {
   decltype(auto) surface = surfaceOf(scene, f.surface);
   const FeaturePlane plane = planeOf(surface, f, x_W, radius_u);
@@ -77,21 +77,21 @@ SoftContact contactAt(const AnyScene& scene, std::span<const SoftTouch> soft, do
   if (contact.soft)
   {
     const SurfacePoint at = pointOf(surface, f, plane.foot_W);
-    contact.point = compliantPoint(*contact.soft->packet, at);
-    contact.spring = springAt(*contact.soft->packet, at);
+    contact.point = compliantPoint(*contact.soft->snapshot, at);
+    contact.spring = springAt(*contact.soft->snapshot, at);
     contact.gives = contact.spring.hertz > 0.0 ||
-                    complianceBetween(*contact.soft->packet, contact.point, contact.point).trace() > 0.0;
+                    complianceBetween(*contact.soft->snapshot, contact.point, contact.point).trace() > 0.0;
   }
   return contact;
 }
 
 /// The largest patch among what is soft, the measure of what is near.
-double patchOf(std::span<const SoftTouch> soft) noexcept
+double patchOf(std::span<const SoftSurfaceRef> soft) noexcept
 {
   double patch_u = 0.0;
-  for (const SoftTouch& s : soft)
+  for (const SoftSurfaceRef& s : soft)
   {
-    patch_u = std::max(patch_u, s.packet->patchRadius_u.front());
+    patch_u = std::max(patch_u, s.snapshot->patchRadius_u.front());
   }
   return patch_u;
 }
@@ -101,7 +101,7 @@ template<SceneView AnyScene>
 class Gathering
 {
 public:
-  Gathering(const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, SoftState& state) noexcept
+  Gathering(const AnyScene& scene, std::span<const SoftSurfaceRef> soft, double radius_u, SoftState& state) noexcept
     : scene_(scene), soft_(soft), radius_u_(radius_u), patch_u_(patchOf(soft)), state_(state), before_(state.contacts),
       beforeCount_(static_cast<std::size_t>(state.count))
   {
@@ -179,7 +179,7 @@ private:
   }
 
   const AnyScene& scene_;
-  std::span<const SoftTouch> soft_;
+  std::span<const SoftSurfaceRef> soft_;
   double radius_u_;
   double patch_u_;
   SoftState& state_;
@@ -190,7 +190,8 @@ private:
 } // namespace
 
 template<SceneView AnyScene>
-void gatherContacts(const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, SoftState& state) noexcept
+void gatherContacts(
+  const AnyScene& scene, std::span<const SoftSurfaceRef> soft, double radius_u, SoftState& state) noexcept
 {
   Gathering<AnyScene> gathering(scene, soft, radius_u, state);
   gathering.addFound(samePlane);
@@ -198,7 +199,7 @@ void gatherContacts(const AnyScene& scene, std::span<const SoftTouch> soft, doub
   gathering.keepForces();
 }
 
-template void gatherContacts(const Scene&, std::span<const SoftTouch>, double, SoftState&) noexcept;
-template void gatherContacts(const MovingScene&, std::span<const SoftTouch>, double, SoftState&) noexcept;
+template void gatherContacts(const Scene&, std::span<const SoftSurfaceRef>, double, SoftState&) noexcept;
+template void gatherContacts(const MovingScene&, std::span<const SoftSurfaceRef>, double, SoftState&) noexcept;
 
 } // namespace palpate

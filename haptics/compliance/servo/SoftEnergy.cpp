@@ -11,11 +11,12 @@ namespace palpate
 namespace
 {
 
-/// Work of forces on a body, step by step of what they are beyond those of its packet.
-class PacketEnergy
+/// Work of forces on a body, step by step of what they are beyond those of its snapshot.
+class SnapshotEnergy
 {
 public:
-  PacketEnergy(const SoftTouch& touch, const SoftState& state) noexcept : packet_(*touch.packet), state_(state)
+  SnapshotEnergy(const SoftSurfaceRef& touch, const SoftState& state) noexcept
+    : snapshot_(*touch.snapshot), state_(state)
   {
     for (int c = 0; c < state.count; ++c)
     {
@@ -25,8 +26,8 @@ public:
 
   [[nodiscard]] double value() const noexcept
   {
-    // f_S C (f - f_S) + (f - f_S) C (f - f_S) / 2 = (f C f - f_S C f_S) / 2, and the packet has the latter.
-    return this->packet_.energy_Nu + 0.5 * this->ofContacts();
+    // f_S C (f - f_S) + (f - f_S) C (f - f_S) / 2 = (f C f - f_S C f_S) / 2, and the snapshot has the latter.
+    return this->snapshot_.energy_Nu + 0.5 * this->ofContacts();
   }
 
 private:
@@ -39,25 +40,25 @@ private:
       {
         const SoftContact& a = this->state_.contacts[c];
         const SoftContact& b = this->state_.contacts[d];
-        sum += this->own_[d] ? a.force_N.dot(complianceBetween(this->packet_, a.point, b.point) * b.force_N) : 0.0;
+        sum += this->own_[d] ? a.force_N.dot(complianceBetween(this->snapshot_, a.point, b.point) * b.force_N) : 0.0;
       }
     }
     return sum;
   }
 
-  const CompliancePacket& packet_;
+  const ComplianceSnapshot& snapshot_;
   const SoftState& state_;
   std::array<bool, GodObjectState::maxFeatures> own_{};
 };
 
 } // namespace
 
-double storedEnergy(std::span<const SoftTouch> soft, const SoftState& state, double coupling_N_per_u) noexcept
+double storedEnergy(std::span<const SoftSurfaceRef> soft, const SoftState& state, double coupling_N_per_u) noexcept
 {
   double stored = 0.0;
-  for (const SoftTouch& touch : soft)
+  for (const SoftSurfaceRef& touch : soft)
   {
-    stored += PacketEnergy(touch, state).value();
+    stored += SnapshotEnergy(touch, state).value();
   }
   Vec3 force_N = Vec3::Zero();
   for (int c = 0; c < state.count; ++c)

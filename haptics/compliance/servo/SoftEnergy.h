@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/compliance/servo/SoftTouch.h"
+#include "haptics/compliance/servo/SoftSurfaceRef.h"
 
 namespace palpate
 {
 
-/// Elastic energy that the hand has put in [N u]: of the bodies by their packets, of the springs below the patches and
-/// of the coupling K [N/u], under the forces of the contacts. A packet's own energy is that of the state it was made
-/// at; the way from there follows from its compliance.
+/// Elastic energy that the hand has put in [N u]: of the bodies by their snapshots, of the springs below the patches
+/// and of the coupling K [N/u], under the forces of the contacts. A snapshot's own energy is that of the state it was
+/// made at; the way from there follows from its compliance.
 [[nodiscard]] double storedEnergy(
-  std::span<const SoftTouch> soft, const SoftState& state, double coupling_N_per_u) noexcept;
+  std::span<const SoftSurfaceRef> soft, const SoftState& state, double coupling_N_per_u) noexcept;
 
 /// How much of the force may be bent so that a hand gets back no more than it gave.
 struct EnergyBalancePlan
 {
-  double share = 0.05;        ///< of the force; .15 where packets are late
+  double share = 0.05;        ///< of the force; .15 where snapshots are late
   double slew_N = 0.02;       ///< most change a tick
   double leastStep_u = 20e-6; ///< a hand that moves less in a tick is asked for as much less
 };

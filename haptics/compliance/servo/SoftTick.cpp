@@ -51,7 +51,7 @@ Mat3 basisOf(const Vec3& n) noexcept
 class TurnProblem
 {
 public:
-  TurnProblem(double coupling_N_per_u, double radius_u, double friction, SoftState& state, SoftRoom& room) noexcept
+  TurnProblem(double coupling_N_per_u, double radius_u, double friction, SoftState& state, SoftScratch& room) noexcept
     : coupling_(coupling_N_per_u), radius_u_(radius_u), state_(state), room_(room), dents_(contactsOf(state))
   {
     room.problem.resize(state.count);
@@ -93,7 +93,7 @@ public:
       this->solveOnce(budget - std::min(budget, work));
       work += this->room_.forces.work;
       this->takeForces();
-      if (i >= secants && this->room_.forces.residual_u > unsolved * this->room_.forces.enough_u)
+      if (i >= secants && this->room_.forces.residual_u > unsolved * this->room_.forces.tolerance_u)
       {
         return; // forces that do not meet the laws lead no nearer
       }
@@ -159,7 +159,7 @@ private:
   double coupling_;
   double radius_u_;
   SoftState& state_;
-  SoftRoom& room_;
+  SoftScratch& room_;
   SharedDents dents_;
   static constexpr std::size_t most = GodObjectState::maxFeatures;
   std::array<Mat3, most> basis_;
@@ -196,8 +196,8 @@ template<SceneView AnyScene>
 class SoftMove
 {
 public:
-  SoftMove(const AnyScene& scene, const ContactPlan& plan, std::span<const SoftTouch> soft, const Vec3& p_W,
-    SoftState& state, SoftRoom& room) noexcept
+  SoftMove(const AnyScene& scene, const ContactPlan& plan, std::span<const SoftSurfaceRef> soft, const Vec3& p_W,
+    SoftState& state, SoftScratch& room) noexcept
     : scene_(scene), plan_(plan), soft_(soft), drawn_W_(p_W - state.offset_W), state_(state), room_(room),
       start_(state.core), slipStart_(state), soften_(givesWay(state))
   {
@@ -374,10 +374,10 @@ private:
 
   const AnyScene& scene_;
   const ContactPlan& plan_;
-  std::span<const SoftTouch> soft_;
+  std::span<const SoftSurfaceRef> soft_;
   Vec3 drawn_W_;
   SoftState& state_;
-  SoftRoom& room_;
+  SoftScratch& room_;
   GodObjectState start_;
   SlipStart slipStart_;
   bool soften_; ///< the core is moved by what yields
@@ -389,25 +389,25 @@ private:
 } // namespace
 
 template<SceneView AnyScene>
-SoftResult moveOnSoft(const AnyScene& scene, const ContactPlan& plan, std::span<const SoftTouch> soft, const Vec3& p_W,
-  SoftState& state, SoftRoom& room) noexcept
+SoftResult moveOnSoft(const AnyScene& scene, const ContactPlan& plan, std::span<const SoftSurfaceRef> soft,
+  const Vec3& p_W, SoftState& state, SoftScratch& room) noexcept
 {
   return SoftMove<AnyScene>(scene, plan, soft, p_W, state, room).run();
 }
 
-void changePackets(std::span<const SoftTouch> now, SoftState& state) noexcept
+void changeSnapshots(std::span<const SoftSurfaceRef> now, SoftState& state) noexcept
 {
   for (int c = 0; c < state.count; ++c)
   {
     SoftContact& contact = state.contacts[c];
-    const auto isIts = [&contact](const SoftTouch& touch) { return touch.surface == contact.feature.surface; };
+    const auto isIts = [&contact](const SoftSurfaceRef& touch) { return touch.surface == contact.feature.surface; };
     const auto touch = std::ranges::find_if(now, isIts);
     contact.soft = contact.soft && touch != now.end() ? &*touch : nullptr; // a body that is gone yields no more
     contact.gives = contact.gives && contact.soft != nullptr;
     if (contact.soft)
     {
-      contact.point = compliantPoint(*touch->packet, contact.point.at);
-      contact.spring = springAt(*touch->packet, contact.point.at);
+      contact.point = compliantPoint(*touch->snapshot, contact.point.at);
+      contact.spring = springAt(*touch->snapshot, contact.point.at);
     }
   }
   const Vec3 before_W = state.yielded_W;
@@ -418,12 +418,12 @@ void changePackets(std::span<const SoftTouch> now, SoftState& state) noexcept
 
 void fadeChange(double dt_s, SoftState& state) noexcept
 {
-  state.offset_W *= packetFade.explicitShare(dt_s);
+  state.offset_W *= snapshotFade.explicitShare(dt_s);
 }
 
 template SoftResult moveOnSoft(
-  const Scene&, const ContactPlan&, std::span<const SoftTouch>, const Vec3&, SoftState&, SoftRoom&) noexcept;
-template SoftResult moveOnSoft(
-  const MovingScene&, const ContactPlan&, std::span<const SoftTouch>, const Vec3&, SoftState&, SoftRoom&) noexcept;
+  const Scene&, const ContactPlan&, std::span<const SoftSurfaceRef>, const Vec3&, SoftState&, SoftScratch&) noexcept;
+template SoftResult moveOnSoft(const MovingScene&, const ContactPlan&, std::span<const SoftSurfaceRef>, const Vec3&,
+  SoftState&, SoftScratch&) noexcept;
 
 } // namespace palpate

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "haptics/compliance/packet/CompliancePacket.h"
+#include "haptics/compliance/snapshot/ComplianceSnapshot.h"
 
 namespace palpate
 {

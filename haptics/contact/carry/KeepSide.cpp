@@ -82,7 +82,7 @@ public:
     }
     this->best_u_ = this->clearOf(this->x_W_);
     this->tryAll(p_W);
-    if (this->best_u_ <= this->enough_u_)
+    if (this->best_u_ <= this->tolerance_u_)
     {
       this->slides_ = true;
       this->tryAll(p_W);
@@ -106,7 +106,7 @@ private:
     {
       this->near_[this->count_++] = exchange;
       // From as far on the other side as the old one may be to as far on this side, and as much again to spare.
-      this->enough_u_ = std::max(this->enough_u_, exchange.bound_u + touches_u);
+      this->tolerance_u_ = std::max(this->tolerance_u_, exchange.bound_u + touches_u);
       this->way_u_ = std::max(this->way_u_, 4 * exchange.bound_u + touches_u);
     }
   }
@@ -196,9 +196,9 @@ private:
   std::array<Exchange, mostNear> near_;
   std::size_t count_ = 0;
   double way_u_ = 0.0;
-  double enough_u_ = 0.0; ///< so far from the coarser surface a place is out of what is between the two
-  bool slides_ = false;   ///< round what is in the way
-  double best_u_ = 0.0;   ///< how clear of them all the best place is
+  double tolerance_u_ = 0.0; ///< so far from the coarser surface a place is out of what is between the two
+  bool slides_ = false;      ///< round what is in the way
+  double best_u_ = 0.0;      ///< how clear of them all the best place is
   Vec3 best_W_;
 };
 

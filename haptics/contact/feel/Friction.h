@@ -30,7 +30,7 @@ template<SceneView AnyScene>
 
 /// The planes of a projection that hold, with their depths. Returns how many.
 template<SceneView AnyScene>
-int listHeld(ContactSet<AnyScene>& contacts, const ProjectionResult& held, std::array<HeldPlane, 3>& planes) noexcept
+int listHeld(ContactSet<AnyScene>& contacts, const ProjectionResult& held, std::array<ActivePlane, 3>& planes) noexcept
 {
   for (int k = 0; k < held.count; ++k)
   {
@@ -44,8 +44,8 @@ int listHeld(ContactSet<AnyScene>& contacts, const ProjectionResult& held, std::
 struct FrictionVerdict
 {
   FrictionState motion = FrictionState::None;
-  int contacts = 0;              ///< that hold it while it sticks
-  std::array<HeldPlane, 3> held; ///< and which
+  int contacts = 0;                ///< that hold it while it sticks
+  std::array<ActivePlane, 3> held; ///< and which
   Vec3 pulled_W =
     Vec3::Zero(); ///< where the device would have to be for the frictionless god-object to go where it goes
 };

@@ -95,7 +95,7 @@ Touch touchOf(const AnyScene& scene, const ContactPlan& plan, const ContactResul
   touch.count = contact.heldCount;
   for (int k = 0; k < contact.heldCount; ++k)
   {
-    const HeldPlane& held = contact.held[static_cast<std::size_t>(k)];
+    const ActivePlane& held = contact.held[static_cast<std::size_t>(k)];
     const FeaturePlane plane =
       planeOf(surfaceOf(scene, held.feature.surface), held.feature, contact.proxy_W, plan.radius_u);
     touch.held[static_cast<std::size_t>(k)] = { materialAt(scene, plan, held.feature, plane.foot_W), plane,

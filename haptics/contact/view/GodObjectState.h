@@ -55,7 +55,7 @@ struct GodObjectState
 };
 
 /// A plane that holds the ball, and how deep the device is pressed along it.
-struct HeldPlane
+struct ActivePlane
 {
   ActiveFeature feature;
   double depth_u = 0.0; ///< multiplier of the projection
@@ -67,7 +67,7 @@ struct ContactResult
   Vec3 proxy_W = Vec3::Zero();
   Vec3 pull_W = Vec3::Zero(); ///< the displacement of the coupling: proxy - device, or see SurfaceResponse
   double held_u2 = 0.0; ///< twice the energy the coupling holds, over its stiffness: |pull|^2, or see SurfaceResponse
-  std::array<HeldPlane, 3> held{};
+  std::array<ActivePlane, 3> held{};
   int heldCount = 0;
   int contacts = 0; ///< planes with l > 0 after merging coplanar ones
   int passes = 0;
@@ -77,7 +77,7 @@ struct ContactResult
   bool overBudget = false; ///< the node budget was met: the ball moved only as far as proven free
   bool infeasible = false; ///< the projection found no feasible point: the ball stayed
   FrictionState friction = FrictionState::None;
-  bool seatFailed = false; ///< no free place within the radius at the start: Fault::Seated
+  bool seatFailed = false; ///< no free place within the radius at the start: Fault::PlacementFailed
 };
 
 /// Receives the tick's path, a polyline: tests check in exact arithmetic that it crosses nothing.

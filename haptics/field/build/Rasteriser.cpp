@@ -19,7 +19,7 @@ struct Reach
 {
   Vec3 low = Vec3::Constant(INFINITY), high = Vec3::Constant(-INFINITY);
 
-  explicit Reach(const BrickGrid& grid)
+  explicit Reach(const FieldBlockGrid& grid)
   {
     for (int corner = 0; corner < 8; ++corner)
     {
@@ -78,7 +78,7 @@ struct Points
 class Raster
 {
 public:
-  Raster(const TetraField& field, const BrickGrid& grid)
+  Raster(const TetraField& field, const FieldBlockGrid& grid)
     : field_(field), grid_(grid),
       turn_(grid.spacing_u.cwiseInverse().asDiagonal() * grid.pose_W.q.conjugate().toRotationMatrix()),
       values(grid.points() * static_cast<std::size_t>(field.components), std::numeric_limits<float>::quiet_NaN())
@@ -110,7 +110,7 @@ public:
 
 private:
   const TetraField& field_;
-  const BrickGrid& grid_;
+  const FieldBlockGrid& grid_;
   Mat3 turn_; ///< from ways in W to ways in cells
 
 public:
@@ -154,7 +154,7 @@ private:
 
 } // namespace
 
-std::vector<float> rasterise(const TetraField& field, const TetraBins& bins, const BrickGrid& grid)
+std::vector<float> rasterise(const TetraField& field, const TetraBins& bins, const FieldBlockGrid& grid)
 {
   Raster raster(field, grid);
   const Reach reach(grid);

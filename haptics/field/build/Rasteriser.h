@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/field/Brick.h"
+#include "haptics/field/FieldBlock.h"
 #include "haptics/field/build/TetraBins.h"
 
 namespace palpate
@@ -19,6 +19,6 @@ struct TetraField
 /// Values of the mesh at the points of a grid, linear in each tetrahedron; NaN where there is none. Each tetrahedron
 /// near the grid is scan-converted: some thousand times a point's share of a probe's cost. Inverted ones count as
 /// others, those without volume do not.
-[[nodiscard]] std::vector<float> rasterise(const TetraField& field, const TetraBins& bins, const BrickGrid& grid);
+[[nodiscard]] std::vector<float> rasterise(const TetraField& field, const TetraBins& bins, const FieldBlockGrid& grid);
 
 } // namespace palpate

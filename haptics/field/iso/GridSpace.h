@@ -11,7 +11,7 @@ namespace palpate
 class GridSpace : public IsoSpace
 {
 public:
-  GridSpace(const BrickComponent& field, const Vec3& spacing_u, const Vec3& device) noexcept
+  GridSpace(const FieldBlockComponent& field, const Vec3& spacing_u, const Vec3& device) noexcept
     : field_(field), h_u_(spacing_u), device_(device), hand_(GridPlace::at(device)), drawn_(hand_)
   {
   }
@@ -73,7 +73,7 @@ public:
   void remember(IsoState& state) const noexcept override { state.device = this->hand_; }
 
 private:
-  BrickComponent field_;
+  FieldBlockComponent field_;
   Vec3 h_u_;
   Vec3 device_; ///< in index coordinates
   GridPlace hand_, drawn_;

@@ -379,7 +379,7 @@ IsoResult moveIsoProxy(IsoSpace& space, const IsoPlan& plan, IsoState& state, Fi
   return result;
 }
 
-IsoResult moveIsoProxy(const BrickComponent& field, const Vec3& spacing_u, const IsoPlan& plan, const Vec3& device,
+IsoResult moveIsoProxy(const FieldBlockComponent& field, const Vec3& spacing_u, const IsoPlan& plan, const Vec3& device,
   IsoState& state, FieldPathSink* sink) noexcept
 {
   GridSpace space(field, spacing_u, device);

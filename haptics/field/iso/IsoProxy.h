@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "haptics/contact/view/ContactPlan.h"
-#include "haptics/field/Brick.h"
+#include "haptics/field/FieldBlock.h"
 
 namespace palpate
 {
@@ -65,7 +65,7 @@ public:
 /// side. Two-sided: where the hand first is, is its side. Every way is swept exactly before it is gone and every hop
 /// comes nearer, so nothing is passed and nothing goes round in a circle. `device`: index coordinates.
 /// Outside the grid and where there are no values nothing is felt.
-IsoResult moveIsoProxy(const BrickComponent& field, const Vec3& spacing_u, const IsoPlan& plan, const Vec3& device,
+IsoResult moveIsoProxy(const FieldBlockComponent& field, const Vec3& spacing_u, const IsoPlan& plan, const Vec3& device,
   IsoState& state, FieldPathSink* sink = nullptr) noexcept;
 
 } // namespace palpate

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/field/Brick.h"
+#include "haptics/field/FieldBlock.h"
 
 namespace palpate
 {
@@ -10,7 +10,7 @@ namespace palpate
 /// the canonical value of g there, that of TrilinearCell, is not negative.
 struct LevelSet
 {
-  BrickComponent field;
+  FieldBlockComponent field;
   double level = 0.0;
   double side = 1.0; ///< 1 or -1
 

@@ -57,7 +57,7 @@ struct Balance
   Mat3 bend = Mat3::Zero();
 };
 
-Balance balanceAt(const Brick& brick, const DetentPlan& plan, double k, const Vec3& p_W, const Vec3& x_W) noexcept
+Balance balanceAt(const FieldBlock& brick, const DetentPlan& plan, double k, const Vec3& p_W, const Vec3& x_W) noexcept
 {
   const std::optional<SmoothSample> f = smoothScalar(brick, x_W);
   if (!f)
@@ -165,8 +165,8 @@ double mostFelt_N(const DetentPlan& plan, double stiffness_N_per_u) noexcept
 
 /// Newton's steps on an energy that is strictly convex up to mostSmooth_N(). Its second derivatives jump between cells,
 /// so a step may be too long: it is halved until less force is left.
-Vec3 smoothDetent(
-  const Brick& brick, const DetentPlan& plan, double stiffness_N_per_u, const Vec3& p_W, const Vec3& from_W) noexcept
+Vec3 smoothDetent(const FieldBlock& brick, const DetentPlan& plan, double stiffness_N_per_u, const Vec3& p_W,
+  const Vec3& from_W) noexcept
 {
   const double k = stiffness_N_per_u, h_u = brick.grid().spacing_u.minCoeff();
   Balance at = balanceAt(brick, plan, k, p_W, from_W);

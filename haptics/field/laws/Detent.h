@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "haptics/field/Brick.h"
+#include "haptics/field/FieldBlock.h"
 #include "haptics/field/LevelBounds.h"
 
 namespace palpate
@@ -59,8 +59,8 @@ struct DetentEnergy
 
 /// argmin k/2 |x - p|^2 + E(f(x)): the hand's spring against the potential, f without creases, sought from where the
 /// proxy was. Takes no work over closed ways up to mostSmooth_N(). p_W itself where there is no value.
-[[nodiscard]] Vec3 smoothDetent(
-  const Brick& brick, const DetentPlan& plan, double stiffness_N_per_u, const Vec3& p_W, const Vec3& from_W) noexcept;
+[[nodiscard]] Vec3 smoothDetent(const FieldBlock& brick, const DetentPlan& plan, double stiffness_N_per_u,
+  const Vec3& p_W, const Vec3& from_W) noexcept;
 
 /// The level between a proxy and its hand: the next one above or below the proxy's value, `above` if the hand is at
 /// more. Beyond the last of chosen levels a value that no data have.

@@ -12,13 +12,13 @@ constexpr int mostRounds = 30;
 constexpr double still = 1e-15, abreast = 1e-13; ///< [spacings of the grid]
 
 /// The vector at a place, or the axis on the side of `like`.
-std::optional<Vec3> vectorAt(const Brick& brick, const Vec3& at_W, const Vec3& like) noexcept
+std::optional<Vec3> vectorAt(const FieldBlock& brick, const Vec3& at_W, const Vec3& like) noexcept
 {
-  return brick.component(BrickRole::Vector).exists() ? brick.vector(at_W) : brick.axis(at_W, like);
+  return brick.component(FieldBlockRole::Vector).exists() ? brick.vector(at_W) : brick.axis(at_W, like);
 }
 
 /// The direction of the vectors at a place, on the side of `like`; none where they have none.
-std::optional<Vec3> directionAt(const Brick& brick, const Vec3& at_W, const Vec3& like) noexcept
+std::optional<Vec3> directionAt(const FieldBlock& brick, const Vec3& at_W, const Vec3& like) noexcept
 {
   const std::optional<Vec3> v_W = vectorAt(brick, at_W, like);
   const double length = v_W ? v_W->norm() : 0.0;
@@ -31,7 +31,7 @@ std::optional<Vec3> directionAt(const Brick& brick, const Vec3& at_W, const Vec3
 
 /// y' = y + length direction((y + y') / 2), by rounds.
 std::optional<Vec3> midpointStep(
-  const Brick& brick, const Vec3& y_W, const Vec3& along_W, double length_u, double h_u) noexcept
+  const FieldBlock& brick, const Vec3& y_W, const Vec3& along_W, double length_u, double h_u) noexcept
 {
   Vec3 next_W = y_W + length_u * along_W;
   for (int round = 0; round < mostRounds; ++round)
@@ -54,7 +54,8 @@ std::optional<Vec3> midpointStep(
 
 } // namespace
 
-std::optional<Followed> followStreamline(const Brick& brick, const Vec3& x_W, const Vec3& p_W, int mostSteps) noexcept
+std::optional<Followed> followStreamline(
+  const FieldBlock& brick, const Vec3& x_W, const Vec3& p_W, int mostSteps) noexcept
 {
   const double h_u = brick.grid().spacing_u.minCoeff();
   const std::optional<Vec3> first = vectorAt(brick, x_W, Vec3::Zero());

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "haptics/field/Brick.h"
+#include "haptics/field/FieldBlock.h"
 
 namespace palpate
 {
@@ -21,6 +21,6 @@ struct Followed
 /// the tangent line at x, taken instead, gives the hand energy wherever it is outside the curve. A vector and its
 /// opposite are the same direction, as for eigenvectors. None where there are no vectors, or no length.
 [[nodiscard]] std::optional<Followed> followStreamline(
-  const Brick& brick, const Vec3& x_W, const Vec3& p_W, int mostSteps = 8) noexcept;
+  const FieldBlock& brick, const Vec3& x_W, const Vec3& p_W, int mostSteps = 8) noexcept;
 
 } // namespace palpate

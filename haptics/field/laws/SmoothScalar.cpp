@@ -45,10 +45,10 @@ Shares sharesAt(double index, int points) noexcept
 
 } // namespace
 
-std::optional<SmoothSample> smoothScalar(const Brick& brick, const Vec3& p_W) noexcept
+std::optional<SmoothSample> smoothScalar(const FieldBlock& brick, const Vec3& p_W) noexcept
 {
-  const BrickComponent scalar = brick.component(BrickRole::Scalar);
-  const BrickGrid& grid = brick.grid();
+  const FieldBlockComponent scalar = brick.component(FieldBlockRole::Scalar);
+  const FieldBlockGrid& grid = brick.grid();
   const Vec3 index = grid.toIndex(p_W);
   if (!scalar.exists() || !scalar.within(GridPlace::at(index)) || *std::ranges::min_element(grid.size) < 3)
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/field/Brick.h"
+#include "haptics/field/FieldBlock.h"
 
 namespace palpate
 {
@@ -19,6 +19,6 @@ struct SmoothSample
 /// values are up to that off too. A potential of trilinear values has creases at the faces of cells, over which a hand
 /// is let go and loses. None outside, where one of the 27 values around has
 /// none, and in a brick of fewer than three points along an axis.
-[[nodiscard]] std::optional<SmoothSample> smoothScalar(const Brick& brick, const Vec3& p_W) noexcept;
+[[nodiscard]] std::optional<SmoothSample> smoothScalar(const FieldBlock& brick, const Vec3& p_W) noexcept;
 
 } // namespace palpate

@@ -17,17 +17,18 @@ namespace
 /// How far an isosurface may move under the hand in a tick, times the stiffness: no step of a tenth of a newton.
 constexpr double scrub_N = 0.045;
 
-bool usesSoft(const Brick& brick, const FieldPlan& plan) noexcept
+bool usesSoft(const FieldBlock& brick, const FieldPlan& plan) noexcept
 {
-  const bool directions = brick.component(BrickRole::Vector).exists() || brick.component(BrickRole::Axis).exists();
+  const bool directions =
+    brick.component(FieldBlockRole::Vector).exists() || brick.component(FieldBlockRole::Axis).exists();
   return plan.drag_N > 0.0 || (plan.follow_N > 0.0 && directions) ||
          (plan.snap_N > 0.0 && !(brick.places_W().empty() && brick.lines_W().empty())) ||
-         (plan.compare_N > 0.0 && brick.component(BrickRole::Other).exists());
+         (plan.compare_N > 0.0 && brick.component(FieldBlockRole::Other).exists());
 }
 
-bool usesScalar(const Brick& brick, bool on) noexcept
+bool usesScalar(const FieldBlock& brick, bool on) noexcept
 {
-  return on && brick.component(BrickRole::Scalar).exists();
+  return on && brick.component(FieldBlockRole::Scalar).exists();
 }
 
 /// How much of a strength there is at a value: nothing at `none` and beyond, all at `full` and beyond, whichever of
@@ -40,8 +41,8 @@ double share(double value, double none, double full) noexcept
 /// What of a brick is felt in a tick.
 struct FeltPart
 {
-  const Brick& whole;      ///< of smooth levels: its lattice is that of all bricks of the data
-  const Brick& brick;      ///< of what else there is
+  const FieldBlock& whole; ///< of smooth levels: its lattice is that of all bricks of the data
+  const FieldBlock& brick; ///< of what else there is
   const FieldCells* cells; ///< of surfaces; null: they are the brick's
 
   [[nodiscard]] std::uint64_t contentHash() const noexcept
@@ -149,9 +150,9 @@ private:
       this->add(iso.pull_u);
       return iso;
     }
-    const BrickGrid& grid = this->brick_.grid();
-    const IsoResult iso =
-      moveIsoProxy(this->brick_.component(BrickRole::Scalar), grid.spacing_u, plan, grid.toIndex(this->p_W_), state);
+    const FieldBlockGrid& grid = this->brick_.grid();
+    const IsoResult iso = moveIsoProxy(
+      this->brick_.component(FieldBlockRole::Scalar), grid.spacing_u, plan, grid.toIndex(this->p_W_), state);
     this->add(grid.pose_W.q * iso.pull_u);
     return iso;
   }
@@ -168,7 +169,7 @@ private:
       const std::optional<GridPlace> place = this->cells_->locate(p_W);
       return place ? std::optional(this->cells_->cell(place->cell).value(place->t)) : std::nullopt;
     }
-    const std::optional<FieldSample> sample = this->brick_.sample(BrickRole::Scalar, p_W);
+    const std::optional<FieldSample> sample = this->brick_.sample(FieldBlockRole::Scalar, p_W);
     return sample ? std::optional(sample->value) : std::nullopt;
   }
 
@@ -239,18 +240,18 @@ private:
 
   [[nodiscard]] double drag_N() const noexcept
   {
-    if (!this->brick_.component(BrickRole::Resistance).exists())
+    if (!this->brick_.component(FieldBlockRole::Resistance).exists())
     {
       return this->plan_.drag_N;
     }
-    const std::optional<FieldSample> resistance = this->brick_.sample(BrickRole::Resistance, this->p_W_);
+    const std::optional<FieldSample> resistance = this->brick_.sample(FieldBlockRole::Resistance, this->p_W_);
     return resistance ? this->plan_.drag_N * share(resistance->value, this->plan_.dragNone, this->plan_.dragFull) : 0.0;
   }
 
   [[nodiscard]] double compare_N() const noexcept
   {
-    const std::optional<FieldSample> one = this->brick_.sample(BrickRole::Scalar, this->p_W_);
-    const std::optional<FieldSample> other = this->brick_.sample(BrickRole::Other, this->p_W_);
+    const std::optional<FieldSample> one = this->brick_.sample(FieldBlockRole::Scalar, this->p_W_);
+    const std::optional<FieldSample> other = this->brick_.sample(FieldBlockRole::Other, this->p_W_);
     return one && other
              ? this->plan_.compare_N * share(std::fabs(one->value - other->value), 0.0, this->plan_.compareFull)
              : 0.0;
@@ -284,8 +285,8 @@ private:
     }
   }
 
-  const Brick& whole_;
-  const Brick& brick_;
+  const FieldBlock& whole_;
+  const FieldBlock& brick_;
   const FieldCells* cells_;
   const FieldPlan& plan_;
   double k_;
@@ -295,7 +296,7 @@ private:
 };
 
 /// The same place in another grid. Grids whose points fall together keep every bit of it.
-GridPlace placeIn(const BrickGrid& now, const BrickGrid& was, const GridPlace& x) noexcept
+GridPlace placeIn(const FieldBlockGrid& now, const FieldBlockGrid& was, const GridPlace& x) noexcept
 {
   const Vec3 shift = now.toIndex(was.pose_W.p);
   GridPlace place = x;
@@ -337,7 +338,7 @@ bool isOfCells(const FieldState& state) noexcept
 /// A proxy in another part of the data stays where it is.
 void carryIso(const FeltPart& felt, const FieldState& was, IsoState& state) noexcept
 {
-  if (!state.placed || !felt.brick.component(BrickRole::Scalar).exists())
+  if (!state.placed || !felt.brick.component(FieldBlockRole::Scalar).exists())
   {
     state = IsoState{};
     return;
@@ -354,10 +355,10 @@ void carryIso(const FeltPart& felt, const FieldState& was, IsoState& state) noex
     keepSide(CellSpace(*felt.cells, device_W), state);
     return;
   }
-  const BrickGrid& grid = felt.brick.grid();
+  const FieldBlockGrid& grid = felt.brick.grid();
   state.x = ofCells ? GridPlace::at(grid.toIndex(x_W)) : placeIn(grid, was.grid, state.x);
   state.device = ofCells ? GridPlace::at(grid.toIndex(device_W)) : placeIn(grid, was.grid, state.device);
-  keepSide(GridSpace(felt.brick.component(BrickRole::Scalar), grid.spacing_u, state.device.index()), state);
+  keepSide(GridSpace(felt.brick.component(FieldBlockRole::Scalar), grid.spacing_u, state.device.index()), state);
 }
 
 /// How far the proxy that is furthest from a hand is away [u].
@@ -376,14 +377,14 @@ double furthestProxy_u(const FieldState& state, const Vec3& p_W) noexcept
 /// The finer brick where it holds the ball around the hand that all proxies are in: none of them leaves that ball in a
 /// tick, so none meets the rim. Taken up an eighth of its width inside, so that a hand at the rim is not handed to and
 /// fro.
-const Brick& feltBrick(const Brick& brick, const Vec3& p_W, const FieldState& state) noexcept
+const FieldBlock& feltFieldBlock(const FieldBlock& brick, const Vec3& p_W, const FieldState& state) noexcept
 {
-  const Brick* const finer = brick.finer().get();
+  const FieldBlock* const finer = brick.finer().get();
   if (finer == nullptr)
   {
     return brick;
   }
-  const BrickGrid& grid = finer->grid();
+  const FieldBlockGrid& grid = finer->grid();
   const Vec3 last(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
   const double width_u = last.cwiseProduct(grid.spacing_u).minCoeff();
   const bool isFelt = state.brick == finer->contentHash();
@@ -392,7 +393,7 @@ const Brick& feltBrick(const Brick& brick, const Vec3& p_W, const FieldState& st
 }
 
 /// The data's own cells by the same rule; where they are all of the data's they are felt everywhere.
-const FieldCells* feltCells(const Brick& brick, const Vec3& p_W, const FieldState& state) noexcept
+const FieldCells* feltCells(const FieldBlock& brick, const Vec3& p_W, const FieldState& state) noexcept
 {
   const FieldCells* const cells = brick.cells().get();
   constexpr double takenUp = 0.25, left = 0.02; // of the way that they reach
@@ -405,16 +406,16 @@ const FieldCells* feltCells(const Brick& brick, const Vec3& p_W, const FieldStat
 
 } // namespace
 
-int springsOf(const Brick& brick, const FieldPlan& plan) noexcept
+int springsOf(const FieldBlock& brick, const FieldPlan& plan) noexcept
 {
   return static_cast<int>(usesScalar(brick, plan.isosurface)) +
          static_cast<int>(usesScalar(brick, plan.detent.strength_N > 0.0)) + static_cast<int>(usesSoft(brick, plan));
 }
 
 FieldResult moveFieldProxy(
-  const Brick& whole, const FieldPlan& plan, double stiffness_N_per_u, const Vec3& p_W, FieldState& state) noexcept
+  const FieldBlock& whole, const FieldPlan& plan, double stiffness_N_per_u, const Vec3& p_W, FieldState& state) noexcept
 {
-  const FeltPart felt{ whole, feltBrick(whole, p_W, state), feltCells(whole, p_W, state) };
+  const FeltPart felt{ whole, feltFieldBlock(whole, p_W, state), feltCells(whole, p_W, state) };
   if (state.brick != felt.contentHash())
   {
     if (state.brick != 0)
@@ -423,7 +424,7 @@ FieldResult moveFieldProxy(
       carryIso(felt, state, state.click);
     }
     state.brick = felt.contentHash();
-    state.grid = felt.cells != nullptr ? BrickGrid{} : felt.brick.grid();
+    state.grid = felt.cells != nullptr ? FieldBlockGrid{} : felt.brick.grid();
   }
   return FieldTick(felt, plan, stiffness_N_per_u, p_W, state).run();
 }

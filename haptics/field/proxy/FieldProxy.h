@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "haptics/field/Brick.h"
+#include "haptics/field/FieldBlock.h"
 #include "haptics/field/iso/IsoProxy.h"
 #include "haptics/field/proxy/FieldPlan.h"
 
@@ -18,7 +18,7 @@ struct FieldState
   Vec3 detent_W = Vec3::Zero(); ///< proxy of the smooth detent
   IsoState surface, click;
   std::uint64_t brick = 0; ///< content of the brick, or of the data's own cells, that the cells are of
-  BrickGrid grid;          ///< of the brick; without points: they are the data's own
+  FieldBlockGrid grid;     ///< of the brick; without points: they are the data's own
 };
 
 struct FieldResult
@@ -39,12 +39,12 @@ struct FieldResult
 /// How many springs a plan uses on a brick: they share the stiffness of the hand's coupling. Each has a proxy of its
 /// own, so that each by itself takes no less than it gives: one proxy that respects them one after the other would have
 /// a force with curl.
-[[nodiscard]] int springsOf(const Brick& brick, const FieldPlan& plan) noexcept;
+[[nodiscard]] int springsOf(const FieldBlock& brick, const FieldPlan& plan) noexcept;
 
 /// One tick of a hand at p_W in a field. `stiffness_N_per_u`: of each spring. Where the brick has a finer one around
 /// the hand that is felt, and of surfaces the data's own cells where it has those; coming to them and from them is
 /// another brick. A surface that holds a hand holds it beyond the values too. Real-time safe.
-[[nodiscard]] FieldResult moveFieldProxy(
-  const Brick& whole, const FieldPlan& plan, double stiffness_N_per_u, const Vec3& p_W, FieldState& state) noexcept;
+[[nodiscard]] FieldResult moveFieldProxy(const FieldBlock& whole, const FieldPlan& plan, double stiffness_N_per_u,
+  const Vec3& p_W, FieldState& state) noexcept;
 
 } // namespace palpate

@@ -244,15 +244,15 @@ private:
   std::span<const MechanismSoft> soft_;
 };
 
-/// Laws that join points hold with any force, and with none.
-bool holds(LawKind kind, LawPhase phase)
+/// Constraints that join points hold with any force, and with none.
+bool holds(ConstraintKind kind, ConstraintPhase phase)
 {
-  const bool joins =
-    kind == LawKind::Attachment || kind == LawKind::Hinge || kind == LawKind::Slider || kind == LawKind::Break;
-  return phase != LawPhase::Gone && (joins || phase != LawPhase::Open);
+  const bool joins = kind == ConstraintKind::Attachment || kind == ConstraintKind::Hinge ||
+                     kind == ConstraintKind::Slider || kind == ConstraintKind::Break;
+  return phase != ConstraintPhase::Gone && (joins || phase != ConstraintPhase::Open);
 }
 
-bool isBetween(const MechanismLaw& law, const BodyPair& pair)
+bool isBetween(const MechanismConstraint& law, const BodyPair& pair)
 {
   return BodyPair(law.a, law.b) == pair || BodyPair(law.b, law.a) == pair;
 }
@@ -276,13 +276,15 @@ std::vector<BodyPair> overlapsOfHeld(const Mechanism& mechanism, std::span<const
   Looked looked(mechanism, soft);
   looked.pose_W = pose_W;
   std::vector<BodyPair> pairs = looked.pairs([&](std::size_t a, std::size_t b) { return isHeld(a) || isHeld(b); });
-  std::erase_if(pairs, [&](const BodyPair& pair)
-    { return std::ranges::any_of(mechanism.laws, [&](const MechanismLaw& law) { return isBetween(law, pair); }); });
+  std::erase_if(pairs,
+    [&](const BodyPair& pair) {
+      return std::ranges::any_of(mechanism.laws, [&](const MechanismConstraint& law) { return isBetween(law, pair); });
+    });
   return pairs;
 }
 
 const std::vector<BodyPair>& OverlapWatch::look(const Mechanism& mechanism, std::span<const MechanismSoft> soft,
-  std::span<const Pose> pose_W, std::span<const LawPhase> phases)
+  std::span<const Pose> pose_W, std::span<const ConstraintPhase> phases)
 {
   Looked looked(mechanism, soft);
   looked.pose_W = pose_W;
@@ -304,7 +306,7 @@ const std::vector<BodyPair>& OverlapWatch::look(const Mechanism& mechanism, std:
     {
       for (std::size_t l = 0; l < mechanism.laws.size() && l < phases.size(); ++l)
       {
-        const MechanismLaw& law = mechanism.laws[l];
+        const MechanismConstraint& law = mechanism.laws[l];
         if (isBetween(law, pair) && holds(law.kind, phases[l]))
         {
           return true;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "haptics/mechanism/check/MechanismCheck.h"
-#include "haptics/mechanism/laws/LawState.h"
+#include "haptics/mechanism/constraints/ConstraintState.h"
 
 namespace palpate
 {
@@ -35,7 +35,7 @@ class OverlapWatch
 public:
   /// `pose_W`: of each body, of those that are held or rigid; `phases`: of each law.
   [[nodiscard]] const std::vector<BodyPair>& look(const Mechanism& mechanism, std::span<const MechanismSoft> soft,
-    std::span<const Pose> pose_W, std::span<const LawPhase> phases);
+    std::span<const Pose> pose_W, std::span<const ConstraintPhase> phases);
   [[nodiscard]] const std::vector<BodyPair>& seen() const noexcept { return this->seen_; }
 
 private:

@@ -9,7 +9,7 @@
 
 #include "haptics/mechanism/check/BodiesOverlap.h"
 #include "haptics/mechanism/check/MechanismFaults.h"
-#include "haptics/mechanism/laws/LawCompliance.h"
+#include "haptics/mechanism/constraints/ConstraintCompliance.h"
 #include "haptics/mechanism/solve/SemidefiniteFactor.h"
 
 namespace palpate
@@ -43,14 +43,14 @@ public:
     }
     for (int l = 0; l < this->plan_.lawCount; ++l)
     {
-      this->laws_[l].phase = LawPhase::Inside;
+      this->laws_[l].phase = ConstraintPhase::Inside;
       this->laws_[l].place_A = this->plan_.laws[l].place_A;
       this->laws_[l].place_B = this->plan_.laws[l].place_B;
     }
     const Pose hand_W = this->plan_.held >= 0 ? this->pose_W_[this->plan_.held] : Pose();
-    const LawScene scene{ this->plan_, this->soft_, this->pose_W_, this->laws_, hand_W };
+    const ConstraintScene scene{ this->plan_, this->soft_, this->pose_W_, this->laws_, hand_W };
     makeRows(scene, *this->rows_);
-    assembleLaws(scene, *this->rows_, grip, yieldOfHeld(scene, *this->rows_, grip), *this->problem_);
+    assembleConstraints(scene, *this->rows_, grip, yieldOfHeld(scene, *this->rows_, grip), *this->problem_);
     const Eigen::MatrixXd along = this->problem_->along;
     this->compliance_ = this->problem_->compliance + this->problem_->yield_u_per_N * along * along.transpose();
     const double most = this->compliance_.rows() > 0 ? this->compliance_.diagonal().maxCoeff() : 0.0;
@@ -119,7 +119,7 @@ private:
         check.remarks.push_back("Constraint \"" + name + "\" is partly redundant.");
       }
       const double off_u = std::abs(this->problem_->free[row] - shares.dot(free));
-      if (this->followsFromHeld(row, in, shares) && off_u > contradictsFrom * this->plan_.lever_u)
+      if (this->followsFromHeld(row, in, shares) && off_u > contradictsFrom * this->plan_.characteristic_u)
       {
         check.faults.push_back(
           "Constraint \"" + name + "\" conflicts with the others: no configuration satisfies all of them.");
@@ -128,10 +128,11 @@ private:
   }
 
   /// Of a limit, and of a shaft, which both end in two places along one way.
-  [[nodiscard]] bool isOtherEnd(const LawRow& row) const
+  [[nodiscard]] bool isOtherEnd(const ConstraintRow& row) const
   {
-    const LawKind kind = this->plan_.laws[row.law].kind;
-    return row.lowest_N == 0.0 && (kind == LawKind::Limit || kind == LawKind::Puncture || kind == LawKind::Insertion);
+    const ConstraintKind kind = this->plan_.laws[row.law].kind;
+    return row.lowest_N == 0.0 &&
+           (kind == ConstraintKind::Limit || kind == ConstraintKind::Puncture || kind == ConstraintKind::Insertion);
   }
 
   /// What a row with bounds has a share in can give way.
@@ -150,15 +151,15 @@ private:
     return std::isinf(this->problem_->lowest[row]) && std::isinf(this->problem_->highest[row]);
   }
 
-  /// Laws that only push may contradict each other, too: then no forces meet them all.
+  /// Constraints that only push may contradict each other, too: then no forces meet them all.
   void tellUnmet(MechanismCheck& check) const
   {
-    auto room = std::make_unique<LawRoom>();
-    auto forces = std::make_unique<LawForces>();
+    auto room = std::make_unique<ConstraintScratch>();
+    auto forces = std::make_unique<ConstraintForces>();
     forces->force_N.setZero(this->rows_->count);
-    solveLaws(*this->problem_, *room, *forces);
+    solveConstraints(*this->problem_, *room, *forces);
     int worst = -1;
-    double most_u = contradictsFrom * this->plan_.lever_u;
+    double most_u = contradictsFrom * this->plan_.characteristic_u;
     for (int i = 0; i < this->problem_->bounded(); ++i)
     {
       const bool pushes = this->rows_->rows[i].lowest_N == 0.0 && this->rows_->rows[i].compliance_u_per_N == 0.0;
@@ -179,7 +180,7 @@ private:
   void tellFree(MechanismCheck& check) const
   {
     const Eigen::MatrixXd along = this->problem_->along;
-    SemidefiniteFactor<LawProblem::mostWays> ways;
+    SemidefiniteFactor<ConstraintProblem::mostWays> ways;
     ways.factor(along.transpose() * along, dependentBelow);
     int first = 0;
     for (int b = 0; b < this->plan_.bodyCount; ++b)
@@ -229,12 +230,12 @@ private:
   {
     const int cones = 3 * this->problem_->cones;
     const int first = this->rows_->count - cones;
-    SemidefiniteFactor<LawProblem::most> factor;
+    SemidefiniteFactor<ConstraintProblem::most> factor;
     const Eigen::MatrixXd own = this->compliance_.bottomRightCorner(cones, cones);
     factor.factor(own, cones > 0 ? dependentBelow * own.diagonal().maxCoeff() : 0.0);
     for (int k = factor.rank(); k < cones; ++k)
     {
-      const MechanismLaw& law = this->mechanism_.laws[this->rows_->rows[first + factor.row(k)].law];
+      const MechanismConstraint& law = this->mechanism_.laws[this->rows_->rows[first + factor.row(k)].law];
       const std::string fault =
         "Constraint \"" + law.name +
         "\" has friction between rigid bodies, so that its share of the friction is undetermined: "
@@ -259,9 +260,9 @@ private:
   /// A rod that turns freely stands on its tip like a strut: without friction it falls over.
   void tellSlipping(MechanismCheck& check) const
   {
-    for (const MechanismLaw& law : this->mechanism_.laws)
+    for (const MechanismConstraint& law : this->mechanism_.laws)
     {
-      if (law.kind == LawKind::Puncture && law.friction == 0.0 && !(this->grip_.turning_Nu_per_rad > 0.0))
+      if (law.kind == ConstraintKind::Puncture && law.friction == 0.0 && !(this->grip_.turning_Nu_per_rad > 0.0))
       {
         check.remarks.push_back("The tip of constraint \"" + law.name +
                                 "\" slips sideways, because the device leaves the rotation free: set its friction.");
@@ -273,12 +274,12 @@ private:
   MechanismGrip grip_;
   MechanismPlan plan_;
   std::array<Pose, Mechanism::mostBodies> pose_W_{};
-  std::array<LawState, Mechanism::mostLaws> laws_{};
+  std::array<ConstraintState, Mechanism::mostConstraints> laws_{};
   std::vector<const PressedBody*> soft_;
-  std::unique_ptr<LawRows> rows_ = std::make_unique<LawRows>();
-  std::unique_ptr<LawProblem> problem_ = std::make_unique<LawProblem>();
+  std::unique_ptr<ConstraintRows> rows_ = std::make_unique<ConstraintRows>();
+  std::unique_ptr<ConstraintProblem> problem_ = std::make_unique<ConstraintProblem>();
   Eigen::MatrixXd compliance_;
-  SemidefiniteFactor<LawProblem::most> factor_;
+  SemidefiniteFactor<ConstraintProblem::most> factor_;
 };
 
 /// Bodies do not meet but where a law has them meet.
@@ -320,10 +321,11 @@ PlannedBody planBody(const MechanismBody& body, std::span<const MechanismSoft> s
   return planned;
 }
 
-PlannedLaw planLaw(const Mechanism& mechanism, const MechanismLaw& law, std::span<const MechanismSoft> soft)
+PlannedConstraint planConstraint(
+  const Mechanism& mechanism, const MechanismConstraint& law, std::span<const MechanismSoft> soft)
 {
-  PlannedLaw planned;
-  planned.kind = law.kind == LawKind::Friction && law.friction == 0.0 ? LawKind::Contact : law.kind;
+  PlannedConstraint planned;
+  planned.kind = law.kind == ConstraintKind::Friction && law.friction == 0.0 ? ConstraintKind::Contact : law.kind;
   planned.a = bodyNamed(mechanism, law.a);
   planned.b = bodyNamed(mechanism, law.b);
   planned.point_A = law.point_A;
@@ -355,18 +357,18 @@ MechanismPlan planMechanism(const Mechanism& mechanism, std::span<const Mechanis
 {
   MechanismPlan plan;
   plan.revision = revision;
-  double lever_u = 0.0;
+  double characteristic_u = 0.0;
   for (const MechanismBody& body : mechanism.bodies)
   {
     plan.held = body.kind == MechanismBodyKind::Held ? plan.bodyCount : plan.held;
     plan.bodies[plan.bodyCount++] = planBody(body, soft);
-    lever_u = std::max({ lever_u, 0.5 * body.length_u, body.halfSize_u.norm() });
+    characteristic_u = std::max({ characteristic_u, 0.5 * body.length_u, body.halfSize_u.norm() });
   }
-  for (const MechanismLaw& law : mechanism.laws)
+  for (const MechanismConstraint& law : mechanism.laws)
   {
-    plan.laws[plan.lawCount++] = planLaw(mechanism, law, soft);
+    plan.laws[plan.lawCount++] = planConstraint(mechanism, law, soft);
   }
-  plan.lever_u = lever_u > 0.0 ? lever_u : 1.0;
+  plan.characteristic_u = characteristic_u > 0.0 ? characteristic_u : 1.0;
   return plan;
 }
 

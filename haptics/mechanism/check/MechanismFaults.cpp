@@ -36,7 +36,7 @@ bool inBox(const MechanismBody& body, const Vec3& p)
 /// A point that is further from the surface than a patch has no patch under it.
 bool onSurface(const PressedBody& body, const Vec3& p_W)
 {
-  return (nearestPlace(body, p_W).x_W - p_W).norm() <= body.packet->patchRadius_u.front();
+  return (nearestPlace(body, p_W).x_W - p_W).norm() <= body.snapshot->patchRadius_u.front();
 }
 
 /// Gathers what is wrong with one mechanism.
@@ -54,7 +54,7 @@ public:
     }
     for (std::size_t i = 0; i < this->mechanism_.laws.size(); ++i)
     {
-      this->judgeLaw(this->mechanism_.laws[i], i);
+      this->judgeConstraint(this->mechanism_.laws[i], i);
     }
     return std::move(this->faults_);
   }
@@ -83,11 +83,11 @@ private:
                                      std::to_string(most) + " are supported: remove some.");
     };
     most(this->mechanism_.bodies.size(), Mechanism::mostBodies, "bodies");
-    most(this->mechanism_.laws.size(), Mechanism::mostLaws, "laws");
+    most(this->mechanism_.laws.size(), Mechanism::mostConstraints, "laws");
     most(this->countOf(MechanismBodyKind::Held), 1, "bodies in the hand");
     most(this->countOf(MechanismBodyKind::Rigid), mostRigid, "free rigid bodies");
     std::size_t rows = 0;
-    for (const MechanismLaw& law : this->mechanism_.laws)
+    for (const MechanismConstraint& law : this->mechanism_.laws)
     {
       rows += static_cast<std::size_t>(mostRowsOf(law.kind));
     }
@@ -124,7 +124,7 @@ private:
     this->require(body.kind != MechanismBodyKind::Soft || soft, name + "is missing: no soft body has that name.");
   }
 
-  void judgeLaw(const MechanismLaw& law, std::size_t i)
+  void judgeConstraint(const MechanismConstraint& law, std::size_t i)
   {
     this->judgeName(this->mechanism_.laws, i, "constraint");
     const std::string name = "Constraint \"" + law.name + "\" ";
@@ -143,7 +143,7 @@ private:
     this->judgeBodies(law, this->mechanism_.bodies[a], this->mechanism_.bodies[b], name);
   }
 
-  void judgeNumbers(const MechanismLaw& law, const std::string& name)
+  void judgeNumbers(const MechanismConstraint& law, const std::string& name)
   {
     const auto positive = [](double x) { return x > 0.0; }; // of what is no number, too
     const auto coefficient = [](double x) { return std::isfinite(x) && x >= 0.0; };
@@ -158,27 +158,28 @@ private:
       law.axis_A.allFinite() && law.axis_B.allFinite() && law.axis_A.norm() > 0.0 && law.axis_B.norm() > 0.0,
       name + "has an axis of length 0.");
     const bool bounded = std::abs(law.least_u) <= farthest_u || std::abs(law.most_u) <= farthest_u;
-    this->require(law.kind != LawKind::Limit || (bounded && law.least_u <= law.most_u),
+    this->require(law.kind != ConstraintKind::Limit || (bounded && law.least_u <= law.most_u),
       name + "has an empty range: 'least' must be below 'most', and at least one must be given.");
   }
 
-  void judgeBodies(const MechanismLaw& law, const MechanismBody& a, const MechanismBody& b, const std::string& name)
+  void judgeBodies(
+    const MechanismConstraint& law, const MechanismBody& a, const MechanismBody& b, const std::string& name)
   {
-    const bool needle = law.kind == LawKind::Puncture || law.kind == LawKind::Insertion;
-    const bool turns = law.kind == LawKind::Hinge || law.kind == LawKind::Slider;
+    const bool needle = law.kind == ConstraintKind::Puncture || law.kind == ConstraintKind::Insertion;
+    const bool turns = law.kind == ConstraintKind::Hinge || law.kind == ConstraintKind::Slider;
     const auto is = [](const MechanismBody& body, MechanismBodyKind kind) { return body.kind == kind; };
     this->require(!is(a, MechanismBodyKind::World) || !is(b, MechanismBodyKind::World),
       name + "joins two bodies that cannot move.");
     this->require(!needle || is(a, MechanismBodyKind::Held), name + "needs a rod in the hand as its first body.");
-    this->require(
-      law.kind != LawKind::Puncture || is(b, MechanismBodyKind::Soft), name + "needs a soft body as its second body.");
+    this->require(law.kind != ConstraintKind::Puncture || is(b, MechanismBodyKind::Soft),
+      name + "needs a soft body as its second body.");
     this->require(!turns || (!is(a, MechanismBodyKind::Soft) && !is(b, MechanismBodyKind::Soft)),
       name + "rotates a soft body, which has no rotation of its own: attach the body at two points instead.");
     if (!needle)
     {
       this->judgePlace(a, law.point_A, name);
     }
-    if (law.kind != LawKind::Puncture)
+    if (law.kind != ConstraintKind::Puncture)
     {
       this->judgePlace(b, law.point_B, name);
     }

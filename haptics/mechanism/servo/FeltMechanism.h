@@ -48,14 +48,14 @@ struct MechanismHand
   Vec3 tip_W = Vec3::Zero();
   int pressCount = 0;
   decltype(MechanismResult::presses) presses{};
-  decltype(MechanismResult::pose_W) pose_W{};         ///< of held and rigid bodies
-  std::array<LawPhase, Mechanism::mostLaws> phases{}; ///< of the laws
+  decltype(MechanismResult::pose_W) pose_W{};                       ///< of held and rigid bodies
+  std::array<ConstraintPhase, Mechanism::mostConstraints> phases{}; ///< of the laws
 
   /// Of the bodies and the law's forces that a tick came to.
   void press(const MechanismResult& result) noexcept
   {
     this->pose_W = result.pose_W;
-    std::ranges::transform(result.laws, this->phases.begin(), [](const LawNow& law) { return law.phase; });
+    std::ranges::transform(result.laws, this->phases.begin(), [](const ConstraintNow& law) { return law.phase; });
     this->pressCount = result.pressCount;
     std::copy_n(result.presses.begin(), result.pressCount, this->presses.begin());
   }

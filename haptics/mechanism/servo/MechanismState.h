@@ -4,7 +4,7 @@
 #include <array>
 #include <type_traits>
 
-#include "haptics/mechanism/laws/LawState.h"
+#include "haptics/mechanism/constraints/ConstraintState.h"
 #include "haptics/tool/servo/ToolBlend.h"
 
 namespace palpate
@@ -13,10 +13,10 @@ namespace palpate
 /// What the tick keeps of a mechanism.
 struct MechanismState
 {
-  std::uint64_t revision = 0;                                ///< of the plan
-  std::array<std::uint64_t, Mechanism::mostBodies> packet{}; ///< revisions of the soft bodies' packets
-  std::array<Pose, Mechanism::mostBodies> pose_W{};          ///< of held and rigid bodies, as the laws left them
-  std::array<LawState, Mechanism::mostLaws> laws{};
+  std::uint64_t revision = 0;                                  ///< of the plan
+  std::array<std::uint64_t, Mechanism::mostBodies> snapshot{}; ///< revisions of the soft bodies' snapshots
+  std::array<Pose, Mechanism::mostBodies> pose_W{};            ///< of held and rigid bodies, as the laws left them
+  std::array<ConstraintState, Mechanism::mostConstraints> laws{};
   bool placed = false;       ///< the held body has been somewhere
   Vec3 tip_W = Vec3::Zero(); ///< of the held body, as the laws left it
   ToolBlend blend;

@@ -6,16 +6,16 @@
 #include <utility>
 
 #include "haptics/core/PoseMath.h"
-#include "haptics/mechanism/servo/SettledLaws.h"
+#include "haptics/mechanism/servo/SettledConstraints.h"
 #include "haptics/mechanism/servo/TipPlace.h"
 
 namespace palpate
 {
 
 /// What a tick is computed in.
-struct MechanismRoom
+struct MechanismScratch
 {
-  SettledRoom laws;
+  SettledScratch laws;
   MechanismResult result;
 };
 
@@ -31,7 +31,7 @@ bool isPose(const Pose& pose) noexcept
 class MechanismStep
 {
 public:
-  MechanismStep(const MechanismInput& input, MechanismState& state, MechanismRoom& room) noexcept
+  MechanismStep(const MechanismInput& input, MechanismState& state, MechanismScratch& room) noexcept
     : input_(input), plan_(*input.plan), state_(state), result_(room.result), laws_(input, state, room.laws)
   {
   }
@@ -40,15 +40,15 @@ public:
   {
     this->result_ = {};
     this->tip_W_ = this->plan_.held >= 0 ? this->tipOf(this->laws_.lead_W()) : Vec3(Vec3::Zero());
-    this->takePackets();
+    this->takeSnapshots();
     this->meetSurfaces();
     const bool first = !this->state_.placed; // laws that hold then make no step in the force
     (void)(first && this->tryWaiting());
     this->laws_.settle();
     const Vec6 before_N = this->laws_.onHand();
     std::size_t changes = 0;
-    for (bool more = !first && this->tryWaiting(); changes < Mechanism::mostLaws && (more || this->changeLaws());
-         more = false)
+    for (bool more = !first && this->tryWaiting();
+         changes < Mechanism::mostConstraints && (more || this->changeConstraints()); more = false)
     {
       this->laws_.settle();
       ++changes;
@@ -69,30 +69,30 @@ private:
     return soft >= 0 ? this->input_.soft[soft] : nullptr;
   }
 
-  /// Under the same forces a later packet would have points elsewhere: that much offset keeps them, and fades.
-  void takePackets() noexcept
+  /// Under the same forces a later snapshot would have points elsewhere: that much offset keeps them, and fades.
+  void takeSnapshots() noexcept
   {
     this->laws_.makeRowsFirst();
     for (int l = 0; l < this->plan_.lawCount; ++l)
     {
-      LawState& law = this->state_.laws[l];
+      ConstraintState& law = this->state_.laws[l];
       bool anew = false;
       double left = 1.0;
       for (const int body : { this->plan_.laws[l].a, this->plan_.laws[l].b })
       {
         const PressedBody* soft = this->softOf(body);
-        anew = anew || (soft && soft->revision != this->state_.packet[this->plan_.bodies[body].soft]);
+        anew = anew || (soft && soft->revision != this->state_.snapshot[this->plan_.bodies[body].soft]);
         left = soft && soft->period_s <= 0.0 ? 0.0 : left;
       }
       if (anew && law.seen)
       {
         law.offset_W += law.apart_W - softApart_W(this->laws_.scene(), this->laws_.rows(), l);
       }
-      law.offset_W *= std::min(left, packetFade.explicitShare(this->input_.dt_s));
+      law.offset_W *= std::min(left, snapshotFade.explicitShare(this->input_.dt_s));
     }
     for (std::size_t s = 0; s < this->input_.soft.size(); ++s)
     {
-      this->state_.packet[s] = this->input_.soft[s] ? this->input_.soft[s]->revision : 0;
+      this->state_.snapshot[s] = this->input_.soft[s] ? this->input_.soft[s]->revision : 0;
     }
   }
 
@@ -101,17 +101,17 @@ private:
   {
     for (int l = 0; l < this->plan_.lawCount && this->state_.placed; ++l)
     {
-      const PlannedLaw& law = this->plan_.laws[l];
-      LawState& state = this->state_.laws[l];
+      const PlannedConstraint& law = this->plan_.laws[l];
+      ConstraintState& state = this->state_.laws[l];
       const PressedBody* soft = this->softOf(law.b);
-      if (law.kind == LawKind::Puncture && state.phase == LawPhase::Open && !state.met && soft)
+      if (law.kind == ConstraintKind::Puncture && state.phase == ConstraintPhase::Open && !state.met && soft)
       {
         state.met = meetSurface(*soft, this->state_.tip_W, this->tip_W_, state);
       }
     }
   }
 
-  /// Laws that wait are tried in each tick: those that would give way at once go on waiting.
+  /// Constraints that wait are tried in each tick: those that would give way at once go on waiting.
   [[nodiscard]] bool tryWaiting() noexcept
   {
     bool any = false;
@@ -124,19 +124,19 @@ private:
   }
 
   /// True if a law has changed: then all are solved anew.
-  [[nodiscard]] bool changeLaws() noexcept
+  [[nodiscard]] bool changeConstraints() noexcept
   {
     bool changed = false;
     for (int l = 0; l < this->plan_.lawCount; ++l)
     {
-      const LawOutcome outcome = this->laws_.outcome(l);
+      const ConstraintOutcome outcome = this->laws_.outcome(l);
       if (this->tried_[l] && givesWay(this->plan_.laws[l], outcome))
       {
         this->state_.laws[l].waits = changed = true;
         this->tried_[l] = false;
         continue;
       }
-      const auto change = changeLaw(this->plan_.laws[l], outcome, this->state_.laws[l]);
+      const auto change = changeConstraint(this->plan_.laws[l], outcome, this->state_.laws[l]);
       if (change && this->result_.eventCount < static_cast<int>(this->result_.events.size()))
       {
         this->result_.events[this->result_.eventCount++] = { this->input_.tick, *change, static_cast<std::uint32_t>(l),
@@ -156,7 +156,7 @@ private:
     }
     for (int l = 0; l < this->plan_.lawCount; ++l)
     {
-      this->keepLaw(l);
+      this->keepConstraint(l);
     }
     for (int l = 0; l < this->plan_.lawCount; ++l)
     {
@@ -178,28 +178,28 @@ private:
     this->result_.stored_Nu = this->laws_.stored_Nu();
   }
 
-  void keepLaw(int l) noexcept
+  void keepConstraint(int l) noexcept
   {
-    LawState& law = this->state_.laws[l];
-    LawNow& now = this->result_.laws[l];
+    ConstraintState& law = this->state_.laws[l];
+    ConstraintNow& now = this->result_.laws[l];
     const bool has = this->laws_.rowsOf(l) > 0;
-    const LawOutcome outcome = has ? this->laws_.outcome(l) : LawOutcome{};
+    const ConstraintOutcome outcome = has ? this->laws_.outcome(l) : ConstraintOutcome{};
     law.force_W = outcome.force_W;
     law.seen = has;
     if (has)
     {
       law.stuck_u = outcome.rest_u;
-      law.met = law.met && (law.phase == LawPhase::Inside || outcome.push_N > 0.0);
-      law.placed = law.met || this->plan_.laws[l].kind != LawKind::Puncture;
+      law.met = law.met && (law.phase == ConstraintPhase::Inside || outcome.push_N > 0.0);
+      law.placed = law.met || this->plan_.laws[l].kind != ConstraintKind::Puncture;
     }
-    if (law.phase != LawPhase::Gone && law.phase != LawPhase::Inside)
+    if (law.phase != ConstraintPhase::Gone && law.phase != ConstraintPhase::Inside)
     {
-      const bool holds = this->plan_.laws[l].kind == LawKind::Puncture ? law.met : outcome.holds;
-      law.phase = outcome.slips ? LawPhase::Slips : holds ? LawPhase::Closed : LawPhase::Open;
+      const bool holds = this->plan_.laws[l].kind == ConstraintKind::Puncture ? law.met : outcome.holds;
+      law.phase = outcome.slips ? ConstraintPhase::Slips : holds ? ConstraintPhase::Closed : ConstraintPhase::Open;
     }
-    now.phase = has && inShaft(this->plan_.laws[l], law) ? LawPhase::Inside : law.phase;
+    now.phase = has && inShaft(this->plan_.laws[l], law) ? ConstraintPhase::Inside : law.phase;
     now.force_W = law.force_W;
-    now.inside_u = now.phase == LawPhase::Inside ? law.stuck_u.x() : 0.0;
+    now.inside_u = now.phase == ConstraintPhase::Inside ? law.stuck_u.x() : 0.0;
     now.at_W = this->placeOf(l);
   }
 
@@ -207,7 +207,7 @@ private:
   [[nodiscard]] Vec3 placeOf(int l) const noexcept
   {
     const auto& [a, b] = this->laws_.rows().ends[l];
-    const LawEnd& end = a.soft < 0 ? a : b;
+    const ConstraintEnd& end = a.soft < 0 ? a : b;
     const Pose& from = this->laws_.reference_W(end.body);
     const Pose& to = this->state_.pose_W[end.body];
     return end.soft < 0 ? to * into(from, end.x_W) : end.x_W;
@@ -216,10 +216,10 @@ private:
   /// A tip that is pressed on follows the surface.
   void slide(int l) noexcept
   {
-    LawState& law = this->state_.laws[l];
+    ConstraintState& law = this->state_.laws[l];
     const PressedBody* soft = this->softOf(this->plan_.laws[l].b);
-    const bool slides = this->plan_.laws[l].kind == LawKind::Puncture && this->plan_.laws[l].friction == 0.0;
-    if (!slides || !law.met || law.phase == LawPhase::Inside || !soft)
+    const bool slides = this->plan_.laws[l].kind == ConstraintKind::Puncture && this->plan_.laws[l].friction == 0.0;
+    if (!slides || !law.met || law.phase == ConstraintPhase::Inside || !soft)
     {
       return;
     }
@@ -229,7 +229,7 @@ private:
     if (!slideOnSurface(*soft, aside_W, law)) // beyond an edge nothing is below the tip any more
     {
       law.met = law.placed = false;
-      law.phase = LawPhase::Open;
+      law.phase = ConstraintPhase::Open;
     }
   }
 
@@ -237,7 +237,7 @@ private:
   {
     for (int side = 0; side < 2; ++side)
     {
-      const LawEnd& end = this->laws_.rows().ends[l][side];
+      const ConstraintEnd& end = this->laws_.rows().ends[l][side];
       const Vec3& force_W = this->state_.laws[l].force_W;
       if (end.soft >= 0 && force_W != Vec3::Zero())
       {
@@ -253,7 +253,9 @@ private:
     const Vec6 now_N = this->laws_.onHand();
     const Vec6 step_u = changed ? Vec6((now_N - before_N) / k) : Vec6(Vec6::Zero());
     const Vec6 felt_N = k * this->state_.blend.blended(now_N / k, step_u, k, this->input_.dt_s);
-    const auto wrench = [this](const Vec6& f) { return Wrench{ f.head<3>(), this->plan_.lever_u * f.tail<3>() }; };
+    const auto wrench = [this](const Vec6& f) {
+      return Wrench{ f.head<3>(), this->plan_.characteristic_u * f.tail<3>() };
+    };
     this->result_.exact_W = wrench(now_N);
     this->result_.wrench_W = wrench(felt_N);
   }
@@ -263,8 +265,8 @@ private:
   MechanismState& state_;
   MechanismResult& result_;
   Vec3 tip_W_ = Vec3::Zero();
-  std::array<bool, Mechanism::mostLaws> tried_{};
-  SettledLaws laws_;
+  std::array<bool, Mechanism::mostConstraints> tried_{};
+  SettledConstraints laws_;
 };
 
 } // namespace
@@ -285,7 +287,7 @@ void beginAnew(const MechanismPlan& plan, MechanismState& state) noexcept
   }
 }
 
-MechanismTick::MechanismTick() : room_(std::make_unique<MechanismRoom>()) {}
+MechanismTick::MechanismTick() : room_(std::make_unique<MechanismScratch>()) {}
 MechanismTick::~MechanismTick() = default;
 MechanismTick::MechanismTick(MechanismTick&&) noexcept = default;
 MechanismTick& MechanismTick::operator=(MechanismTick&&) noexcept = default;
@@ -305,11 +307,11 @@ const MechanismResult& MechanismTick::step(const MechanismInput& input) noexcept
   return this->room_->result;
 }
 
-void MechanismTick::breakLaw(std::uint32_t law) noexcept
+void MechanismTick::breakConstraint(std::uint32_t law) noexcept
 {
   if (law < this->state_.laws.size())
   {
-    this->state_.laws[law].phase = LawPhase::Gone;
+    this->state_.laws[law].phase = ConstraintPhase::Gone;
   }
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "haptics/compliance/servo/PressedBody.h"
-#include "haptics/mechanism/laws/LawChange.h"
+#include "haptics/mechanism/constraints/ConstraintChange.h"
 #include "haptics/mechanism/servo/MechanismState.h"
 
 namespace palpate
@@ -25,15 +25,15 @@ struct MechanismInput
 struct MechanismEvent
 {
   std::uint64_t tick = 0;
-  LawChange change = LawChange::Punctured;
+  ConstraintChange change = ConstraintChange::Punctured;
   std::uint32_t law = 0; ///< in the plan
   double force_N = 0.0;  ///< that did it
 };
 
 /// What a law does in a tick.
-struct LawNow
+struct ConstraintNow
 {
-  LawPhase phase = LawPhase::Open;
+  ConstraintPhase phase = ConstraintPhase::Open;
   Vec3 force_W = Vec3::Zero(); ///< on A [N]
   Vec3 at_W = Vec3::Zero();    ///< where, as it has yielded
   double inside_u = 0.0;       ///< of the shaft, beyond its hole
@@ -58,17 +58,17 @@ struct MechanismResult
   bool capped = false;     ///< the laws are not met, by lawWorkBudget or by any place: the next tick goes on
   double residual_u = 0.0; ///< largest of the laws'
   std::array<Pose, Mechanism::mostBodies> pose_W{}; ///< of held and rigid bodies
-  std::array<LawNow, Mechanism::mostLaws> laws{};
+  std::array<ConstraintNow, Mechanism::mostConstraints> laws{};
   int eventCount = 0;
-  std::array<MechanismEvent, Mechanism::mostLaws> events{};
+  std::array<MechanismEvent, Mechanism::mostConstraints> events{};
   int pressCount = 0;
-  std::array<MechanismPress, 2 * Mechanism::mostLaws> presses{};
+  std::array<MechanismPress, 2 * Mechanism::mostConstraints> presses{};
 };
 
 /// A mechanism as no tick has moved it yet, by another plan: each law open, each place where its law is joined.
 void beginAnew(const MechanismPlan& plan, MechanismState& state) noexcept;
 
-struct MechanismRoom;
+struct MechanismScratch;
 
 /// Moves a mechanism and solves its laws: one problem in the space of their rows, in which the compliances of grip,
 /// soft bodies and springs add up (W = sum J C J^T), each law exact. Deterministic, bounded, real-time safe but for
@@ -84,7 +84,7 @@ public:
   /// Once a tick. Another plan, by its revision, begins anew. What is not finite in the hand's pose gives no force.
   [[nodiscard]] const MechanismResult& step(const MechanismInput& input) noexcept;
   /// A person breaks a law: from the next step on it is gone.
-  void breakLaw(std::uint32_t law) noexcept;
+  void breakConstraint(std::uint32_t law) noexcept;
 
   [[nodiscard]] const MechanismState& state() const noexcept { return this->state_; }
   /// To go on from where a recording begins.
@@ -92,7 +92,7 @@ public:
 
 private:
   MechanismState state_;
-  std::unique_ptr<MechanismRoom> room_;
+  std::unique_ptr<MechanismScratch> room_;
 };
 
 } // namespace palpate

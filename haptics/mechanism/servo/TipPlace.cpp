@@ -28,7 +28,7 @@ double sizeOf(const PressedBody& body) noexcept
 
 /// The first of the body's surface on a straight way, its normal against the way: triangles have no outer side of
 /// their own.
-bool place(const PressedBody& body, const Vec3& from_W, const Vec3& way_W, LawState& state) noexcept
+bool place(const PressedBody& body, const Vec3& from_W, const Vec3& way_W, ConstraintState& state) noexcept
 {
   const double length_u = way_W.norm();
   if (!(length_u > 0.0))
@@ -59,20 +59,20 @@ bool isInside(const PressedBody& body, const Vec3& p_W, const Vec3& way_W) noexc
 
 } // namespace
 
-bool meetSurface(const PressedBody& body, const Vec3& from_W, const Vec3& to_W, LawState& state) noexcept
+bool meetSurface(const PressedBody& body, const Vec3& from_W, const Vec3& to_W, ConstraintState& state) noexcept
 {
   // A tip may have come to rest on the surface itself, but for rounding: the end of the way before is looked at again.
   constexpr double most = 0.1;
   const Vec3 way_W = to_W - from_W;
   const double again = std::min(most, ofBody * sizeOf(body) / std::max(way_W.norm(), 1e-300));
   const Vec3 start_W = from_W - again * way_W;
-  LawState met = state;
+  ConstraintState met = state;
   const bool enters = place(body, start_W, to_W - start_W, met) && !isInside(body, start_W, way_W);
   state = enters ? met : state;
   return enters;
 }
 
-bool slideOnSurface(const PressedBody& body, const Vec3& aside_W, LawState& state) noexcept
+bool slideOnSurface(const PressedBody& body, const Vec3& aside_W, ConstraintState& state) noexcept
 {
   // As far up as aside: a surface that bends by less than 45 degrees on the way is found.
   const double up_u = std::max(aside_W.norm(), ofBody * sizeOf(body));

@@ -22,7 +22,7 @@ constexpr int perWork = 27; ///< multiply-adds to the unit of ContactPlan::workB
 class WaySearch
 {
 public:
-  WaySearch(const LawProblem& problem, const LawProblem::Way& guess) noexcept : p_(problem), way_(guess)
+  WaySearch(const ConstraintProblem& problem, const ConstraintProblem::Way& guess) noexcept : p_(problem), way_(guess)
   {
     this->aside_.setZero(problem.ways, problem.count);
   }
@@ -47,7 +47,7 @@ public:
   [[nodiscard]] int sweeps() const noexcept { return this->sweeps_; }
 
 private:
-  using Row = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, LawProblem::mostWays>;
+  using Row = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, ConstraintProblem::mostWays>;
 
   [[nodiscard]] double alongOf(int row) const noexcept { return this->p_.along.row(row).dot(this->way_); }
 
@@ -116,15 +116,16 @@ private:
     return drives > (1.0 + 1e-9) * resists;
   }
 
-  const LawProblem& p_;
-  LawProblem::Way way_;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, LawProblem::mostWays, LawProblem::most> aside_; ///< by row
+  const ConstraintProblem& p_;
+  ConstraintProblem::Way way_;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, ConstraintProblem::mostWays, ConstraintProblem::most>
+    aside_; ///< by row
   int sweeps_ = 0;
 };
 
 } // namespace
 
-bool isEndless(const LawProblem& problem, const LawProblem::Way& guess, std::uint32_t& work) noexcept
+bool isEndless(const ConstraintProblem& problem, const ConstraintProblem::Way& guess, std::uint32_t& work) noexcept
 {
   if (problem.load.isZero(0.0)) // what drives nothing rests where it is
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/mechanism/solve/LawProblem.h"
+#include "haptics/mechanism/solve/ConstraintProblem.h"
 
 namespace palpate
 {
@@ -12,6 +12,7 @@ namespace palpate
 /// which the body slips, say: as its projection on all ways that nothing resists without bounds (Boyle & Dykstra 1986).
 /// True is a proof that no forces below 1e5 times the load balance it; false says nothing. `work` is added to, in the
 /// unit of ContactPlan::workBudget. Real-time safe.
-[[nodiscard]] bool isEndless(const LawProblem& problem, const LawProblem::Way& guess, std::uint32_t& work) noexcept;
+[[nodiscard]] bool isEndless(
+  const ConstraintProblem& problem, const ConstraintProblem::Way& guess, std::uint32_t& work) noexcept;
 
 } // namespace palpate

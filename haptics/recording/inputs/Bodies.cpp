@@ -12,25 +12,25 @@ namespace
 constexpr std::size_t bytesOfForce = 3 * sizeof(std::uint32_t) + 9 * sizeof(double);
 
 template<class Io, class Body, class Packet>
-void layHead(const Io& io, Body& body, Packet& packet)
+void layHead(const Io& io, Body& body, Packet& snapshot)
 {
   io(body.revision);
   io(body.period_s);
   io(body.touch.surface);
-  io(packet.version);
-  io(packet.builtFromTick);
-  io(packet.energy_Nu);
-  io(packet.residual_N);
-  io(packet.mostGradient);
+  io(snapshot.version);
+  io(snapshot.builtFromTick);
+  io(snapshot.energy_Nu);
+  io(snapshot.residual_N);
+  io(snapshot.mostGradient);
 }
 
 template<class Io, class Packet>
-void layPlace(const Io& io, Packet& packet, std::size_t place)
+void layPlace(const Io& io, Packet& snapshot, std::size_t place)
 {
-  io(packet.near[place]);
-  io(packet.springs[place].hertz);
-  io(packet.springs[place].patch);
-  io(packet.patchRadius_u[place]);
+  io(snapshot.near[place]);
+  io(snapshot.springs[place].hertz);
+  io(snapshot.springs[place].patch);
+  io(snapshot.patchRadius_u[place]);
 }
 
 /// At the first knot a spring is 0, and level.
@@ -70,92 +70,92 @@ void layLowerHalf(const Io& io, Matrix& square)
   }
 }
 
-void readPlaces(ByteReader& in, CompliancePacket& packet)
+void readPlaces(ByteReader& in, ComplianceSnapshot& snapshot)
 {
   const std::uint64_t places = in.count(sizeof(std::uint32_t) + 3 * sizeof(double));
-  in.failUnless(places > 0 && places <= CompliancePacket::mostVertices);
+  in.failUnless(places > 0 && places <= ComplianceSnapshot::mostVertices);
   if (!in.ok())
   {
     return;
   }
-  packet.near.resize(places);
-  packet.springs.resize(places);
-  packet.patchRadius_u.resize(places);
+  snapshot.near.resize(places);
+  snapshot.springs.resize(places);
+  snapshot.patchRadius_u.resize(places);
   for (std::size_t i = 0; i < places; ++i)
   {
-    layPlace(Get{ in }, packet, i);
+    layPlace(Get{ in }, snapshot, i);
   }
   const auto rows = static_cast<Eigen::Index>(3 * places);
   if (in.has(static_cast<std::size_t>(rows * (rows + 1) / 2) * sizeof(double)))
   {
-    packet.compliance.resize(rows, rows);
-    layLowerHalf(Get{ in }, packet.compliance);
-    packet.compliance = packet.compliance.selfadjointView<Eigen::Lower>().toDenseMatrix();
+    snapshot.compliance.resize(rows, rows);
+    layLowerHalf(Get{ in }, snapshot.compliance);
+    snapshot.compliance = snapshot.compliance.selfadjointView<Eigen::Lower>().toDenseMatrix();
   }
 }
 
-void readForces(ByteReader& in, CompliancePacket& packet)
+void readForces(ByteReader& in, ComplianceSnapshot& snapshot)
 {
   const std::uint64_t forces = in.count(bytesOfForce);
   in.failUnless(forces <= BodyHand::most);
-  packet.forceAt.resize(in.ok() ? forces : 0);
-  packet.force_N.resize(packet.forceAt.size());
-  for (std::size_t i = 0; i < packet.forceAt.size(); ++i)
+  snapshot.forceAt.resize(in.ok() ? forces : 0);
+  snapshot.force_N.resize(snapshot.forceAt.size());
+  for (std::size_t i = 0; i < snapshot.forceAt.size(); ++i)
   {
-    in.get(packet.forceAt[i]);
-    in.get(packet.force_N[i]);
+    in.get(snapshot.forceAt[i]);
+    in.get(snapshot.force_N[i]);
   }
 }
 
 /// Numbers that the tick computes with, and indices that it follows.
-bool isUsable(const CompliancePacket& packet)
+bool isUsable(const ComplianceSnapshot& snapshot)
 {
-  const std::size_t vertices = packet.placeOf.size();
-  const std::size_t places = packet.near.size();
+  const std::size_t vertices = snapshot.placeOf.size();
+  const std::size_t places = snapshot.near.size();
   const auto below = [](std::size_t end) { return [end](std::size_t index) { return index < end; }; };
-  return std::ranges::all_of(packet.placeOf, below(places)) && std::ranges::all_of(packet.near, below(vertices)) &&
-         packet.compliance.allFinite() &&
-         std::ranges::all_of(packet.patchRadius_u, [](double a) { return a > 0.0 && std::isfinite(a); }) &&
-         std::ranges::all_of(packet.springs,
+  return std::ranges::all_of(snapshot.placeOf, below(places)) && std::ranges::all_of(snapshot.near, below(vertices)) &&
+         snapshot.compliance.allFinite() &&
+         std::ranges::all_of(snapshot.patchRadius_u, [](double a) { return a > 0.0 && std::isfinite(a); }) &&
+         std::ranges::all_of(snapshot.springs,
            [](const SubgridSpring& s)
            {
              return s.hertz >= 0.0 && std::isfinite(s.hertz) && s.patch >= 0.0 && std::isfinite(s.patch) &&
                     (s.hertz == 0.0 || s.patch > 0.0);
            }) &&
-         std::ranges::all_of(packet.forceAt,
+         std::ranges::all_of(snapshot.forceAt,
            [&below, vertices](const SurfacePoint& p) {
              return std::ranges::all_of(p.vertices, below(vertices)) && p.weights.allFinite() && p.x_W.allFinite();
            }) &&
-         std::ranges::all_of(packet.force_N, [](const Vec3& f) { return f.allFinite(); }) &&
-         std::isfinite(packet.energy_Nu);
+         std::ranges::all_of(snapshot.force_N, [](const Vec3& f) { return f.allFinite(); }) &&
+         std::isfinite(snapshot.energy_Nu);
 }
 
 } // namespace
 
 void putBody(ByteWriter& payload, const PressedBody& body)
 {
-  const CompliancePacket& packet = *body.packet;
+  const ComplianceSnapshot& snapshot = *body.snapshot;
   const Put put{ payload };
-  layHead(put, body, packet);
-  put(static_cast<std::uint64_t>(packet.near.size()));
-  for (std::size_t i = 0; i < packet.near.size(); ++i)
+  layHead(put, body, snapshot);
+  put(static_cast<std::uint64_t>(snapshot.near.size()));
+  for (std::size_t i = 0; i < snapshot.near.size(); ++i)
   {
-    layPlace(put, packet, i);
+    layPlace(put, snapshot, i);
   }
-  layLowerHalf(put, packet.compliance);
-  put(packet.placeOf);
-  put(static_cast<std::uint64_t>(packet.forceAt.size()));
-  for (std::size_t i = 0; i < packet.forceAt.size(); ++i)
+  layLowerHalf(put, snapshot.compliance);
+  put(snapshot.placeOf);
+  put(static_cast<std::uint64_t>(snapshot.forceAt.size()));
+  for (std::size_t i = 0; i < snapshot.forceAt.size(); ++i)
   {
-    put(packet.forceAt[i]);
-    put(packet.force_N[i]);
+    put(snapshot.forceAt[i]);
+    put(snapshot.force_N[i]);
   }
 }
 
 void putKnots(ByteWriter& payload, const PressedBody& body)
 {
   const Put put{ payload };
-  const std::vector<SubgridSpring>& springs = body.packet->springs;
+  const std::vector<SubgridSpring>& springs = body.snapshot->springs;
   const double step = springs.empty() ? 0.0 : springs.front().step;
   put(step);
   for (std::size_t i = 0; step > 0.0 && i < springs.size(); ++i)
@@ -169,15 +169,15 @@ void readKnots(ByteReader& in, PressedBody& body)
   double step = 0.0;
   in.get(step);
   in.failUnless(step >= 0.0 && std::isfinite(step));
-  auto packet = std::make_shared<CompliancePacket>(*body.packet);
-  for (std::size_t i = 0; in.ok() && step > 0.0 && i < packet->springs.size(); ++i)
+  auto snapshot = std::make_shared<ComplianceSnapshot>(*body.snapshot);
+  for (std::size_t i = 0; in.ok() && step > 0.0 && i < snapshot->springs.size(); ++i)
   {
-    packet->springs[i].step = step;
-    layKnots(Get{ in }, packet->springs[i]);
-    in.failUnless(rises(packet->springs[i]));
+    snapshot->springs[i].step = step;
+    layKnots(Get{ in }, snapshot->springs[i]);
+    in.failUnless(rises(snapshot->springs[i]));
   }
-  body.touch.packet = packet.get();
-  body.packet = std::move(packet);
+  body.touch.snapshot = snapshot.get();
+  body.snapshot = std::move(snapshot);
 }
 
 void putHeld(ByteWriter& payload, const PressedBody& body)
@@ -203,14 +203,14 @@ void readHeld(ByteReader& in, PressedBody& body)
 std::shared_ptr<const PressedBody> readBody(ByteReader& in)
 {
   auto body = std::make_shared<PressedBody>();
-  auto packet = std::make_shared<CompliancePacket>();
-  layHead(Get{ in }, *body, *packet);
-  readPlaces(in, *packet);
-  in.get(packet->placeOf);
-  readForces(in, *packet);
-  in.failUnless(in.ok() && isUsable(*packet) && std::isfinite(body->period_s) && body->period_s >= 0.0);
-  body->touch.packet = packet.get();
-  body->packet = std::move(packet);
+  auto snapshot = std::make_shared<ComplianceSnapshot>();
+  layHead(Get{ in }, *body, *snapshot);
+  readPlaces(in, *snapshot);
+  in.get(snapshot->placeOf);
+  readForces(in, *snapshot);
+  in.failUnless(in.ok() && isUsable(*snapshot) && std::isfinite(body->period_s) && body->period_s >= 0.0);
+  body->touch.snapshot = snapshot.get();
+  body->snapshot = std::move(snapshot);
   return in.ok() ? body : nullptr;
 }
 

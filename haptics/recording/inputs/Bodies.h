@@ -12,7 +12,7 @@
 namespace palpate
 {
 
-/// The part of a soft body's packet that a mechanism records, too. Its scene and the places of its vertices are those
+/// The part of a soft body's snapshot that a mechanism records, too. Its scene and the places of its vertices are those
 /// of the scene.
 void putBody(ByteWriter& payload, const PressedBody& body);
 /// Null, with in.ok() false, where the bytes are none.
@@ -26,7 +26,8 @@ void readKnots(ByteReader& in, PressedBody& body);
 void putHeld(ByteWriter& payload, const PressedBody& body);
 void readHeld(ByteReader& in, PressedBody& body);
 
-/// Whether the packet is of the surface that it says, so that no contact of this scene has a vertex without compliance.
+/// Whether the snapshot is of the surface that it says, so that no contact of this scene has a vertex without
+/// compliance.
 [[nodiscard]] bool fits(const PressedBody& body, const Scene* scene);
 
 /// Between the servo and the thread that computes a soft body.
@@ -41,7 +42,7 @@ namespace input
 
 struct Scenes;
 
-/// A soft body, packet by packet.
+/// A soft body, snapshot by snapshot.
 struct Bodies
 {
   using Value = PressedBody;
@@ -70,8 +71,8 @@ struct Bodies
   }
   struct Workspace
   {
-    void put(TickInput& tick) noexcept { tick.softRoom = this->room.get(); }
-    std::unique_ptr<SoftRoom> room = std::make_unique<SoftRoom>();
+    void put(TickInput& tick) noexcept { tick.softScratch = this->room.get(); }
+    std::unique_ptr<SoftScratch> room = std::make_unique<SoftScratch>();
   };
 
   static constexpr ChunkKind chunk{ "body", 4 };

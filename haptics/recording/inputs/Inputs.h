@@ -2,7 +2,7 @@
 #pragma once
 
 #include "haptics/recording/inputs/Bodies.h"
-#include "haptics/recording/inputs/Bricks.h"
+#include "haptics/recording/inputs/FieldBlocks.h"
 #include "haptics/recording/inputs/InputList.h"
 #include "haptics/recording/inputs/Mechanisms.h"
 #include "haptics/recording/inputs/Scenes.h"
@@ -14,7 +14,7 @@ namespace palpate
 using TickInputs = input::InputList<input::Mechanisms, // first: while one is held, ball, tool and soft body rest
   input::Scenes,                                       // that of a soft body, where there is one
   input::Bodies,                                       // after the scene that they are felt in
-  input::Bricks,                                       // the field around the hand
+  input::FieldBlocks,                                  // the field around the hand
   input::Tools>;
 
 } // namespace palpate

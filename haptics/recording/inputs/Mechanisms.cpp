@@ -33,7 +33,7 @@ template<class Io, class Plan>
 void layPlan(const Io& io, Plan& plan)
 {
   io(plan.revision);
-  io(plan.lever_u);
+  io(plan.characteristic_u);
   io(plan.bodyCount);
   io(plan.lawCount);
   io(plan.held);
@@ -49,8 +49,8 @@ void layBody(const Io& io, Body& body)
   io(body.load_W);
 }
 
-template<class Io, class Law>
-void layLaw(const Io& io, Law& law)
+template<class Io, class Constraint>
+void layConstraint(const Io& io, Constraint& law)
 {
   io(law.kind);
   io(law.a);
@@ -73,14 +73,14 @@ void readPlan(ByteReader& in, MechanismPlan& plan)
   layPlan(Get{ in }, plan);
   in.failUnless(plan.bodyCount > 0 && plan.bodyCount <= static_cast<int>(plan.bodies.size()) && plan.lawCount >= 0 &&
                 plan.lawCount <= static_cast<int>(plan.laws.size()) && plan.held >= 0 && plan.held < plan.bodyCount &&
-                plan.lever_u > 0.0 && std::isfinite(plan.lever_u));
+                plan.characteristic_u > 0.0 && std::isfinite(plan.characteristic_u));
   for (int b = 0; in.ok() && b < plan.bodyCount; ++b)
   {
     layBody(Get{ in }, plan.bodies[static_cast<std::size_t>(b)]);
   }
   for (int l = 0; in.ok() && l < plan.lawCount; ++l)
   {
-    layLaw(Get{ in }, plan.laws[static_cast<std::size_t>(l)]);
+    layConstraint(Get{ in }, plan.laws[static_cast<std::size_t>(l)]);
   }
 }
 
@@ -94,16 +94,16 @@ RecordedMechanism::Body readSoft(ByteReader& in)
   {
     return recorded;
   }
-  auto packet = std::make_shared<CompliancePacket>(*read->packet);
-  packet->free_W.resize(in.has(packet->placeOf.size() * 3 * sizeof(double)) ? packet->placeOf.size() : 0);
-  for (Vec3& x_W : packet->free_W)
+  auto snapshot = std::make_shared<ComplianceSnapshot>(*read->snapshot);
+  snapshot->free_W.resize(in.has(snapshot->placeOf.size() * 3 * sizeof(double)) ? snapshot->placeOf.size() : 0);
+  for (Vec3& x_W : snapshot->free_W)
   {
     in.get(x_W);
     in.failUnless(x_W.allFinite());
   }
   auto body = std::make_shared<PressedBody>(*read);
-  body->touch.packet = packet.get();
-  body->packet = std::move(packet);
+  body->touch.snapshot = snapshot.get();
+  body->snapshot = std::move(snapshot);
   recorded.body = std::move(body);
   return recorded;
 }
@@ -117,13 +117,13 @@ bool isUsable(const PlannedBody& body, std::size_t softCount)
 }
 
 /// Strengths and bounds may be unlimited.
-bool isUsable(const PlannedLaw& law)
+bool isUsable(const PlannedConstraint& law)
 {
   const auto notNegative = [](double value) { return std::isfinite(value) && value >= 0.0; };
   const bool numbers = notNegative(law.friction) && notNegative(law.dryFriction_N) &&
                        notNegative(law.compliance_u_per_N) && law.strength_N > 0.0 && law.tear_N > 0.0 &&
                        std::isfinite(law.rest_u) && !std::isnan(law.least_u) && !std::isnan(law.most_u);
-  return law.kind <= LawKind::Insertion && numbers && law.point_A.allFinite() && law.point_B.allFinite() &&
+  return law.kind <= ConstraintKind::Insertion && numbers && law.point_A.allFinite() && law.point_B.allFinite() &&
          law.axis_A.allFinite() && law.axis_B.allFinite() && isPlace(law.place_A) && isPlace(law.place_B);
 }
 
@@ -131,7 +131,7 @@ bool hasVertices(const SurfacePoint& at, int body, const RecordedMechanism& mech
 {
   const int soft = mechanism.plan.bodies[static_cast<std::size_t>(body)].soft;
   const std::size_t vertices =
-    soft < 0 ? 0 : mechanism.bodies[static_cast<std::size_t>(soft)].body->packet->placeOf.size();
+    soft < 0 ? 0 : mechanism.bodies[static_cast<std::size_t>(soft)].body->snapshot->placeOf.size();
   return soft < 0 || std::ranges::all_of(at.vertices, [vertices](std::uint32_t v) { return v < vertices; });
 }
 
@@ -144,11 +144,11 @@ bool isUsable(const RecordedMechanism& mechanism)
   const auto rigid =
     std::ranges::count_if(bodies, [](const PlannedBody& b) { return b.kind == MechanismBodyKind::Rigid; });
   int rows = 0;
-  for (const PlannedLaw& law : laws)
+  for (const PlannedConstraint& law : laws)
   {
-    rows += law.kind <= LawKind::Insertion ? mostRowsOf(law.kind) : 0;
+    rows += law.kind <= ConstraintKind::Insertion ? mostRowsOf(law.kind) : 0;
   }
-  const auto joins = [&mechanism, &plan](const PlannedLaw& law)
+  const auto joins = [&mechanism, &plan](const PlannedConstraint& law)
   {
     const bool there = law.a >= 0 && law.a < plan.bodyCount && law.b >= 0 && law.b < plan.bodyCount;
     return there && hasVertices(law.place_A, law.a, mechanism) && hasVertices(law.place_B, law.b, mechanism);
@@ -157,15 +157,16 @@ bool isUsable(const RecordedMechanism& mechanism)
   const auto oneHeld =
     std::ranges::count_if(bodies, [](const PlannedBody& b) { return b.kind == MechanismBodyKind::Held; });
   return std::ranges::all_of(bodies, [softCount](const PlannedBody& b) { return isUsable(b, softCount); }) &&
-         std::ranges::all_of(laws, [&joins](const PlannedLaw& law) { return isUsable(law) && joins(law); }) &&
-         6 * rigid + 3 <= LawProblem::mostWays && rows <= Mechanism::mostRows && oneHeld == 1 &&
+         std::ranges::all_of(laws, [&joins](const PlannedConstraint& law) { return isUsable(law) && joins(law); }) &&
+         6 * rigid + 3 <= ConstraintProblem::mostWays && rows <= Mechanism::mostRows && oneHeld == 1 &&
          bodies[static_cast<std::size_t>(plan.held)].kind == MechanismBodyKind::Held;
 }
 
-bool isUsable(const LawState& law)
+bool isUsable(const ConstraintState& law)
 {
-  return law.phase <= LawPhase::Gone && isPlace(law.place_A) && isPlace(law.place_B) && law.normal_W.allFinite() &&
-         law.stuck_u.allFinite() && law.force_W.allFinite() && law.offset_W.allFinite() && law.apart_W.allFinite();
+  return law.phase <= ConstraintPhase::Gone && isPlace(law.place_A) && isPlace(law.place_B) &&
+         law.normal_W.allFinite() && law.stuck_u.allFinite() && law.force_W.allFinite() && law.offset_W.allFinite() &&
+         law.apart_W.allFinite();
 }
 
 } // namespace
@@ -182,7 +183,7 @@ void putMechanism(ByteWriter& payload, const FeltMechanism& mechanism)
   }
   for (int l = 0; l < plan.lawCount; ++l)
   {
-    layLaw(put, plan.laws[static_cast<std::size_t>(l)]);
+    layConstraint(put, plan.laws[static_cast<std::size_t>(l)]);
   }
   put(static_cast<std::uint64_t>(mechanism.bodies().size()));
   for (const auto& body : mechanism.bodies())
@@ -190,7 +191,7 @@ void putMechanism(ByteWriter& payload, const FeltMechanism& mechanism)
     put(body->scene->contentHash());
     put(body->scene->revision());
     putBody(payload, *body);
-    for (const Vec3& x_W : body->packet->free_W)
+    for (const Vec3& x_W : body->snapshot->free_W)
     {
       put(x_W);
     }
@@ -214,7 +215,7 @@ RecordedMechanism readMechanism(ByteReader& in)
 
 bool isUsable(const MechanismState& state)
 {
-  return std::ranges::all_of(state.laws, [](const LawState& law) { return isUsable(law); }) &&
+  return std::ranges::all_of(state.laws, [](const ConstraintState& law) { return isUsable(law); }) &&
          std::ranges::all_of(state.pose_W, [](const Pose& pose) { return isPlace(pose); }) && state.tip_W.allFinite() &&
          state.blend.way_u.allFinite() && state.blend.turn_u.allFinite();
 }

@@ -27,7 +27,7 @@ struct RecordedMechanism
   std::vector<Body> bodies; ///< in the plan's order
 };
 
-/// The payload of the chunk of a mechanism: its plan and the packets of its soft bodies, whose scenes are chunks of
+/// The payload of the chunk of a mechanism: its plan and the snapshots of its soft bodies, whose scenes are chunks of
 /// their own.
 void putMechanism(ByteWriter& payload, const FeltMechanism& mechanism);
 /// Of no use, with in.ok() false, where the bytes are none.
@@ -50,7 +50,7 @@ namespace input
 
 struct Scenes;
 
-/// A mechanism in the hand, with the newest packets of its soft bodies.
+/// A mechanism in the hand, with the newest snapshots of its soft bodies.
 struct Mechanisms
 {
   using Value = FeltMechanism;

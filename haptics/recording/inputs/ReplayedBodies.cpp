@@ -11,7 +11,7 @@ bool fits(const PressedBody& body, const Scene* scene)
 {
   const std::uint32_t surface = body.touch.surface;
   return scene != nullptr && surface < scene->surfaces().size() &&
-         scene->surfaces()[surface].tree->mesh().vertices_W.size() == body.packet->placeOf.size();
+         scene->surfaces()[surface].tree->mesh().vertices_W.size() == body.snapshot->placeOf.size();
 }
 
 namespace input
@@ -29,7 +29,7 @@ std::string Bodies::Replay::take(const RecordedName& name, const Recorded& recor
            : "";
 }
 
-/// From packet to packet they stay, and so does the tree that they are found by.
+/// From snapshot to snapshot they stay, and so does the tree that they are found by.
 void Bodies::Replay::takeHeldFaces()
 {
   const auto now = this->body_ ? this->body_->heldFaces : nullptr;

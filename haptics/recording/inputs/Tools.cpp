@@ -15,7 +15,7 @@ void layContacts(const Io& io, T& set)
   io(set.held);
   io(set.placed);
   io(set.pose_W);
-  io(set.lever_u);
+  io(set.characteristic_u);
   io(set.restGap_u);
 }
 
@@ -36,7 +36,7 @@ constexpr double leastLever_u = 1e-12; // turns are divided by it
 bool isUsable(const ToolContacts& set)
 {
   return set.pose_W.p.allFinite() && std::abs(set.pose_W.q.norm() - 1.0) <= offUnit && std::isfinite(set.restGap_u) &&
-         set.lever_u >= leastLever_u && std::isfinite(set.lever_u);
+         set.characteristic_u >= leastLever_u && std::isfinite(set.characteristic_u);
 }
 
 bool isUsable(const ToolContact& contact)

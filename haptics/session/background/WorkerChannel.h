@@ -19,7 +19,7 @@ struct WorkStatus
 {
   std::string problem;       ///< why the choice cannot be felt, or does not follow the hand any more; "": it can
   bool building = false;     ///< it is meant to be felt and is not there yet
-  std::uint64_t packets = 0; ///< that were published of it
+  std::uint64_t snapshots = 0; ///< that were published of it
 };
 
 /// The owner of a worker and its thread share the newest order, and the status of the work, a WorkStatus. An Order has

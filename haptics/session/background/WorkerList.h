@@ -4,7 +4,7 @@
 #include <memory>
 #include <tuple>
 
-#include "haptics/contact/view/KnownPart.h"
+#include "haptics/contact/view/LoadedRegion.h"
 #include "haptics/geometry/scene/Scene.h"
 #include "haptics/mechanism/Mechanism.h"
 #include "haptics/session/background/BackgroundWorker.h"
@@ -16,7 +16,7 @@ namespace palpate
 struct WorkSurroundings
 {
   std::shared_ptr<const Scene> scene; ///< that is touched
-  KnownPart known;                    ///< how much of a whole that scene has
+  LoadedRegion known;                 ///< how much of a whole that scene has
   MechanismGrip grip;                 ///< how the hand would hold a mechanism
   double period_s = 1e-3;             ///< of a tick
 };

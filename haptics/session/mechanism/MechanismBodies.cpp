@@ -38,14 +38,14 @@ void MechanismBodies::hold(const MechanismPlan& plan)
   this->places_.assign(this->makers_.size(), {});
   for (int i = 0; i < plan.lawCount; ++i)
   {
-    const PlannedLaw& law = plan.laws[i];
+    const PlannedConstraint& law = plan.laws[i];
     const int softA = plan.bodies[law.a].soft;
     const int softB = plan.bodies[law.b].soft;
     if (softA >= 0)
     {
       this->places_[softA].push_back(law.place_A);
     }
-    if (softB >= 0 && law.kind != LawKind::Puncture) // which may be anywhere
+    if (softB >= 0 && law.kind != ConstraintKind::Puncture) // which may be anywhere
     {
       this->places_[softB].push_back(law.place_B);
     }

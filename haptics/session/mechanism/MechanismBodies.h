@@ -48,10 +48,10 @@ public:
   [[nodiscard]] const std::vector<MechanismSoft>& atRest() const noexcept { return this->atRest_; }
   /// The same, for who judges other laws.
   [[nodiscard]] const BodiesAtRest& first() const noexcept { return this->first_; }
-  /// Where a plan's laws are on the bodies: packets are made around these places from now on.
+  /// Where a plan's laws are on the bodies: snapshots are made around these places from now on.
   void hold(const MechanismPlan& plan);
 
-  /// What the mechanism did in a tick, and where the tip of what the hand holds is: of each body the next packet
+  /// What the mechanism did in a tick, and where the tip of what the hand holds is: of each body the next snapshot
   /// answers there.
   void tell(const MechanismHand& hand);
   /// Packets at that rate, each of which arrives a period after what it was made from [s].

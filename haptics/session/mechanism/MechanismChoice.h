@@ -14,7 +14,7 @@ struct MechanismChoice
 {
   std::shared_ptr<const MechanismInputs> inputs; ///< null: none
   std::string name;
-  double rate_Hz = 30.0; ///< packets of its soft bodies a second, or as many as can be made
+  double rate_Hz = 30.0; ///< snapshots of its soft bodies a second, or as many as can be made
 
   friend bool operator==(const MechanismChoice&, const MechanismChoice&) = default;
 };

@@ -47,17 +47,17 @@ MechanismGrip gripOf(const MechanismHold& hold) noexcept
   return { hold.stiffness_N_per_m / hold.scale_u_per_m, hold.turning_N_m_per_rad * hold.scale_u_per_m };
 }
 
-const char* wordsOf(LawChange change) noexcept
+const char* wordsOf(ConstraintChange change) noexcept
 {
   switch (change)
   {
-    case LawChange::Punctured:
+    case ConstraintChange::Punctured:
       return "punctured";
-    case LawChange::Withdrawn:
+    case ConstraintChange::Withdrawn:
       return "withdrawn";
-    case LawChange::Broken:
+    case ConstraintChange::Broken:
       return "broken";
-    case LawChange::TornOut:
+    case ConstraintChange::TornOut:
       return "torn out";
   }
   return "";

@@ -17,7 +17,7 @@ struct MechanismHold
   double stiffness_N_per_m = 1000.0; ///< of the spring from the hand to what the hand holds, > 0
   double turning_N_m_per_rad = 0.0;  ///< likewise of turning, >= 0; 0: what is held turns freely
   double scale_u_per_m = 1.0;        ///< of the hand's way, > 0
-  double lowRate_Hz = 30.0;          ///< packets a second of soft bodies, >= 0; 0: at rest in every tick, the reference
+  double lowRate_Hz = 30.0; ///< snapshots a second of soft bodies, >= 0; 0: at rest in every tick, the reference
 };
 
 /// A mechanism along a path of the hand that is known before, a tick a place, without a device. A person's hand is
@@ -33,7 +33,7 @@ public:
   /// The hand is there at that time, which is later than the time before. Wrench on the hand: N, N m.
   [[nodiscard]] MechanismResult next(double time_s, const Pose& hand_W);
   /// A person breaks a law.
-  void breakLaw(std::uint32_t law) noexcept { this->tick_.breakLaw(law); }
+  void breakConstraint(std::uint32_t law) noexcept { this->tick_.breakConstraint(law); }
 
   [[nodiscard]] const MechanismCheck& check() const noexcept { return this->check_; }
   [[nodiscard]] const MechanismPlan& plan() const noexcept { return this->plan_; }
@@ -69,7 +69,7 @@ private:
 [[nodiscard]] MechanismGrip gripOf(const MechanismHold& hold) noexcept;
 
 /// What became of a law.
-[[nodiscard]] const char* wordsOf(LawChange change) noexcept;
+[[nodiscard]] const char* wordsOf(ConstraintChange change) noexcept;
 
 /// All faults of a check in one line; "": none.
 [[nodiscard]] std::string faultsOf(const MechanismCheck& check);

@@ -148,7 +148,8 @@ std::string MechanismTask::plan()
   return {};
 }
 
-/// Presses of another plan are on places of its own; those of the bodies' own plan are what the next packets stand on.
+/// Presses of another plan are on places of its own; those of the bodies' own plan are what the next snapshots stand
+/// on.
 void MechanismTask::readHand()
 {
   MechanismHand hand = this->links_.hand.read();
@@ -192,7 +193,7 @@ void MechanismTask::publish(bool all)
   this->channel_.report(
     [this, &seen](MechanismStatus& status, const Order&)
     {
-      ++status.packets;
+      ++status.snapshots;
       status.building = this->channel_.hasNews();
       status.plan = this->plan_.revision;
       status.soft = std::move(seen);

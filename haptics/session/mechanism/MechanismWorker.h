@@ -22,9 +22,9 @@ struct MechanismStatus : WorkStatus
 {
   MechanismCheck check;           ///< what it becomes
   std::vector<BodyPair> overlaps; ///< bodies that share room where they are felt, though no law between them holds
-  std::uint64_t plan = 0;     ///< revision of the one that the servo is given; 0: none
-  std::vector<SeenBody> soft; ///< of that, in the order of its inputs
-  BodiesAtRest atRest;        ///< likewise
+  std::uint64_t plan = 0;         ///< revision of the one that the servo is given; 0: none
+  std::vector<SeenBody> soft;     ///< of that, in the order of its inputs
+  BodiesAtRest atRest;            ///< likewise
 };
 
 /// A mechanism, and how the hand would hold it.
@@ -53,7 +53,7 @@ struct MechanismOrder
   }
 };
 
-/// Plans a mechanism, builds its soft bodies and makes their packets. A mechanism with the bodies of the one before
+/// Plans a mechanism, builds its soft bodies and makes their snapshots. A mechanism with the bodies of the one before
 /// goes on with those. See WorkerList.
 class MechanismTask
 {

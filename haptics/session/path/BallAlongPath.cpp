@@ -75,9 +75,9 @@ public:
     tick.proxy_W = state.proxy_W;
     tick.wrench_W.force = state.force_W;
     tick.contacts = state.contacts;
-    this->seated_ += state.fault == Fault::Seated ? 1 : 0;
+    this->seated_ += state.fault == Fault::PlacementFailed ? 1 : 0;
     this->incomplete_ += state.capped || state.overBudget || state.infeasible ? 1 : 0;
-    if (state.fault != Fault::Seated && state.fault != Fault::None && this->fault_ == Fault::None)
+    if (state.fault != Fault::PlacementFailed && state.fault != Fault::None && this->fault_ == Fault::None)
     {
       this->fault_ = state.fault;
     }
@@ -111,10 +111,10 @@ private:
         report.notes.push_back(setting + sentence);
       }
     };
-    note("{FieldArray}: ", this->touch_.latticeSentence());
-    note("{FieldDetent}: ", this->touch_.detentSentence());
-    note("{Radius}: ", pointSentence(this->parameters_.field, this->parameters_.contact.radius_u));
-    const MadeBrick& made = this->touch_.madeBrick();
+    note("{FieldArray}: ", this->touch_.latticeText());
+    note("{FieldDetent}: ", this->touch_.detentText());
+    note("{Radius}: ", pointText(this->parameters_.field, this->parameters_.contact.radius_u));
+    const MadeFieldBlock& made = this->touch_.madeFieldBlock();
     const bool inCells = made.brick && made.brick->cells();
     if (made.smoothness.noise > trappingNoise && !inCells)
     {
@@ -164,7 +164,7 @@ std::unique_ptr<PathKind> ballAlongPath(const PathInputs& inputs, PathReport& re
   {
     parameters.contact.radius_u = chosenRadius_u(inputs, *scene, parameters.contact, report);
   }
-  const std::string missing = inputs.field ? levelSentence(parameters.field, inputs.field->ends) : "";
+  const std::string missing = inputs.field ? levelText(parameters.field, inputs.field->ends) : "";
   if (!missing.empty())
   {
     report.notes.push_back(inputs.field->name + ": " + missing);

@@ -45,7 +45,7 @@ public:
   [[nodiscard]] std::vector<PathColumn> columns() const override
   {
     std::vector<PathColumn> columns{ { "Turn", 4 }, { "Torque", 3 }, { "Residual", 1 } };
-    for (const MechanismLaw& law : this->mechanism_.laws)
+    for (const MechanismConstraint& law : this->mechanism_.laws)
     {
       columns.insert(columns.end(),
         { { "Force of " + law.name, 3 }, { "Phase of " + law.name, 1 }, { "Inside of " + law.name, 1 } });
@@ -65,7 +65,7 @@ public:
     tick.more = { q.w(), q.x(), q.y(), q.z(), torque.x(), torque.y(), torque.z(), result.residual_u };
     for (int i = 0; i < plan.lawCount; ++i)
     {
-      const LawNow& law = result.laws[i];
+      const ConstraintNow& law = result.laws[i];
       const Vec3& force = law.force_W;
       tick.contacts += force.squaredNorm() > 0.0 ? 1 : 0;
       tick.more.insert(

@@ -42,15 +42,15 @@ void PathTouch::followField(const Pose& hand_D)
   takeFromData(plan, this->field_.made(), first);
 }
 
-std::string PathTouch::detentSentence() const
+std::string PathTouch::detentText() const
 {
-  return this->springs_N_per_u_ > 0.0 ? palpate::detentSentence(this->parameters_.field, this->springs_N_per_u_) : "";
+  return this->springs_N_per_u_ > 0.0 ? palpate::detentText(this->parameters_.field, this->springs_N_per_u_) : "";
 }
 
-std::string PathTouch::latticeSentence() const
+std::string PathTouch::latticeText() const
 {
   const Vec3 hand_W = this->parameters_.map.toScene(this->input_.sample.pose_D.p);
-  return palpate::latticeSentence(this->parameters_.field, this->field_.made(), hand_W);
+  return palpate::latticeText(this->parameters_.field, this->field_.made(), hand_W);
 }
 
 std::string PathTouch::whyNothingOfField() const
@@ -67,8 +67,8 @@ void PathTouch::press(std::unique_ptr<BodyMaker> body, double rate_Hz)
 {
   this->maker_ = std::move(body);
   this->maker_->touch(this->scene_);
-  this->softRoom_ = std::make_unique<SoftRoom>();
-  this->input_.softRoom = this->softRoom_.get();
+  this->softScratch_ = std::make_unique<SoftScratch>();
+  this->input_.softScratch = this->softScratch_.get();
   this->bodyHand_.radius_u = this->parameters_.contact.radius_u;
   if (rate_Hz > 0.0)
   {

@@ -23,7 +23,7 @@ public:
   /// and are waited for: the same path gives the same forces on any machine.
   void feel(std::shared_ptr<const FieldSource> field);
 
-  /// What gives way beside the scene, from the next tick on. `rate_Hz`: of its packets, each of which arrives one
+  /// What gives way beside the scene, from the next tick on. `rate_Hz`: of its snapshots, each of which arrives one
   /// period after what it was made from; 0: it is at rest in every tick, which is the reference.
   void press(std::unique_ptr<BodyMaker> body, double rate_Hz);
 
@@ -32,13 +32,13 @@ public:
   [[nodiscard]] HapticState next(double time_s, const Pose& hand_D);
 
   /// The newest brick of the field, or why there is none.
-  [[nodiscard]] const MadeBrick& madeBrick() const noexcept { return this->field_.made(); }
+  [[nodiscard]] const MadeFieldBlock& madeFieldBlock() const noexcept { return this->field_.made(); }
   /// The body that gives way; null: none.
   [[nodiscard]] const BodyMaker* body() const noexcept { return this->maker_.get(); }
   /// "", or that smooth levels hold with less than was asked for.
-  [[nodiscard]] std::string detentSentence() const;
+  [[nodiscard]] std::string detentText() const;
   /// "", or that surfaces of the field are felt on a lattice, as it is where the hand was last.
-  [[nodiscard]] std::string latticeSentence() const;
+  [[nodiscard]] std::string latticeText() const;
   /// "", or why no tick until now was among the values of the field.
   [[nodiscard]] std::string whyNothingOfField() const;
 
@@ -50,14 +50,14 @@ private:
 
   std::shared_ptr<const Scene> scene_;
   FeltField field_;
-  std::shared_ptr<const Brick> brick_;
+  std::shared_ptr<const FieldBlock> brick_;
   HapticParameters parameters_;
   RendererState state_;
   TickInput input_;
   std::unique_ptr<BodyMaker> maker_;
   std::optional<VirtualBody> paced_;          ///< none: the body is at rest in every tick
   std::shared_ptr<const PressedBody> atRest_; ///< of the last tick
-  std::unique_ptr<SoftRoom> softRoom_;
+  std::unique_ptr<SoftScratch> softScratch_;
   BodyHand bodyHand_;
   double springs_N_per_u_ = 0.0; ///< stiffness of each spring in the last tick
   bool begun_ = false;

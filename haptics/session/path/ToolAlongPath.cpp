@@ -5,7 +5,7 @@
 #include "haptics/session/path/PathKind.h"
 #include "haptics/session/tool/NoWayOut.h"
 #include "haptics/tool/move/ToolMove.h"
-#include "haptics/tool/servo/RubbedWish.h"
+#include "haptics/tool/servo/FrictionTarget.h"
 #include "haptics/tool/servo/ToolForce.h"
 
 namespace palpate
@@ -22,20 +22,22 @@ struct ToolHold
 {
   double stiffness_N_per_m; ///< of the spring from the hand to where the tool can be
   double scale_u_per_m;
-  std::optional<double> lever_u; ///< what a turn by 1 rad weighs as a way; none: that of the tool about its handle
+  std::optional<double>
+    characteristic_u; ///< what a turn by 1 rad weighs as a way; none: that of the tool about its handle
   ToolCoupling coupling;
-  double friction; ///< of each contact (settledWish())
+  double friction; ///< of each contact (settledTarget())
 };
 
 ToolHold toolHoldOf(const SettingStore& settings)
 {
   const double stiffness_N_per_m = settings.number("Stiffness"), scale_u_per_m = settings.number("Scale");
-  const double lever_u = settings.number("ToolLever"), turning_N_m_per_rad = settings.number("MechanismTurning");
+  const double characteristic_u = settings.number("ToolLever"),
+               turning_N_m_per_rad = settings.number("MechanismTurning");
   // K_r = K_t (L / scale)^2.
   const auto lever = turning_N_m_per_rad > 0.0
                        ? std::optional(scale_u_per_m * std::sqrt(turning_N_m_per_rad / stiffness_N_per_m))
-                     : lever_u > 0.0 ? std::optional(lever_u)
-                                     : std::nullopt;
+                     : characteristic_u > 0.0 ? std::optional(characteristic_u)
+                                              : std::nullopt;
   return { stiffness_N_per_m, scale_u_per_m, lever, static_cast<ToolCoupling>(settings.whole("ToolCoupling")),
     settings.number("FrictionKinetic") };
 }
@@ -56,7 +58,7 @@ std::string lostBesideTool(const PathInputs& inputs)
 std::string refuseHold(const ToolHold& hold)
 {
   const bool stiff = hold.stiffness_N_per_m > 0.0;
-  const bool lever = hold.lever_u.value_or(1.0) > 0.0 && std::isfinite(hold.lever_u.value_or(1.0));
+  const bool lever = hold.characteristic_u.value_or(1.0) > 0.0 && std::isfinite(hold.characteristic_u.value_or(1.0));
   return !stiff                                ? "{Stiffness}: that of a tool is above 0"
          : hold.friction > largestToolFriction ? "the friction of a tool must be a number from 0 to 1: where contacts "
                                                  "wedge, more has no one answer"
@@ -70,7 +72,7 @@ class ToolAlongPath final : public PathKind
 {
 public:
   ToolAlongPath(const ToolMesh& tool, std::shared_ptr<const BoxedMesh> scene_W, const ToolHold& hold)
-    : hold_(hold), move_(tool, std::move(scene_W), hold.lever_u.value_or(tool.gyration_u))
+    : hold_(hold), move_(tool, std::move(scene_W), hold.characteristic_u.value_or(tool.gyration_u))
   {
     this->move_.rub(hold.friction);
   }

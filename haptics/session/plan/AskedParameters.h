@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "haptics/core/DeviceInfo.h"
-#include "haptics/session/PlanSentence.h"
+#include "haptics/session/PlanText.h"
 #include "haptics/session/plan/PlaneWorld.h"
 #include "haptics/session/scene/BuiltScene.h"
 #include "haptics/tick/HapticParameters.h"

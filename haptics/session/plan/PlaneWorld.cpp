@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "haptics/force/HeldWalls.h"
+#include "haptics/force/DeviceWalls.h"
 
 namespace palpate
 {
@@ -78,7 +78,7 @@ double slantDrag_N(const HapticParameters& parameters, double stiffness_N_per_m,
   return velvet(slide).mean_N;
 }
 
-std::string planeSentence(const HapticParameters& parameters, const PlaneWishes& wishes, const DeviceInfo& device,
+std::string planeText(const HapticParameters& parameters, const PlaneWishes& wishes, const DeviceInfo& device,
   double drag_N, const std::string& whyNotHeld)
 {
   std::ostringstream text;

@@ -37,7 +37,7 @@ struct PlaneWishes
 
 /// Who closes the walls of a plane world, why, and whether the hand is led to it: the end of the plan's sentence.
 /// `whyNotHeld`: why walls are not left to a device that offers to hold them; `drag_N`: slantDrag_N().
-[[nodiscard]] std::string planeSentence(const HapticParameters& parameters, const PlaneWishes& wishes,
+[[nodiscard]] std::string planeText(const HapticParameters& parameters, const PlaneWishes& wishes,
   const DeviceInfo& device, double drag_N, const std::string& whyNotHeld);
 
 } // namespace palpate

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/contact/view/KnownPart.h"
+#include "haptics/contact/view/LoadedRegion.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
 #include "haptics/geometry/scene/SceneSimplifier.h"
 
@@ -43,7 +43,7 @@ struct BuiltScene
   SurfaceTraits traits;         ///< of the surfaces of the scene
   double stamp_s = 0.0;         ///< of the commit
   ScenePart part;
-  KnownPart known; ///< what the servo is told of it
+  LoadedRegion known; ///< what the servo is told of it
 };
 
 /// What the builder takes of them.

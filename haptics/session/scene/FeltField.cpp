@@ -29,17 +29,18 @@ double roundedUp(double value)
 }
 
 /// A brick that is all of the data knows how steep they are.
-MadeBrick withLevels(MadeBrick made, const BrickWish& wish)
+MadeFieldBlock withLevels(MadeFieldBlock made, const FieldBlockWish& wish)
 {
   const bool all = made.brick && std::isinf(made.reach_u);
   if (!wish.smoothLevels || made.levels != unknownLevels || !all)
   {
     return made;
   }
-  for (const BrickArray& array : made.brick->arrays())
+  for (const FieldBlockArray& array : made.brick->arrays())
   {
-    const BrickGrid& grid = made.brick->grid();
-    made.levels = array.role == BrickRole::Scalar ? levelBounds(array.values, grid.size, grid.spacing_u) : made.levels;
+    const FieldBlockGrid& grid = made.brick->grid();
+    made.levels =
+      array.role == FieldBlockRole::Scalar ? levelBounds(array.values, grid.size, grid.spacing_u) : made.levels;
   }
   return made;
 }
@@ -59,7 +60,7 @@ void FeltField::setSource(std::shared_ptr<const FieldSource> source)
 }
 
 /// Half of the room: the other half is for what the hand does until the next brick is there.
-bool FeltField::needsAnother(const BrickWish& wish) const noexcept
+bool FeltField::needsAnother(const FieldBlockWish& wish) const noexcept
 {
   const std::optional<double>& level = wish.level;
   const FieldSmoothness& smooth = this->made_.smoothness;
@@ -70,7 +71,7 @@ bool FeltField::needsAnother(const BrickWish& wish) const noexcept
            0.5 * std::min(this->made_.reach_u, this->made_.finerReach_u));
 }
 
-void FeltField::ask(BrickWish wish)
+void FeltField::ask(FieldBlockWish wish)
 {
   this->changed_ = false;
   this->askedLevels_ = this->askedLevels_ || wish.smoothLevels;
@@ -78,14 +79,14 @@ void FeltField::ask(BrickWish wish)
   this->task_.want(
     [source = this->source_, wish](const std::stop_token&)
     {
-      return LatestTask<MadeBrick>::Work{ [source, wish] { return withLevels(source->brickAround(wish), wish); },
+      return LatestTask<MadeFieldBlock>::Work{ [source, wish] { return withLevels(source->brickAround(wish), wish); },
         !source->answersAnyThread() };
     });
 }
 
-std::optional<std::shared_ptr<const Brick>> FeltField::take(bool wait)
+std::optional<std::shared_ptr<const FieldBlock>> FeltField::take(bool wait)
 {
-  std::optional<MadeBrick> made = wait ? this->task_.wait() : this->task_.poll();
+  std::optional<MadeFieldBlock> made = wait ? this->task_.wait() : this->task_.poll();
   if (!made)
   {
     return std::nullopt;
@@ -96,20 +97,20 @@ std::optional<std::shared_ptr<const Brick>> FeltField::take(bool wait)
   return this->made_.brick;
 }
 
-std::optional<std::shared_ptr<const Brick>> FeltField::follow(
+std::optional<std::shared_ptr<const FieldBlock>> FeltField::follow(
   const Vec3& hand_W, double reach_u, const FieldPlan& plan, bool wait)
 {
-  std::optional<std::shared_ptr<const Brick>> next = this->take(wait);
+  std::optional<std::shared_ptr<const FieldBlock>> next = this->take(wait);
   if (!this->source_)
   {
     if (std::exchange(this->changed_, false))
     {
       this->made_ = {};
-      next = std::shared_ptr<const Brick>();
+      next = std::shared_ptr<const FieldBlock>();
     }
     return next;
   }
-  const BrickWish wish{ hand_W, reach_u, 0, plan.isosurface ? std::optional(plan.isovalue) : std::nullopt,
+  const FieldBlockWish wish{ hand_W, reach_u, 0, plan.isosurface ? std::optional(plan.isovalue) : std::nullopt,
     asksForLevels(plan) };
   if (!this->task_.running() && hand_W.allFinite() && this->needsAnother(wish))
   {
@@ -135,13 +136,13 @@ HapticState ofFieldAlone(HapticState state) noexcept
   return state;
 }
 
-std::string pointSentence(const FieldPlan& plan, double radius_u)
+std::string pointText(const FieldPlan& plan, double radius_u)
 {
   return plan.isosurface && radius_u > 0.0 ? "an isosurface is touched by a point at the centre of the proxy sphere"
                                            : "";
 }
 
-std::string latticeSentence(const FieldPlan& plan, const MadeBrick& made, const Vec3& hand_W)
+std::string latticeText(const FieldPlan& plan, const MadeFieldBlock& made, const Vec3& hand_W)
 {
   const bool surfaces = plan.isosurface || (plan.detent.strength_N > 0.0 && plan.detent.click);
   if (!surfaces || made.whyNoCells.empty() || !made.brick)
@@ -154,14 +155,14 @@ std::string latticeSentence(const FieldPlan& plan, const MadeBrick& made, const 
   return text.str();
 }
 
-void takeFromData(FieldPlan& plan, const MadeBrick& made, bool first)
+void takeFromData(FieldPlan& plan, const MadeFieldBlock& made, bool first)
 {
   const double slope_per_u = first && made.brick ? usualGradient(*made.brick) : 0.0;
   plan.detent.slope_per_u = slope_per_u > 0.0 ? slope_per_u : plan.detent.slope_per_u;
   plan.detent.bounds = made.levels;
 }
 
-std::string detentSentence(const FieldPlan& plan, double stiffness_N_per_u)
+std::string detentText(const FieldPlan& plan, double stiffness_N_per_u)
 {
   const double most_N = mostSmooth_N(plan.detent, stiffness_N_per_u);
   if (plan.detent.click || !(plan.detent.strength_N > most_N))
@@ -174,10 +175,11 @@ std::string detentSentence(const FieldPlan& plan, double stiffness_N_per_u)
            "or only two samples along an axis; use Levels click";
   }
   std::ostringstream text;
-  text << std::setprecision(2) << "smooth levels hold with " << most_N
-       << " N at the usual gradient, and with at most " << roundedUp(mostFelt_N(plan.detent, stiffness_N_per_u))
-       << " N at the steepest place: a larger force would make the hand jump between levels; increase Between levels, or "
-          "use Levels click";
+  text
+    << std::setprecision(2) << "smooth levels hold with " << most_N << " N at the usual gradient, and with at most "
+    << roundedUp(mostFelt_N(plan.detent, stiffness_N_per_u))
+    << " N at the steepest place: a larger force would make the hand jump between levels; increase Between levels, or "
+       "use Levels click";
   return text.str();
 }
 
@@ -198,7 +200,7 @@ FieldPlan withinEnds(FieldPlan plan, const FieldEnds& ends) noexcept
   return plan;
 }
 
-std::string levelSentence(const FieldPlan& plan, const FieldEnds& ends)
+std::string levelText(const FieldPlan& plan, const FieldEnds& ends)
 {
   const FieldPlan within = withinEnds(plan, ends);
   const bool surface = plan.isosurface && !within.isosurface;
@@ -219,10 +221,10 @@ std::string levelSentence(const FieldPlan& plan, const FieldEnds& ends)
 
 std::string levelProblem(const FieldPlan& plan, const FieldEnds& ends)
 {
-  return isOn(withinEnds(plan, ends)) ? "" : levelSentence(plan, ends);
+  return isOn(withinEnds(plan, ends)) ? "" : levelText(plan, ends);
 }
 
-std::string fieldSentence(const std::string& name, const MadeBrick& made, double scale_u_per_m, double ahead_s)
+std::string fieldText(const std::string& name, const MadeFieldBlock& made, double scale_u_per_m, double ahead_s)
 {
   if (!made.brick && made.reach_u == 0.0)
   {
@@ -232,16 +234,16 @@ std::string fieldSentence(const std::string& name, const MadeBrick& made, double
   {
     return name + ": " + (made.problem.empty() ? "the hand is outside of the field" : made.problem);
   }
-  const BrickGrid& grid = made.brick->grid();
+  const FieldBlockGrid& grid = made.brick->grid();
   std::string felt;
-  for (const BrickArray& array : made.brick->arrays())
+  for (const FieldBlockArray& array : made.brick->arrays())
   {
     felt += (felt.empty() ? "" : ", ") + array.name;
   }
   std::ostringstream text;
   text << name << ": " << felt << " on " << grid.size[0] << " x " << grid.size[1] << " x " << grid.size[2]
        << " points, " << grid.spacing_u.maxCoeff() << " u apart";
-  if (const std::shared_ptr<const Brick>& finer = made.brick->finer())
+  if (const std::shared_ptr<const FieldBlock>& finer = made.brick->finer())
   {
     text << ", and " << finer->grid().spacing_u.maxCoeff() << " u where the cells are smaller";
   }

@@ -29,28 +29,28 @@ public:
   /// What the session is to feel from now on, if that changed. `hand_W`: where the hand is. `reach_u`: how far it may
   /// get before it is asked again, and a worker has answered. `plan`: how it is felt; where the value of a surface goes
   /// far, noise is measured beside it anew. With `wait` the brick of here and now.
-  [[nodiscard]] std::optional<std::shared_ptr<const Brick>> follow(
+  [[nodiscard]] std::optional<std::shared_ptr<const FieldBlock>> follow(
     const Vec3& hand_W, double reach_u, const FieldPlan& plan, bool wait = false);
 
   /// The newest that was made, felt or refused.
-  [[nodiscard]] const MadeBrick& made() const noexcept { return this->made_; }
+  [[nodiscard]] const MadeFieldBlock& made() const noexcept { return this->made_; }
   /// Since when that is felt [s]; 0 where nothing is.
   [[nodiscard]] double age_s() const noexcept;
-  /// Bricks made until now.
+  /// FieldBlocks made until now.
   [[nodiscard]] std::uint64_t count() const noexcept { return this->revision_; }
 
 private:
-  [[nodiscard]] bool needsAnother(const BrickWish& wish) const noexcept;
-  void ask(BrickWish wish);
-  std::optional<std::shared_ptr<const Brick>> take(bool wait);
+  [[nodiscard]] bool needsAnother(const FieldBlockWish& wish) const noexcept;
+  void ask(FieldBlockWish wish);
+  std::optional<std::shared_ptr<const FieldBlock>> take(bool wait);
 
   std::shared_ptr<const FieldSource> source_;
-  MadeBrick made_;
+  MadeFieldBlock made_;
   std::chrono::steady_clock::time_point taken_{};
   std::uint64_t revision_ = 0;
   bool askedLevels_ = false; ///< how steep all of the data is was asked of this source
   bool changed_ = false;     ///< another source: what was made is of the one before
-  LatestTask<MadeBrick> task_;
+  LatestTask<MadeFieldBlock> task_;
 };
 
 /// A state as one sees it who feels a field alone: proxy and contacts are those of the field.
@@ -58,20 +58,20 @@ private:
 
 /// "", or that the ball which touches surfaces is a point to an isosurface: one that is offset by its radius would need
 /// the distance to the surface, which the values are not.
-[[nodiscard]] std::string pointSentence(const FieldPlan& plan, double radius_u);
+[[nodiscard]] std::string pointText(const FieldPlan& plan, double radius_u);
 
 /// "", or that smooth levels hold the hand with less than what was asked, since it would jump from one to the next.
 /// The force where the gradient is usual, which the strength is said for, and the largest, which is never exceeded.
 /// `stiffness_N_per_u`: of each spring of the field.
-[[nodiscard]] std::string detentSentence(const FieldPlan& plan, double stiffness_N_per_u);
+[[nodiscard]] std::string detentText(const FieldPlan& plan, double stiffness_N_per_u);
 
 /// "", or that surfaces and clicking levels are felt at the points of a brick instead of the data's own cells, how far
 /// apart these are at a place, and why.
-[[nodiscard]] std::string latticeSentence(const FieldPlan& plan, const MadeBrick& made, const Vec3& hand_W);
+[[nodiscard]] std::string latticeText(const FieldPlan& plan, const MadeFieldBlock& made, const Vec3& hand_W);
 
 /// What a plan takes from the data, so that no brick changes the feel: the gradient that a detent's strength is said
 /// for, where the brick is the first of its data, and how steep the scalar is at most in all of them.
-void takeFromData(FieldPlan& plan, const MadeBrick& made, bool first);
+void takeFromData(FieldPlan& plan, const MadeFieldBlock& made, bool first);
 
 /// Least and largest value of all of the data; turned round where there are none.
 using FieldEnds = std::array<double, 2>;
@@ -79,13 +79,13 @@ using FieldEnds = std::array<double, 2>;
 /// The modes of a plan that can be felt of data between these values.
 [[nodiscard]] FieldPlan withinEnds(FieldPlan plan, const FieldEnds& ends) noexcept;
 /// "", or which value that is to be felt the data do not have, so that no surface or level of it is anywhere.
-[[nodiscard]] std::string levelSentence(const FieldPlan& plan, const FieldEnds& ends);
+[[nodiscard]] std::string levelText(const FieldPlan& plan, const FieldEnds& ends);
 /// The same where nothing else is to be felt.
 [[nodiscard]] std::string levelProblem(const FieldPlan& plan, const FieldEnds& ends);
 
 /// What is felt of data of that name: how finely and how far around the hand, and how fast the hand may go so that a
 /// brick is there in time; or why nothing is.
-[[nodiscard]] std::string fieldSentence(
-  const std::string& name, const MadeBrick& made, double scale_u_per_m, double ahead_s);
+[[nodiscard]] std::string fieldText(
+  const std::string& name, const MadeFieldBlock& made, double scale_u_per_m, double ahead_s);
 
 } // namespace palpate

@@ -7,7 +7,7 @@
 
 #include "haptics/geometry/scene/SceneMotion.h"
 #include "haptics/session/LoopReport.h"
-#include "haptics/session/PlanSentence.h"
+#include "haptics/session/PlanText.h"
 
 namespace palpate
 {
@@ -26,7 +26,7 @@ bool searched(const SurfaceChoice& choice)
 }
 
 /// What is to be known of a scene that comes after another.
-KnownPart knownOf(const BuiltScene& now, const BuiltScene& before)
+LoadedRegion knownOf(const BuiltScene& now, const BuiltScene& before)
 {
   if (!now.scene || now.part.whole == 0)
   {
@@ -205,7 +205,7 @@ void FeltScene::swapIn(std::optional<FoundScene> found)
   {
     if (choice.felt < choice.triangles)
     {
-      this->built_.report += choice.name + ": " + planSentence(choice) + "\n";
+      this->built_.report += choice.name + ": " + planText(choice) + "\n";
     }
   }
   this->built_.scene = std::move(found->scene);

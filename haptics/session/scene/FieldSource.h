@@ -7,14 +7,14 @@
 #include <optional>
 #include <string>
 
-#include "haptics/field/Brick.h"
+#include "haptics/field/FieldBlock.h"
 #include "haptics/field/LevelBounds.h"
 
 namespace palpate
 {
 
 /// Which brick is asked for.
-struct BrickWish
+struct FieldBlockWish
 {
   Vec3 centre_W = Vec3::Zero();  ///< around this place [u]
   double reach_u = 0.0;          ///< as far as that, or as far as the memory of a brick allows
@@ -33,10 +33,10 @@ struct FieldSmoothness
 };
 
 /// A brick as a source made it.
-struct MadeBrick
+struct MadeFieldBlock
 {
-  std::shared_ptr<const Brick> brick; ///< null: there is nothing to feel there
-  Vec3 centre_W = Vec3::Zero();       ///< that it was made around [u]
+  std::shared_ptr<const FieldBlock> brick; ///< null: there is nothing to feel there
+  Vec3 centre_W = Vec3::Zero();            ///< that it was made around [u]
   double reach_u =
     0.0; ///< how far the hand may go from there along each axis before the brick ends; infinite: it holds all
   std::string problem; ///< why there is none
@@ -60,7 +60,7 @@ public:
   FieldSource& operator=(const FieldSource&) = delete;
   virtual ~FieldSource() = default;
 
-  [[nodiscard]] virtual MadeBrick brickAround(const BrickWish& wish) const = 0;
+  [[nodiscard]] virtual MadeFieldBlock brickAround(const FieldBlockWish& wish) const = 0;
   /// Whether any thread may ask, so that a worker does. Else the thread that follows the field asks, and waits.
   [[nodiscard]] virtual bool answersAnyThread() const { return true; }
 };

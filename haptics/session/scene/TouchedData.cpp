@@ -3,7 +3,7 @@
 
 #include "haptics/contact/view/PlanFor.h"
 #include "haptics/geometry/curves/CurveSet.h"
-#include "haptics/session/PlanSentence.h"
+#include "haptics/session/PlanText.h"
 
 namespace palpate
 {

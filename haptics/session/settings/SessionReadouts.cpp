@@ -17,7 +17,7 @@ const Readout readouts[] = {
   { "LargestStiffness", Number, "N/m", "",
     "Largest wall stiffness that the chosen device can render stably, known before touching; infinite without a known "
     "limit" },
-  { "StabilitySentence", Text, "", "", "Largest stable stiffness and the reason for the limit" },
+  { "StabilityText", Text, "", "", "Largest stable stiffness and the reason for the limit" },
   { "StateText", Text, "", "State",
     "safe: no force; armed: waits until the hand is free of contact; engaged: force flows; fault: no force" },
   { "FaultText", Text, "", "", "Reason why there is no force, and the remedy" },
@@ -111,15 +111,15 @@ const Readout readouts[] = {
     "Largest error of the sampled field against the data's own cells, divided by the data range; 0: no sampling "
     "error" },
   { "FieldAge", Number, "s", "", "Age of the sampled field around the hand" },
-  { "FieldSentence", Text, "", "",
+  { "FieldText", Text, "", "",
     "Sampled field: arrays, spacing and extent around the hand, or the reason why there is no field" },
-  { "ServerSentence", Text, "", "", "Remote surfaces, each fetched whole or around the hand; empty: none" },
+  { "ServerText", Text, "", "", "Remote surfaces, each fetched whole or around the hand; empty: none" },
   { "ServerAge", Number, "s", "", "Age of the fetched part of remote surfaces" },
   { "ServerTicksBeyond", LongCount, "", "",
     "Number of ticks without force because the hand left the fetched part of a remote surface or the server did not "
     "answer" },
   { "SchedulingReport", Text, "", "", "Scheduling granted to the servo by the operating system, and the reason" },
-  { "PlanSentence", Text, "", "",
+  { "PlanText", Text, "", "",
     "Rendering plan of the scene: number of triangles or segments, proxy (point or sphere), friction, search by tree "
     "or list" },
   { "SceneProgress", Number, "1", "",

@@ -174,7 +174,7 @@ const Setting settings[] = {
     "Mechanism, made by Haptic Mechanism, by its name in the pipeline browser; the hand holds one of the bodies. "
     "Empty: none",
     NextScene),
-  text("MechanismLaws", "",
+  text("MechanismConstraints", "",
     "Constraints that replace those of the scene file, as a JSON list in the format of the key 'laws'; empty: "
     "constraints of the scene file",
     NextScene),

@@ -9,16 +9,16 @@
 
 #include "haptics/compliance/body/NaturalPeriod.h"
 #include "haptics/compliance/mesh/FilledTwice.h"
-#include "haptics/compliance/packet/PointCompliance.h"
+#include "haptics/compliance/snapshot/PointCompliance.h"
 
 namespace palpate
 {
 namespace
 {
 
-PacketRequest requestOf(const BodyHand& hand, double period_s)
+SnapshotRequest requestOf(const BodyHand& hand, double period_s)
 {
-  PacketRequest request;
+  SnapshotRequest request;
   request.tick = hand.tick;
   request.ball_W = hand.ball_W;
   request.velocity_u_per_s = hand.velocity_u_per_s;
@@ -51,7 +51,7 @@ std::unique_ptr<BodyMaker> BodyMaker::make(const SoftBodyInput& input, const std
 BodyMaker::BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::string name, std::uint64_t revision)
   : checked_(std::move(made.checked)), name_(std::move(name)), body_(std::move(made.body)),
     surface_(makeSoftSurface(*this->body_, this->checked_.mesh)),
-    packets_(*this->body_, this->surface_, naturalPeriod_s(*this->body_, input.density_kg_per_m3, input.unit_m)),
+    snapshots_(*this->body_, this->surface_, naturalPeriod_s(*this->body_, input.density_kg_per_m3, input.unit_m)),
     first_(revision), revision_(revision)
 {
   std::vector<bool> held;
@@ -59,7 +59,7 @@ BodyMaker::BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::strin
     [this](std::uint32_t node) { return static_cast<bool>(this->checked_.fixed[node]); });
   this->heldFaces_ = heldFaces({ this->surface_.rest_W, this->surface_.triangles }, held);
   this->held_ = this->heldFaces_ ? sceneOfHeld(*this->heldFaces_) : nullptr;
-  (void)this->surfacesWith(this->surface_.rest_W, false); // numbered as the packets are
+  (void)this->surfacesWith(this->surface_.rest_W, false); // numbered as the snapshots are
 }
 
 void BodyMaker::touch(std::shared_ptr<const Scene> beside)
@@ -71,7 +71,7 @@ void BodyMaker::touch(std::shared_ptr<const Scene> beside)
   }
 }
 
-/// None where the body has lost vertices that its packets number: where they are not numbers any more, or meet.
+/// None where the body has lost vertices that its snapshots number: where they are not numbers any more, or meet.
 /// Those beside it are on the way that they have in their scene once, and stand where it ended afterwards.
 std::vector<Surface> BodyMaker::surfacesWith(const std::vector<Vec3>& free_W, bool standingBeside)
 {
@@ -95,7 +95,7 @@ std::vector<Surface> BodyMaker::surfacesWith(const std::vector<Vec3>& free_W, bo
 }
 
 /// The free surface is always the untouched one. What is beside a body that begins has gone its way before.
-std::shared_ptr<const Scene> BodyMaker::sceneOf(const CompliancePacket& packet)
+std::shared_ptr<const Scene> BodyMaker::sceneOf(const ComplianceSnapshot& snapshot)
 {
   if (this->scene_)
   {
@@ -103,7 +103,7 @@ std::shared_ptr<const Scene> BodyMaker::sceneOf(const CompliancePacket& packet)
   }
   const std::uint64_t revision = this->beside_ ? this->beside_->revision() : 1;
   const bool arrived = this->revision_ == this->first_;
-  std::vector<Surface> surfaces = this->surfacesWith(packet.free_W, arrived);
+  std::vector<Surface> surfaces = this->surfacesWith(snapshot.free_W, arrived);
   if (surfaces.empty())
   {
     return nullptr;
@@ -115,32 +115,32 @@ std::shared_ptr<const Scene> BodyMaker::sceneOf(const CompliancePacket& packet)
 
 std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double period_s, int newtonSteps)
 {
-  PacketRequest request = requestOf(hand, period_s);
+  SnapshotRequest request = requestOf(hand, period_s);
   if (hand.revision <= this->first_)
   {
     request.forceAt.clear();
     request.force_N.clear();
   }
-  const auto packet = this->packets_.make(request, newtonSteps);
-  const auto scene = packet ? this->sceneOf(*packet) : nullptr;
+  const auto snapshot = this->snapshots_.make(request, newtonSteps);
+  const auto scene = snapshot ? this->sceneOf(*snapshot) : nullptr;
   if (!scene)
   {
     return nullptr;
   }
-  this->struck_ = packet->struck;
-  this->throughItself_u_ = this->throughItself_u(*packet);
+  this->struck_ = snapshot->struck;
+  this->throughItself_u_ = this->throughItself_u(*snapshot);
   this->wentThroughItself_ = this->wentThroughItself_ || this->throughItself_u_ > 0.0;
   this->hand_W_ = hand.device_W;
-  this->last_ = hand.radius_u > 0.0 ? nullptr : packet; // what a ball presses on is shown dented by the ball
+  this->last_ = hand.radius_u > 0.0 ? nullptr : snapshot; // what a ball presses on is shown dented by the ball
   auto pressed = std::make_shared<PressedBody>();
   pressed->revision = ++this->revision_;
   pressed->period_s = period_s;
   pressed->scene = scene;
   pressed->beside = this->beside_ ? this->beside_->geometryHash() : 0;
-  pressed->packet = packet;
+  pressed->snapshot = snapshot;
   pressed->heldFaces = this->heldFaces_;
   pressed->held = this->held_;
-  pressed->touch = { static_cast<std::uint32_t>(pressed->scene->surfaces().size() - 1), packet.get() };
+  pressed->touch = { static_cast<std::uint32_t>(pressed->scene->surfaces().size() - 1), snapshot.get() };
   return pressed;
 }
 
@@ -179,11 +179,11 @@ std::vector<Vec3> BodyMaker::dents_u() const
 
 /// From where the ball presses most, the way that it pushes. A body does not meet itself: below a fold that is pressed
 /// shut it goes on through itself.
-double BodyMaker::throughItself_u(const CompliancePacket& packet) const
+double BodyMaker::throughItself_u(const ComplianceSnapshot& snapshot) const
 {
   constexpr double rounding = 1e-9; // of the line
-  const auto most = std::ranges::max_element(packet.force_N, {}, [](const Vec3& f) { return f.squaredNorm(); });
-  if (most == packet.force_N.end() || most->squaredNorm() == 0.0)
+  const auto most = std::ranges::max_element(snapshot.force_N, {}, [](const Vec3& f) { return f.squaredNorm(); });
+  if (most == snapshot.force_N.end() || most->squaredNorm() == 0.0)
   {
     return 0.0;
   }
@@ -196,7 +196,7 @@ double BodyMaker::throughItself_u(const CompliancePacket& packet) const
       mesh.vertices_W[v] + this->body_->displacement().segment<3>(3 * static_cast<Eigen::Index>(v)));
     box.extend(places_W.back());
   }
-  const SurfacePoint& at = packet.forceAt[static_cast<std::size_t>(most - packet.force_N.begin())];
+  const SurfacePoint& at = snapshot.forceAt[static_cast<std::size_t>(most - snapshot.force_N.begin())];
   LinePiece below{ Vec3::Zero(), most->normalized(), box.diagonal().norm() };
   for (int c = 0; c < 3; ++c)
   {

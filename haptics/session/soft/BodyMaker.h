@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "haptics/compliance/packet/PacketMaker.h"
 #include "haptics/compliance/servo/PressedBody.h"
+#include "haptics/compliance/snapshot/SnapshotMaker.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
 
 namespace palpate
 {
 
-/// How a soft body was when its last packet was made.
+/// How a soft body was when its last snapshot was made.
 struct BodyShape
 {
   std::vector<Vec3> displacement_u; ///< of each vertex of the tetrahedra that it was made of
@@ -41,15 +41,15 @@ struct SeenBody
 class BodyMaker
 {
 public:
-  /// Factors the body, which may take seconds. Its first packet has the revision after `revision`. Null with `refusal`
-  /// in words, or soon after a stop is asked for.
+  /// Factors the body, which may take seconds. Its first snapshot has the revision after `revision`. Null with
+  /// `refusal` in words, or soon after a stop is asked for.
   [[nodiscard]] static std::unique_ptr<BodyMaker> make(const SoftBodyInput& input, const std::string& name,
     std::uint64_t revision, std::string& refusal, const std::stop_token& stop = {});
 
   /// Other surfaces that are touched; null: none. A surface of its name is the body's own, and gives way to it. From
-  /// the next packet on.
+  /// the next snapshot on.
   void touch(std::shared_ptr<const Scene> beside);
-  /// The body under the force of the hand, for a hand that has so long until the next packet [s]; as many steps to
+  /// The body under the force of the hand, for a hand that has so long until the next snapshot [s]; as many steps to
   /// its rest as are asked for. Null if a factorisation failed: the previous snapshot stays in use.
   [[nodiscard]] std::shared_ptr<const PressedBody> press(
     const BodyHand& hand, double period_s, int newtonSteps = usualSteps);
@@ -64,24 +64,24 @@ public:
 
 private:
   BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::string name, std::uint64_t revision);
-  [[nodiscard]] std::shared_ptr<const Scene> sceneOf(const CompliancePacket& packet);
+  [[nodiscard]] std::shared_ptr<const Scene> sceneOf(const ComplianceSnapshot& snapshot);
   [[nodiscard]] std::vector<Vec3> dents_u() const;
   void addStrain(BodyShape& shape) const;
-  [[nodiscard]] double throughItself_u(const CompliancePacket& packet) const;
+  [[nodiscard]] double throughItself_u(const ComplianceSnapshot& snapshot) const;
   [[nodiscard]] std::vector<Surface> surfacesWith(const std::vector<Vec3>& free_W, bool standingBeside);
 
   CheckedTetras checked_;
   std::string name_;
   std::unique_ptr<SoftBody> body_;
   SoftSurface surface_;
-  PacketMaker packets_;
+  SnapshotMaker snapshots_;
   SceneBuilder builder_;
   std::shared_ptr<const Scene> beside_;
   std::shared_ptr<const Scene> scene_; ///< the last one; null: the other surfaces have changed since
-  std::uint64_t first_; ///< the revision before its first packet: forces on older ones are at another body's vertices
+  std::uint64_t first_; ///< the revision before its first snapshot: forces on older ones are at another body's vertices
   std::uint64_t revision_;
-  Vec3 hand_W_ = Vec3::Zero();                   ///< of the last packet
-  std::shared_ptr<const CompliancePacket> last_; ///< the last packet, where points press; null: a ball, or none yet
+  Vec3 hand_W_ = Vec3::Zero();                     ///< of the last snapshot
+  std::shared_ptr<const ComplianceSnapshot> last_; ///< the last snapshot, where points press; null: a ball, or none yet
   bool struck_ = false;
   double throughItself_u_ = 0.0;
   bool wentThroughItself_ = false;

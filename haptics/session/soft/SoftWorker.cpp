@@ -94,7 +94,7 @@ void SoftTask::publish(std::shared_ptr<const PressedBody> body)
       status.problem = body ? ""
                             : "The stiffness matrix of the soft body is no longer positive definite (the body is "
                               "overloaded). The last shape is kept; release the body";
-      status.packets += body ? 1 : 0;
+      status.snapshots += body ? 1 : 0;
       status.shape = body ? shape : status.shape;
     });
   if (body)

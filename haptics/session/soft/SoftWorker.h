@@ -42,7 +42,7 @@ struct SoftOrder
   [[nodiscard]] bool awaits(const SoftOrder& before) const { return this->isActive() && this->cancels(before); }
 };
 
-/// Builds a soft body and makes its packets. See WorkerList.
+/// Builds a soft body and makes its snapshots. See WorkerList.
 class SoftTask
 {
 public:
@@ -68,7 +68,7 @@ private:
   Order now_;
   std::unique_ptr<BodyMaker> maker_;
   std::optional<VirtualBody> paced_; ///< in virtual time
-  std::uint64_t revision_ = 0;       ///< of the last packet
+  std::uint64_t revision_ = 0;       ///< of the last snapshot
 };
 
 } // namespace palpate

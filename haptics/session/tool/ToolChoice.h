@@ -12,12 +12,12 @@ namespace palpate
 struct ToolChoice
 {
   std::shared_ptr<const ToolMesh> tool; ///< null: none
-  double lever_u = 0.0;                 ///< what a turn by 1 rad weighs as a way; 0: the tool's own
+  double characteristic_u = 0.0;        ///< what a turn by 1 rad weighs as a way; 0: the tool's own
 
   /// The lever that counts; 0: no tool.
   [[nodiscard]] double weighs_u() const noexcept
   {
-    return !this->tool ? 0.0 : this->lever_u > 0.0 ? this->lever_u : this->tool->gyration_u;
+    return !this->tool ? 0.0 : this->characteristic_u > 0.0 ? this->characteristic_u : this->tool->gyration_u;
   }
   friend bool operator==(const ToolChoice&, const ToolChoice&) = default;
 };

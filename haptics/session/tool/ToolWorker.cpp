@@ -13,7 +13,7 @@ namespace
 {
 
 /// A tool that was left behind where nothing is known any more touches nothing that is felt.
-bool isKnown(const KnownPart& known, const Scene& scene, const Pose& tool_W, const ToolMesh& tool)
+bool isKnown(const LoadedRegion& known, const Scene& scene, const Pose& tool_W, const ToolMesh& tool)
 {
   return known.geometry != scene.geometryHash() || known.has(tool_W.p, tool.reach_u);
 }
@@ -110,7 +110,7 @@ void ToolTask::publishBall(const Order& order)
   ToolContacts ball;
   ball.held = ball.placed = true;
   ball.ball_u = order.choice.tool->ball_u();
-  ball.lever_u = order.choice.weighs_u();
+  ball.characteristic_u = order.choice.weighs_u();
   ball.revision = ++this->revision_;
   this->links_.contacts.write(ball);
 }

@@ -25,7 +25,7 @@ struct ToolOrder
 {
   ToolChoice choice;
   std::shared_ptr<const Scene> scene;
-  KnownPart known;
+  LoadedRegion known;
   double period_s = 1e-3; ///< of an iteration
 
   [[nodiscard]] static ToolOrder of(const ToolChoice& choice, const WorkSurroundings& around)
@@ -33,10 +33,7 @@ struct ToolOrder
     return { choice, around.scene, around.known, around.period_s };
   }
   /// What is known counts where a tool is put into another scene, which comes with it.
-  friend bool operator==(const ToolOrder& a, const ToolOrder& b)
-  {
-    return a.choice == b.choice && a.scene == b.scene;
-  }
+  friend bool operator==(const ToolOrder& a, const ToolOrder& b) { return a.choice == b.choice && a.scene == b.scene; }
   [[nodiscard]] bool isActive() const noexcept { return this->choice.tool != nullptr; }
   /// Its trees are built to their end.
   [[nodiscard]] static bool cancels(const ToolOrder& /*before*/) noexcept { return false; }

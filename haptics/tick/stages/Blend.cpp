@@ -12,10 +12,10 @@ namespace
 {
 
 /// The person does, and what the law has held is gone at once.
-bool breaksLaw(const TickContext& tick) noexcept
+bool breaksConstraint(const TickContext& tick) noexcept
 {
   return std::any_of(tick.input.events.begin(), tick.input.events.end(),
-    [](const HapticEvent& event) { return event.kind == EventKind::BreakLaw; });
+    [](const HapticEvent& event) { return event.kind == EventKind::BreakConstraint; });
 }
 
 } // namespace
@@ -32,12 +32,12 @@ void Blend::step(TickContext& tick) noexcept
   const bool otherHeld = tool != s.blendTool || ball_u != s.blendBall_u || body != s.blendBody;
   const bool otherTouched =
     tick.scene.replaced || tick.knownChanged || (tick.otherMap && tick.p.keepsHand) || otherHeld;
-  const bool otherLaws = mechanism != s.blendMechanism || breaksLaw(tick); // with a scene or without any
+  const bool otherConstraints = mechanism != s.blendMechanism || breaksConstraint(tick); // with a scene or without any
   s.blendTool = tool;
   s.blendBall_u = ball_u;
   s.blendBody = body;
   s.blendMechanism = mechanism;
-  if (((otherTouched && !tick.scene.first) || otherLaws) && blend_s > 0.0)
+  if (((otherTouched && !tick.scene.first) || otherConstraints) && blend_s > 0.0)
   {
     s.blend_D += s.lastRendered_D - state.rendered_D;
     s.blendTorque_D += s.lastRenderedTorque_D - state.renderedTorque_D;

@@ -44,7 +44,7 @@ void tell(const ProxyStep& moved, HapticState& state) noexcept
 }
 
 /// The proxy where it is, until all is known around it again. In another scene it is nowhere: what it touched was of
-/// the one before. Each packet of a soft body brings a scene that goes on from the one before.
+/// the one before. Each snapshot of a soft body brings a scene that goes on from the one before.
 void wait(TickContext& tick) noexcept
 {
   GodObjectState& contact = tick.s.contact;
@@ -54,7 +54,7 @@ void wait(TickContext& tick) noexcept
   tick.out.state.proxy_W.p = contact.placed ? contact.x_W : tick.out.state.device_W.p;
 }
 
-/// How far what a view shows has come. A soft body brings it along in a new scene with each packet: where it has
+/// How far what a view shows has come. A soft body brings it along in a new scene with each snapshot: where it has
 /// arrived once, it stays.
 void follow(const TickContext& tick, Contact::State& state) noexcept
 {

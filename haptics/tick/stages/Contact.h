@@ -72,7 +72,7 @@ struct Contact
     std::uint64_t sceneRevision = 0;
     std::uint64_t sceneGeometry = 0; ///< its surfaces, at any pose
     double sceneAge_s = 0.0;         ///< since the scene was taken: how far its surfaces have moved
-    double shownAge_s = 0.0;         ///< since one of another revision was: packets of a soft body bring many of one
+    double shownAge_s = 0.0;         ///< since one of another revision was: snapshots of a soft body bring many of one
     double shownShare = 1.0;         ///< progress of the motion of all surfaces, 0..1
   };
   /// Touched features are no part of a recording: they are numbers of surfaces and triangles, and nobody knows yet of

@@ -21,7 +21,7 @@ Fault faultOf(const TickContext& tick) noexcept
   }
   if (tick.seatFailed)
   {
-    return Fault::Seated;
+    return Fault::PlacementFailed;
   }
   if (tick.toolWaits)
   {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "haptics/contact/view/KnownPart.h"
+#include "haptics/contact/view/LoadedRegion.h"
 #include "haptics/tick/PlanRules.h"
 #include "haptics/tick/StageList.h"
 
@@ -23,7 +23,7 @@ struct Surroundings
 
   struct Plan
   {
-    KnownPart known;
+    LoadedRegion known;
     double knownLate_s = 1.0; ///< a request without an answer for longer ends the force
   };
   template<class Visit, class... P>

@@ -34,7 +34,7 @@ double leastRise_u(double gap_u, double bend_u, double restGap_u)
 
 ScrewStep StepPlan::stepOf(const Vec6& y) const
 {
-  return { this->from_W_, y.head<3>(), y.tail<3>() / this->limits_.lever_u };
+  return { this->from_W_, y.head<3>(), y.tail<3>() / this->limits_.characteristic_u };
 }
 
 NearestMotion StepPlan::solve(const Vec6& wish, const std::vector<double>& bends_u) const
@@ -44,7 +44,7 @@ NearestMotion StepPlan::solve(const Vec6& wish, const std::vector<double>& bends
   {
     const TouchRow& row = this->rows_[i];
     const double least_u = leastRise_u(row.offset_u, bends_u[i], this->limits_.restGap_u);
-    rows[i] = motionRow(row.plane.n_W, row.plane.arm_W, least_u, this->limits_.lever_u);
+    rows[i] = motionRow(row.plane.n_W, row.plane.arm_W, least_u, this->limits_.characteristic_u);
   }
   NearestMotion found = nearestMotion(rows, wish);
   if (!found.feasible)
@@ -58,7 +58,7 @@ NearestMotion StepPlan::solve(const Vec6& wish, const std::vector<double>& bends
   for (int i = 0; i < found.count; ++i)
   {
     const TouchPlane& plane = this->rows_[found.row[i]].plane;
-    const double turning = plane.arm_W.cross(plane.n_W).norm() / this->limits_.lever_u;
+    const double turning = plane.arm_W.cross(plane.n_W).norm() / this->limits_.characteristic_u;
     found.pressure[i] /= std::sqrt(1.0 + turning * turning);
   }
   return found;

@@ -11,7 +11,7 @@ namespace palpate
 /// How far a step may go.
 struct StepLimits
 {
-  double lever_u = 1.0;
+  double characteristic_u = 1.0;
   double reach_u = 1.0;
   double restGap_u = 0.0;
   double room_u = 0.0; ///< that the list of near pairs leaves

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "haptics/tool/move/SettledWish.h"
+#include "haptics/tool/move/SettledTarget.h"
 
 namespace palpate
 {
@@ -21,7 +21,7 @@ constexpr double marginGrowth = 1.4; // for each gathering within an update; twi
 constexpr double roomLeft = 0.4;     // of the margin: with less it gathers
 constexpr int mostSteps = 60, mostRounds = 12, idleSteps = 2, mostDoublings = 6;
 constexpr double widestCircle = 16.0; // rest gaps that steps which lead back to where they began go at rest
-constexpr double worthMoving = 0.25; // of a step: with less the rows in the way are added first
+constexpr double worthMoving = 0.25;  // of a step: with less the rows in the way are added first
 
 /// Tells whether a tool's steps lead back to where it was: contacts that take turns may push it round for ever.
 class Circle
@@ -65,8 +65,8 @@ private:
 
 } // namespace
 
-ToolMove::ToolMove(const ToolMesh& tool, std::shared_ptr<const BoxedMesh> scene_W, double lever_u)
-  : tool_(tool), scene_W_(std::move(scene_W)), lever_u_(lever_u), restGap_u_(tool.restGap_u()),
+ToolMove::ToolMove(const ToolMesh& tool, std::shared_ptr<const BoxedMesh> scene_W, double characteristic_u)
+  : tool_(tool), scene_W_(std::move(scene_W)), characteristic_u_(characteristic_u), restGap_u_(tool.restGap_u()),
     near_(*tool.shape_B, *this->scene_W_), rows_(*tool.shape_B, *this->scene_W_, tool.restGap_u())
 {
 }
@@ -107,7 +107,7 @@ void ToolMove::stand(const Pose& pose_W)
   this->rows_.findTouching(this->near_, this->pose_W_, this->front_->way_u());
 }
 
-bool ToolMove::makeRoom(WorkBudget& budget)
+bool ToolMove::makeScratch(WorkBudget& budget)
 {
   if (!this->gathering_ && this->front_->room_u() > roomLeft * this->front_->margin_u())
   {
@@ -174,7 +174,7 @@ void ToolMove::expect(const Pose& device_W)
 /// Plans a step and proves it; what blocks it early becomes a row, and it is planned again.
 ToolMove::ProvenStep ToolMove::planProven(const Vec6& wish, WorkBudget& budget)
 {
-  const StepLimits limits{ this->lever_u_, this->tool_.reach_u, this->restGap_u_, this->front_->room_u() };
+  const StepLimits limits{ this->characteristic_u_, this->tool_.reach_u, this->restGap_u_, this->front_->room_u() };
   const double least_u = endOfMotion * this->restGap_u_;
   ProvenStep found;
   for (int round = 0; round < mostRounds; ++round)
@@ -201,23 +201,23 @@ ToolMove::ProvenStep ToolMove::planProven(const Vec6& wish, WorkBudget& budget)
 /// leads is told.
 ToolMove::Lead ToolMove::lead(const Pose& device_W, WorkBudget& budget)
 {
-  Lead led{ device_W, wishedMotion(this->pose_W_, device_W, this->lever_u_, this->leadCut_) };
+  Lead led{ device_W, wishedMotion(this->pose_W_, device_W, this->characteristic_u_, this->leadCut_) };
   if (this->friction_ > 0.0)
   {
     const ToolContacts set = this->contacts();
-    const SettledWish rubbed = settledWish(set, led.wish, this->friction_);
+    const SettledTarget rubbed = settledTarget(set, led.wish, this->friction_);
     static_cast<void>(budget.spend(rubbed.rounds * std::uint64_t{ set.count })); // the proof asks
     led.device_W = { this->pose_W_.p + rubbed.wish.head<3>(),
-      (turnBy(rubbed.wish.tail<3>() / this->lever_u_) * this->pose_W_.q).normalized() };
+      (turnBy(rubbed.wish.tail<3>() / this->characteristic_u_) * this->pose_W_.q).normalized() };
     bool cut = false;
-    led.wish = wishedMotion(this->pose_W_, led.device_W, this->lever_u_, cut);
+    led.wish = wishedMotion(this->pose_W_, led.device_W, this->characteristic_u_, cut);
   }
   return led;
 }
 
 ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
 {
-  if (!this->makeRoom(budget))
+  if (!this->makeScratch(budget))
   {
     return Advance::Spent;
   }
@@ -249,8 +249,8 @@ double ToolMove::usefulShare(const PlannedStep& planned, const ScrewStep& step, 
   constexpr double nearlyAll = 0.75;
   const Pose end_W = step.end_W(1.0);
   const Mat3 turn = this->pose_W_.q.toRotationMatrix(), endTurn = end_W.q.toRotationMatrix();
-  const double before = wishedDistance2(this->pose_W_, device_W, this->lever_u_);
-  double change = wishedDistance2(end_W, device_W, this->lever_u_) - before;
+  const double before = wishedDistance2(this->pose_W_, device_W, this->characteristic_u_);
+  double change = wishedDistance2(end_W, device_W, this->characteristic_u_) - before;
   for (std::size_t i = 0; i < planned.pressures.size(); ++i)
   {
     if (planned.pressures[i] > 0.0)
@@ -260,7 +260,7 @@ double ToolMove::usefulShare(const PlannedStep& planned, const ScrewStep& step, 
                 (planeAt(feature, endTurn, end_W.p).gap_u - planeAt(feature, turn, this->pose_W_.p).gap_u);
     }
   }
-  const double slope = 2.0 * whitened(step.v_W, step.w_W, this->lever_u_).dot(planned.full);
+  const double slope = 2.0 * whitened(step.v_W, step.w_W, this->characteristic_u_).dot(planned.full);
   const double best = change + slope > 0.0 ? slope / (2.0 * (change + slope)) : 1.0;
   const double share = best > 0.0 && best < nearlyAll ? best : 1.0;
   const double taken = share * ((change + slope) * share - slope); // the parabola where the step will end
@@ -273,7 +273,7 @@ ToolContacts ToolMove::contacts() const
 {
   ToolContacts set;
   set.pose_W = this->pose_W_;
-  set.lever_u = this->lever_u_;
+  set.characteristic_u = this->characteristic_u_;
   set.reach_u = this->tool_.reach_u;
   set.restGap_u = this->restGap_u_;
   set.placed = this->placed();

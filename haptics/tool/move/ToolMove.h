@@ -42,8 +42,8 @@ public:
 class ToolMove
 {
 public:
-  /// `scene_W` as makeToolScene has it for this tool. `lever_u`: what a turn of 1 rad weighs as a way.
-  ToolMove(const ToolMesh& tool, std::shared_ptr<const BoxedMesh> scene_W, double lever_u);
+  /// `scene_W` as makeToolScene has it for this tool. `characteristic_u`: what a turn of 1 rad weighs as a way.
+  ToolMove(const ToolMesh& tool, std::shared_ptr<const BoxedMesh> scene_W, double characteristic_u);
 
   /// Puts the tool at a pose. Refused in words where it would touch or meet the scene there; then nothing has changed.
   [[nodiscard]] std::string place(const Pose& pose_W);
@@ -60,7 +60,7 @@ public:
   [[nodiscard]] ToolContacts contacts() const;
   /// It stands elsewhere among the triangles: they were moved, and it was proven that nothing met on the way.
   void stand(const Pose& pose_W);
-  /// Of each contact from now on (see settledWish); 0: none.
+  /// Of each contact from now on (see settledTarget); 0: none.
   void rub(double friction) noexcept { this->friction_ = friction; }
   /// Null: nobody.
   void watch(StepSink* sink) noexcept { this->sink_ = sink; }
@@ -80,7 +80,7 @@ private:
     Vec6 wish; ///< to it, whitened
   };
   [[nodiscard]] Lead lead(const Pose& device_W, WorkBudget& budget);
-  [[nodiscard]] bool makeRoom(WorkBudget& budget);
+  [[nodiscard]] bool makeScratch(WorkBudget& budget);
   struct ProvenStep
   {
     PlannedStep planned;
@@ -94,7 +94,7 @@ private:
 
   ToolMesh tool_;
   std::shared_ptr<const BoxedMesh> scene_W_;
-  double lever_u_;
+  double characteristic_u_;
   double restGap_u_;
   double friction_ = 0.0;
   Pose pose_W_;

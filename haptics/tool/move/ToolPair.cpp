@@ -31,7 +31,7 @@ Mat3 crossing(const Vec3& v)
 Mat6 compliance(const ToolPair::Hold& hold)
 {
   Vec6 diagonal = Vec6::Constant(1.0 / hold.stiffness_N_per_u);
-  diagonal.tail<3>() /= hold.lever_u * hold.lever_u;
+  diagonal.tail<3>() /= hold.characteristic_u * hold.characteristic_u;
   return diagonal.asDiagonal();
 }
 
@@ -65,8 +65,8 @@ std::shared_ptr<const BoxedMesh> asScene(const ToolMesh& of, const ToolMesh& aga
 } // namespace
 
 ToolPair::ToolPair(const ToolMesh& one, const ToolMesh& other, const std::array<Hold, 2>& holds)
-  : holds_(holds), moves_{ ToolMove(one, asScene(other, one), holds[0].lever_u),
-      ToolMove(other, asScene(one, other), holds[1].lever_u) }
+  : holds_(holds), moves_{ ToolMove(one, asScene(other, one), holds[0].characteristic_u),
+      ToolMove(other, asScene(one, other), holds[1].characteristic_u) }
 {
 }
 

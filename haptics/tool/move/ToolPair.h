@@ -20,8 +20,8 @@ class ToolPair
 public:
   struct Hold
   {
-    double lever_u = 1.0;         ///< what a turn of 1 rad weighs as a way
-    double stiffness_N_per_u = 1; ///< of the spring to its hand
+    double characteristic_u = 1.0; ///< what a turn of 1 rad weighs as a way
+    double stiffness_N_per_u = 1;  ///< of the spring to its hand
   };
   using Poses = std::array<Pose, 2>;
   using Pushes = std::array<Wrench, 2>;

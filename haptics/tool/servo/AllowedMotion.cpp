@@ -15,7 +15,7 @@ AllowedMotion allowedMotion(const ToolContacts& set, const Vec6& wish) noexcept
   for (std::size_t i = 0; i < count; ++i)
   {
     const ToolContact& contact = set.contacts[i];
-    rows[i] = motionRow(contact.n_W, contact.arm_W, std::min(0.0, set.restGap_u - contact.gap_u), set.lever_u);
+    rows[i] = motionRow(contact.n_W, contact.arm_W, std::min(0.0, set.restGap_u - contact.gap_u), set.characteristic_u);
   }
   const NearestMotion nearest = nearestMotion(std::span(rows.data(), count), wish);
   AllowedMotion allowed;

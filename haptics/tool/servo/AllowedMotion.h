@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "haptics/tool/motion/WishedMotion.h"
+#include "haptics/tool/motion/TargetMotion.h"
 #include "haptics/tool/servo/ToolContacts.h"
 
 namespace palpate

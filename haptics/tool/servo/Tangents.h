@@ -11,12 +11,12 @@ namespace palpate
 /// How a point of a tool moves along its contact, as columns that a whitened motion is multiplied by.
 using Tangents = Eigen::Matrix<double, 6, 2>;
 
-[[nodiscard]] inline Tangents tangentsOf(const Vec3& n_W, const Vec3& arm_W, double lever_u) noexcept
+[[nodiscard]] inline Tangents tangentsOf(const Vec3& n_W, const Vec3& arm_W, double characteristic_u) noexcept
 {
   const auto [first, second] = tangentsOf(n_W);
   Tangents along;
-  along.col(0) << first, arm_W.cross(first) / lever_u;
-  along.col(1) << second, arm_W.cross(second) / lever_u;
+  along.col(0) << first, arm_W.cross(first) / characteristic_u;
+  along.col(1) << second, arm_W.cross(second) / characteristic_u;
   return along;
 }
 

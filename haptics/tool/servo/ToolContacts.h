@@ -25,10 +25,10 @@ struct ToolContacts
   static constexpr std::size_t capacity = 64;
 
   Pose pose_W;
-  double lever_u = 1.0;       ///< of the metric
-  double reach_u = 0.0;       ///< no point of the tool is further from its pose
-  double restGap_u = 0.0;     ///< the servo keeps this gap
-  std::uint64_t revision = 0; ///< another for each set that is handed on
+  double characteristic_u = 1.0; ///< of the metric
+  double reach_u = 0.0;          ///< no point of the tool is further from its pose
+  double restGap_u = 0.0;        ///< the servo keeps this gap
+  std::uint64_t revision = 0;    ///< another for each set that is handed on
   std::uint32_t count = 0;
   bool held = false;   ///< a tool is in the hand; false: the hand touches with its ball
   bool placed = false; ///< and it stands somewhere; false: no force

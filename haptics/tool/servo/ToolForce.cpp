@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "haptics/tool/servo/RubbedWish.h"
+#include "haptics/tool/servo/FrictionTarget.h"
 
 namespace palpate
 {
@@ -15,9 +15,9 @@ ToolPull toolPull(const ToolContacts& contacts, const Pose& device_W, ToolCoupli
   if (contacts.placed && device_W.p.allFinite() && std::abs(length2 - 1.0) < 1e-6)
   {
     bool cut = false;
-    const Vec6 wish = wishedMotion(contacts.pose_W, device_W, contacts.lever_u, cut);
+    const Vec6 wish = wishedMotion(contacts.pose_W, device_W, contacts.characteristic_u, cut);
     const bool rubs = coupling == ToolCoupling::Constraints; // the virtual spring is the same with friction
-    const AllowedMotion allowed = allowedMotion(contacts, rubs ? rubbedWish(contacts, wish, friction) : wish);
+    const AllowedMotion allowed = allowedMotion(contacts, rubs ? frictionTarget(contacts, wish, friction) : wish);
     pull.active = allowed.active;
     pull.presses = allowed.presses;
     pull.pull_u = coupling == ToolCoupling::Constraints ? Vec6(allowed.y - wish) : Vec6(-wish);
@@ -33,7 +33,7 @@ ToolPush toolPush(const ToolContacts& contacts, const Pose& device_W, double sti
   push.active = pull.active;
   push.stored = 0.5 * stiffness_N_per_u * pull.pull_u.squaredNorm();
   push.wrench_W.force = stiffness_N_per_u * pull.pull_u.head<3>();
-  push.wrench_W.torque = stiffness_N_per_u * contacts.lever_u * pull.pull_u.tail<3>();
+  push.wrench_W.torque = stiffness_N_per_u * contacts.characteristic_u * pull.pull_u.tail<3>();
   return push;
 }
 

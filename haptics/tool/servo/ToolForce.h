@@ -21,8 +21,8 @@ struct ToolPull
   std::array<ToolPress, ToolPress::most> presses{}; ///< those; of more that would do the sum is the same
 };
 
-/// The pull of which toolPush() makes a force. `friction`: of each contact, see rubbedWish(). Zero for a device pose
-/// that is none. Real-time safe.
+/// The pull of which toolPush() makes a force. `friction`: of each contact, see frictionTarget(). Zero for a device
+/// pose that is none. Real-time safe.
 [[nodiscard]] ToolPull toolPull(
   const ToolContacts& contacts, const Pose& device_W, ToolCoupling coupling, double friction = 0.0) noexcept;
 

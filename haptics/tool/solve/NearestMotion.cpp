@@ -211,10 +211,10 @@ bool enforce(ActiveRows& active, const MotionRow& row, int broken, NearestMotion
 
 } // namespace
 
-MotionRow motionRow(const Vec3& n, const Vec3& arm, double least, double lever_u) noexcept
+MotionRow motionRow(const Vec3& n, const Vec3& arm, double least, double characteristic_u) noexcept
 {
   Vec6 j;
-  j << n, arm.cross(n) / lever_u;
+  j << n, arm.cross(n) / characteristic_u;
   const double norm = j.norm();
   return { j / norm, least / norm };
 }

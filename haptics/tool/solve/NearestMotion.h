@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "haptics/tool/motion/WishedMotion.h"
+#include "haptics/tool/motion/TargetMotion.h"
 
 namespace palpate
 {
@@ -18,7 +18,7 @@ struct MotionRow
 };
 
 /// Of n . (v + w x arm) >= least, n a unit vector and `arm` from the tool's centre.
-[[nodiscard]] MotionRow motionRow(const Vec3& n, const Vec3& arm, double least, double lever_u) noexcept;
+[[nodiscard]] MotionRow motionRow(const Vec3& n, const Vec3& arm, double least, double characteristic_u) noexcept;
 
 /// The motion nearest to the one that was wished for, and what pushes it there.
 struct NearestMotion

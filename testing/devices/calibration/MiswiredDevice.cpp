@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/force/HeldWalls.h"
+#include "haptics/force/DeviceWalls.h"
 
 namespace palpate::test
 {
@@ -48,7 +48,7 @@ void MiswiredDevice::write(const DeviceCommand& command) noexcept
   given.viscosity_Ns_per_m *= this->wiring_.brake;
   for (std::size_t i = 0; i < std::min<std::size_t>(given.wallCount, given.walls.size()); ++i)
   {
-    HeldWall& wall = given.walls[i];
+    DeviceWall& wall = given.walls[i];
     wall.stiffness_N_per_m *= this->wiring_.springs;
     for (int side = 0; side < AxisWalls::count; ++side)
     {

@@ -369,8 +369,8 @@ TEST(CalibratedDevice, AWallThatTheDeviceHoldsStandsWhereItStoodForTheHand)
     rig.raw.shown.pose_D.p = random.direction() * 0.05;
     DeviceSample sample;
     ASSERT_EQ(rig.device.read(0.0, sample), DeviceStatus::Ok);
-    const HeldWall& seen = command.walls[0];
-    const HeldWall& told = rig.raw.told.walls[0];
+    const DeviceWall& seen = command.walls[0];
+    const DeviceWall& told = rig.raw.told.walls[0];
     EXPECT_NEAR(told.normal_D.dot(rig.raw.shown.pose_D.p) - told.offset_m,
       seen.normal_D.dot(sample.pose_D.p) - seen.offset_m, 1e-15);
   }

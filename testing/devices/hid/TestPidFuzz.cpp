@@ -91,7 +91,7 @@ DeviceCommand anyCommand(test::Random& random, const PidScale& scale)
   DeviceCommand command;
   command.wrench_D.force = random.inCube(scale.maxForce_N);
   command.wallCount = static_cast<std::uint8_t>(random.below(5));
-  for (HeldWall& wall : command.walls)
+  for (DeviceWall& wall : command.walls)
   {
     const Vec3 axis = random.below(2) == 0 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
     const Vec3 across = random.below(4) == 0 ? random.direction() : axis;

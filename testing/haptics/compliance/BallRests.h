@@ -34,7 +34,7 @@ struct BallRest
 ///   - no force draws, and along the directions that S leaves free x is p + f / K plus the mean of u_c by force,
 ///   - the rest is stable: displaced along these directions, the ball goes back.
 /// Where the ball fits at the hand itself, the empty set is a rest too.
-/// The compliance between two points and the depth of the springs are the packet's, and tested elsewhere; balance,
+/// The compliance between two points and the depth of the springs are the snapshot's, and tested elsewhere; balance,
 /// features and stability are computed here.
 class BallRests
 {
@@ -265,8 +265,8 @@ private:
     SurfacePoint point{ { f.v[0], f.v[f.v.size() > 1 ? 1 : 0], f.v[f.v.size() > 2 ? 2 : 0] }, shares, touch.foot_W };
     point.weights = point.weights.cwiseMax(0.0);
     point.weights /= point.weights.sum();
-    touch.point = compliantPoint(*this->s_.packet, point);
-    touch.spring = springAt(*this->s_.packet, point);
+    touch.point = compliantPoint(*this->s_.snapshot, point);
+    touch.spring = springAt(*this->s_.snapshot, point);
     return touch;
   }
 
@@ -282,7 +282,7 @@ private:
       {
         const Vec3 force = f[static_cast<Eigen::Index>(c)] * touches[c].n;
         const double share = sharedBy(touches[e].point, touches[c].point);
-        u[e] += complianceBetween(*this->s_.packet, touches[e].point, touches[c].point) * force;
+        u[e] += complianceBetween(*this->s_.snapshot, touches[e].point, touches[c].point) * force;
         pressed += share * force;
         sum += share;
       }

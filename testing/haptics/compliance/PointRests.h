@@ -92,7 +92,7 @@ private:
   {
     return (this->vertex(t[1]) - this->vertex(t[0])).cross(this->vertex(t[2]) - this->vertex(t[0])).normalized();
   }
-  [[nodiscard]] Mat3 own(std::uint32_t v) const { return this->s_.packet->between(v, v); }
+  [[nodiscard]] Mat3 own(std::uint32_t v) const { return this->s_.snapshot->between(v, v); }
 
   void addOnFace(const Face& face, const Vec3& p_W, std::vector<Rest>& rests) const
   {

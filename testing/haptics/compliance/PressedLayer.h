@@ -73,11 +73,11 @@ inline SoftBodyInput layerOf(const oracle::Layer& layer, double edge, double eve
   return input;
 }
 
-/// Presses a ball into a body's top, by turns of a tick and a packet as at rate 0.
+/// Presses a ball into a body's top, by turns of a tick and a snapshot as at rate 0.
 class Presser
 {
 public:
-  Presser(const SoftBodyInput& input, double ball_m) : room_(std::make_unique<SoftRoom>())
+  Presser(const SoftBodyInput& input, double ball_m) : room_(std::make_unique<SoftScratch>())
   {
     SoftBodyResult made = makeSoftBody(input);
     EXPECT_TRUE(made.body) << made.refusal;
@@ -86,7 +86,7 @@ public:
     Surface surface;
     surface.tree = std::make_shared<const SurfaceTree>(TriangleMesh{ this->surface_.rest_W, this->surface_.triangles });
     this->scene_ = std::make_unique<Scene>(1, std::vector<Surface>{ surface });
-    this->maker_ = std::make_unique<PacketMaker>(*this->body_, this->surface_);
+    this->maker_ = std::make_unique<SnapshotMaker>(*this->body_, this->surface_);
     this->plan_.radius_u = ball_m;
     this->plan_.coupling_N_per_m = 1e4;
     this->plan_.friction = { 5.0, 5.0 };
@@ -129,9 +129,9 @@ private:
       this->request_.forceAt.push_back(this->state_.contacts[c].point.at);
       this->request_.force_N.push_back(-this->state_.contacts[c].force_N);
     }
-    const auto before = std::exchange(this->packet_, this->maker_->make(this->request_, 1));
-    this->touch_ = { 0, this->packet_.get() };
-    changePackets(std::span(&this->touch_, 1), this->state_);
+    const auto before = std::exchange(this->snapshot_, this->maker_->make(this->request_, 1));
+    this->touch_ = { 0, this->snapshot_.get() };
+    changeSnapshots(std::span(&this->touch_, 1), this->state_);
     this->state_.offset_W.setZero(); // as when what a change would have done has faded
     return moveOnSoft(*this->scene_, this->plan_, std::span(&this->touch_, 1), device_W, this->state_, *this->room_);
   }
@@ -139,12 +139,12 @@ private:
   std::unique_ptr<SoftBody> body_;
   SoftSurface surface_;
   std::unique_ptr<Scene> scene_;
-  std::unique_ptr<PacketMaker> maker_;
-  std::unique_ptr<SoftRoom> room_;
-  PacketRequest request_;
+  std::unique_ptr<SnapshotMaker> maker_;
+  std::unique_ptr<SoftScratch> room_;
+  SnapshotRequest request_;
   ContactPlan plan_;
-  std::shared_ptr<const CompliancePacket> packet_;
-  SoftTouch touch_;
+  std::shared_ptr<const ComplianceSnapshot> snapshot_;
+  SoftSurfaceRef touch_;
   SoftState state_;
   SoftResult pressed_;
 };

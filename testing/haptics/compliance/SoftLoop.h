@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "Blocks.h"
-#include "haptics/compliance/packet/PacketMaker.h"
 #include "haptics/compliance/servo/SoftTick.h"
+#include "haptics/compliance/snapshot/SnapshotMaker.h"
 #include "haptics/contact/carry/CarryBall.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
 #include "haptics/geometry/scene/SceneMotion.h"
@@ -14,8 +14,8 @@
 namespace palpate::test
 {
 
-/// A servo of 1 kHz and a pad (Blocks.h) that is computed once in a while, both in virtual time: packets arrive so many
-/// periods after the tick that they were made from.
+/// A servo of 1 kHz and a pad (Blocks.h) that is computed once in a while, both in virtual time: snapshots arrive so
+/// many periods after the tick that they were made from.
 class SoftLoop
 {
 public:
@@ -26,7 +26,7 @@ public:
     this->take(this->ask());
   }
 
-  /// `arrives`: whether a packet that is due in this tick does.
+  /// `arrives`: whether a snapshot that is due in this tick does.
   SoftResult tick(const Vec3& p_W, bool arrives = true)
   {
     if (this->ticks_ % this->period_ticks_ == 0 && this->ticks_ > 0)
@@ -54,15 +54,15 @@ public:
     return moveOnSoft(now, this->plan, std::span(&this->touch_, 1), p_W, this->state, *this->room_);
   }
 
-  [[nodiscard]] const CompliancePacket& packet() const { return *this->packet_; }
+  [[nodiscard]] const ComplianceSnapshot& snapshot() const { return *this->snapshot_; }
 
   ContactPlan plan;
   SoftState state;
 
 private:
-  std::shared_ptr<const CompliancePacket> ask()
+  std::shared_ptr<const ComplianceSnapshot> ask()
   {
-    PacketRequest request;
+    SnapshotRequest request;
     request.period_s = 1e-3 * this->period_ticks_;
     request.ball_W = this->state.core.placed ? this->state.core.x_W : middleOfPad();
     for (int c = 0; c < this->state.count; ++c)
@@ -73,36 +73,36 @@ private:
     return this->maker_.make(request);
   }
 
-  void take(std::shared_ptr<const CompliancePacket> packet)
+  void take(std::shared_ptr<const ComplianceSnapshot> snapshot)
   {
     SurfaceInput input;
     input.name = "soft";
-    input.mesh = std::make_shared<TriangleMesh>(TriangleMesh{ packet->free_W, this->surface_.triangles });
+    input.mesh = std::make_shared<TriangleMesh>(TriangleMesh{ snapshot->free_W, this->surface_.triangles });
     input.ordered = true;
     const auto next = this->builder_.build({ input }, this->scene_.get()).scene;
     if (!next)
     {
-      throw std::runtime_error("a packet's surface is no scene");
+      throw std::runtime_error("a snapshot's surface is no scene");
     }
     this->scene_ = this->scene_ ? movingFrom(*this->scene_, this->share_, next, 1e-3 * this->period_ticks_) : next;
     this->share_ = 0.0;
-    this->packet_ = std::move(packet);
-    this->touch_ = { 0, this->packet_.get() };
-    changePackets(std::span(&this->touch_, 1), this->state);
+    this->snapshot_ = std::move(snapshot);
+    this->touch_ = { 0, this->snapshot_.get() };
+    changeSnapshots(std::span(&this->touch_, 1), this->state);
   }
 
   const SoftSurface& surface_;
-  PacketMaker maker_;
+  SnapshotMaker maker_;
   SceneBuilder builder_;
   int period_ticks_;
   std::size_t periodsLate_;
   int ticks_ = 0;
-  std::shared_ptr<const CompliancePacket> packet_;
-  std::deque<std::shared_ptr<const CompliancePacket>> underWay_;
-  SoftTouch touch_;
+  std::shared_ptr<const ComplianceSnapshot> snapshot_;
+  std::deque<std::shared_ptr<const ComplianceSnapshot>> underWay_;
+  SoftSurfaceRef touch_;
   std::shared_ptr<const Scene> scene_;
   double share_ = 1.0;
-  std::unique_ptr<SoftRoom> room_ = std::make_unique<SoftRoom>();
+  std::unique_ptr<SoftScratch> room_ = std::make_unique<SoftScratch>();
 };
 
 } // namespace palpate::test

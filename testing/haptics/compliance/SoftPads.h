@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "Blocks.h"
-#include "haptics/compliance/packet/PacketMaker.h"
+#include "haptics/compliance/snapshot/SnapshotMaker.h"
 
 namespace palpate::test
 {
@@ -75,21 +75,21 @@ struct SoftPad
     return 0;
   }
 
-  [[nodiscard]] PacketRequest request(double radius_u) const
+  [[nodiscard]] SnapshotRequest request(double radius_u) const
   {
-    PacketRequest request;
+    SnapshotRequest request;
     request.ball_W = middle();
     request.radius_u = radius_u;
     return request;
   }
 
   /// At rest; `beyond`: how much further than usual its neighbourhood reaches.
-  [[nodiscard]] std::shared_ptr<const CompliancePacket> packet(double radius_u, double beyond_u) const
+  [[nodiscard]] std::shared_ptr<const ComplianceSnapshot> snapshot(double radius_u, double beyond_u) const
   {
-    PacketRequest request = this->request(radius_u);
+    SnapshotRequest request = this->request(radius_u);
     request.velocity_u_per_s = Vec3(0.0, 0.0, 1e-9);
     request.period_s = beyond_u / 2e-9;
-    return PacketMaker(*this->body, this->surface).make(request);
+    return SnapshotMaker(*this->body, this->surface).make(request);
   }
 
   TetraMesh mesh;

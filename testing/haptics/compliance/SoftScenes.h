@@ -15,11 +15,11 @@ namespace palpate::test
 struct SoftScene
 {
   explicit SoftScene(SoftPad padded, double radius_u = 0.005, double wholeWidth = 0.4)
-    : pad(std::move(padded)), scene(1, { surfaceOf(pad) }), room(std::make_unique<SoftRoom>())
+    : pad(std::move(padded)), scene(1, { surfaceOf(pad) }), room(std::make_unique<SoftScratch>())
   {
     this->plan.radius_u = radius_u;
-    this->packet = std::make_shared<CompliancePacket>(*this->pad.packet(radius_u, wholeWidth));
-    this->touch = { 0, this->packet.get() };
+    this->snapshot = std::make_shared<ComplianceSnapshot>(*this->pad.snapshot(radius_u, wholeWidth));
+    this->touch = { 0, this->snapshot.get() };
   }
 
   static Surface surfaceOf(const SoftPad& pad)
@@ -36,17 +36,17 @@ struct SoftScene
 
   void scaleCompliance(double factor)
   {
-    this->packet->compliance *= factor;
-    this->packet->springs.assign(this->packet->springs.size(), SubgridSpring{});
+    this->snapshot->compliance *= factor;
+    this->snapshot->springs.assign(this->snapshot->springs.size(), SubgridSpring{});
   }
 
   SoftPad pad;
   Scene scene;
   ContactPlan plan;
-  std::shared_ptr<CompliancePacket> packet;
-  SoftTouch touch;
+  std::shared_ptr<ComplianceSnapshot> snapshot;
+  SoftSurfaceRef touch;
   SoftState state;
-  std::unique_ptr<SoftRoom> room;
+  std::unique_ptr<SoftScratch> room;
 };
 
 /// Presses into the middle and slides along, 1 kHz: .1 m/s.

@@ -176,7 +176,7 @@ TEST(ContactProblem, UpToTenContactsWithFrictionAreSolvedToRounding)
 {
   Random random(testSeed(188));
   const auto problem = std::make_unique<ContactProblem>();
-  const auto room = std::make_unique<FrictionRoom>();
+  const auto room = std::make_unique<FrictionScratch>();
   int sticking = 0;
   int slipping = 0;
   for (std::size_t trial = 0; trial < testCount(120); ++trial)
@@ -207,7 +207,7 @@ TEST(ContactProblem, FortyContactsAreSweptCloseToTheirLaws)
 {
   Random random(testSeed(189));
   const auto problem = std::make_unique<ContactProblem>();
-  const auto room = std::make_unique<FrictionRoom>();
+  const auto room = std::make_unique<FrictionScratch>();
   for (int trial = 0; trial < 5; ++trial)
   {
     makeRandomContacts(random, ContactProblem::most, *problem);

@@ -18,7 +18,7 @@ namespace
 
 constexpr double patch_u = 0.01;
 
-SoftContact contactAt(const SoftTouch& touch, const Vec3& at_W, const Vec3& n, double force_N)
+SoftContact contactAt(const SoftSurfaceRef& touch, const Vec3& at_W, const Vec3& n, double force_N)
 {
   SoftContact contact;
   contact.soft = &touch;
@@ -32,7 +32,7 @@ SoftContact contactAt(const SoftTouch& touch, const Vec3& at_W, const Vec3& n, d
 
 TEST(SharedDents, ContactsOfOnePlaceHaveOneDentUnderTheirWholeForceAndFarOnesOneEach)
 {
-  const SoftTouch touch;
+  const SoftSurfaceRef touch;
   for (const double apart_u : { 0.0, 100.0 * patch_u })
   {
     std::vector<SoftContact> contacts;
@@ -50,8 +50,8 @@ TEST(SharedDents, ContactsOfOnePlaceHaveOneDentUnderTheirWholeForceAndFarOnesOne
 
 TEST(SharedDents, OfAWallAndOfAnotherBodyNothingIsShared)
 {
-  const SoftTouch one;
-  const SoftTouch other;
+  const SoftSurfaceRef one;
+  const SoftSurfaceRef other;
   std::vector<SoftContact> contacts{ contactAt(one, Vec3::Zero(), Vec3::UnitZ(), 1.0),
     contactAt(other, Vec3::Zero(), Vec3::UnitZ(), 1.0), contactAt(one, Vec3::Zero(), Vec3::UnitZ(), 1.0) };
   contacts[2].soft = nullptr;
@@ -62,7 +62,7 @@ TEST(SharedDents, OfAWallAndOfAnotherBodyNothingIsShared)
 }
 
 /// At random places within some patches, pressed within their cones of normals.
-std::vector<SoftContact> randomContacts(const SoftTouch& touch, Random& random)
+std::vector<SoftContact> randomContacts(const SoftSurfaceRef& touch, Random& random)
 {
   std::vector<SoftContact> contacts;
   for (int i = 0; i < 5; ++i)
@@ -76,7 +76,7 @@ std::vector<SoftContact> randomContacts(const SoftTouch& touch, Random& random)
 TEST(SharedDents, DepthIsTheDerivativeOfTheEnergyAndSlopesThatOfDepth)
 {
   Random random(testSeed(77));
-  const SoftTouch touch;
+  const SoftSurfaceRef touch;
   for (std::size_t i = 0; i < testCount(50); ++i)
   {
     std::vector<SoftContact> contacts = randomContacts(touch, random);
@@ -121,7 +121,7 @@ TEST(SharedDents, DepthIsTheDerivativeOfTheEnergyAndSlopesThatOfDepth)
 TEST(SharedDents, AsideIsTheDerivativeOfTheEnergyByTheForcesAcrossAndNeverTakesAny)
 {
   Random random(testSeed(282));
-  const SoftTouch touch;
+  const SoftSurfaceRef touch;
   for (std::size_t i = 0; i < testCount(50); ++i)
   {
     std::vector<SoftContact> contacts = randomContacts(touch, random);
@@ -161,7 +161,7 @@ TEST(SharedDents, AsideIsTheDerivativeOfTheEnergyByTheForcesAcrossAndNeverTakesA
 
 TEST(SharedDents, OneAloneGivesAlongTheSurfaceByMindlinsRatioOfItsSlope)
 {
-  const SoftTouch touch;
+  const SoftSurfaceRef touch;
   std::vector<SoftContact> contacts{ contactAt(touch, Vec3::Zero(), Vec3::UnitZ(), 0.1) };
   contacts[0].spring.across = 1.6 / 1.2; // (2 - nu) / (2 (1 - nu)) at nu = .4
   SharedDents dents(contacts);

@@ -10,7 +10,7 @@
 
 #include "Blocks.h"
 #include "haptics/compliance/element/Materials.h"
-#include "haptics/compliance/packet/SoftSurface.h"
+#include "haptics/compliance/snapshot/SoftSurface.h"
 #include "testing/oracles/quadratic/QuadraticSolid.h"
 #include "testing/support/Random.h"
 

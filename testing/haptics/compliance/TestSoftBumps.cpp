@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ball slides over bumps that give way. What it feels is judged from the triangles and the packet alone.
+// A ball slides over bumps that give way. What it feels is judged from the triangles and the snapshot alone.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -60,8 +60,8 @@ Mat3 complianceAt(const SoftScene& s, const Vec3& x)
       Vec3((c - b).cross(x - b).dot(n), (a - c).cross(x - c).dot(n), (b - a).cross(x - a).dot(n)) / n.squaredNorm();
     if (std::abs(n.normalized().dot(x - a)) < 1e-6 && weights.minCoeff() > -1e-9)
     {
-      return weights[0] * s.packet->between(t[0], t[0]) + weights[1] * s.packet->between(t[1], t[1]) +
-             weights[2] * s.packet->between(t[2], t[2]);
+      return weights[0] * s.snapshot->between(t[0], t[0]) + weights[1] * s.snapshot->between(t[1], t[1]) +
+             weights[2] * s.snapshot->between(t[2], t[2]);
     }
   }
   ADD_FAILURE() << "no face at " << x.transpose();
@@ -218,7 +218,7 @@ TEST(SoftBumps, TheForceIsTheCouplingTimesTheWayToTheBallAndNoTickEndsAtALimit)
 }
 
 /// Feature and multiplier of the one face that holds a rigid point; null: none or several.
-const HeldPlane* oneFaceOf(const ContactResult& rigid)
+const ActivePlane* oneFaceOf(const ContactResult& rigid)
 {
   return rigid.heldCount == 1 && rigid.held[0].feature.kind == FeatureKind::Face ? &rigid.held[0] : nullptr;
 }
@@ -274,7 +274,7 @@ TEST(SoftBumps, AsHardAsSteelTheyAreFeltAsRigidOnesButForWhereInItsConeFrictionH
       const SoftResult soft = s.move(p);
       const ContactResult hard = moveGodObject(s.scene, s.plan, p, rigid);
       const Vec3 hard_N = stiffness * hard.pull_W;
-      const HeldPlane* const face = oneFaceOf(hard);
+      const ActivePlane* const face = oneFaceOf(hard);
       const SoftContact* const own = oneFaceOf(s.state);
       if (face == nullptr || own == nullptr || face->feature.a != own->feature.a)
       {

@@ -98,9 +98,9 @@ public:
   OracleBall(const SoftScene& s, const Vec3& p_W)
     : rests_(s, stiffness, 0.03), scene_(s), force_{ p_W }, rest_{ p_W, Vec3::Zero(), {} }
   {
-    for (const std::uint32_t v : s.packet->near)
+    for (const std::uint32_t v : s.snapshot->near)
     {
-      this->most_ = std::max(this->most_, s.packet->between(v, v).eigenvalues().real().maxCoeff());
+      this->most_ = std::max(this->most_, s.snapshot->between(v, v).eigenvalues().real().maxCoeff());
     }
   }
 
@@ -111,7 +111,7 @@ public:
   [[nodiscard]] double reach_u(double way_u, double differ_N, double force_N) const
   {
     const double size_N = std::max(force_N, 1e-3);
-    const double dent = subgridDepth(this->scene_.packet->springs.front(), size_N).depth_u / size_N;
+    const double dent = subgridDepth(this->scene_.snapshot->springs.front(), size_N).depth_u / size_N;
     return way_u + differ_N * (1.0 / stiffness + this->most_ + dent);
   }
 
@@ -199,9 +199,9 @@ TEST(SoftBumps, ABallWithoutFrictionHoweverDeepStepsOnlyWhereNoPlaceOfRestIsNear
 double moreAcross(const SoftScene& s)
 {
   double most = 0.0;
-  for (const std::uint32_t v : s.packet->near)
+  for (const std::uint32_t v : s.snapshot->near)
   {
-    const Mat3 own = s.packet->between(v, v);
+    const Mat3 own = s.snapshot->between(v, v);
     const double across = own.topLeftCorner<2, 2>().selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff();
     most = std::max(most, (across - own(2, 2)) / (own(2, 2) + 1.0 / stiffness));
   }

@@ -77,9 +77,9 @@ Certificate certify(const SoftScene& s, const SoftResult& tick, const Vec3& p_W,
       for (int i = 0; i < 9; ++i)
       {
         bilinear += contact.point.at.weights[i / 3] * other.point.at.weights[i % 3] *
-                    s.packet->between(contact.point.at.vertices[i / 3], other.point.at.vertices[i % 3]);
+                    s.snapshot->between(contact.point.at.vertices[i / 3], other.point.at.vertices[i % 3]);
       }
-      own += (complianceBetween(*s.packet, contact.point, other.point) - bilinear) * other.force_N;
+      own += (complianceBetween(*s.snapshot, contact.point, other.point) - bilinear) * other.force_N;
     }
     const double normal = contact.n.dot(contact.force_N);
     const double gap = contact.n.dot(ball_W - place + own) - s.plan.radius_u;
@@ -140,7 +140,7 @@ TEST(SoftTick, OnAFlatPadForcesAreStraightAndMeetTheLawsOnTheWholeBody)
   for (const double friction : { 0.0, 0.3 })
   {
     SoftScene s(SoftPad(8, 2.0, ElementKind::Linear));
-    s.packet->springs.assign(s.packet->springs.size(), SubgridSpring{});
+    s.snapshot->springs.assign(s.snapshot->springs.size(), SubgridSpring{});
     s.plan.friction = { friction, friction };
     int touched = 0;
     int capped = 0;
@@ -173,7 +173,7 @@ TEST(SoftTick, OnBumpsForcesMeetTheLawsOnTheWholeBody)
   for (const double friction : { 0.0, 0.3 })
   {
     SoftScene s(bumpyPad());
-    s.packet->springs.assign(s.packet->springs.size(), SubgridSpring{});
+    s.snapshot->springs.assign(s.snapshot->springs.size(), SubgridSpring{});
     s.plan.friction = { friction, friction };
     int capped = 0;
     int several = 0;
@@ -220,7 +220,7 @@ TEST(SoftTick, ASmallBallIsAsDeepAsHertzInsideTheLoopAndWithFriction)
       const CompliantPoint& point = s.state.contacts[0].point;
       const SubgridSpring& spring = s.state.contacts[0].spring;
       const Vec3 f = found.force_N;
-      const Vec3 given = complianceBetween(*s.packet, point, point) * f + f / s.plan.coupling_N_per_m;
+      const Vec3 given = complianceBetween(*s.snapshot, point, point) * f + f / s.plan.coupling_N_per_m;
       EXPECT_NEAR(given.z() + subgridDepth(spring, f.z()).depth_u, depth, 1e-9 * depth);
       if (depth < 1e-3) // a contact much smaller than ball and patch: Hertz, less the patch on a half space
       {
@@ -230,7 +230,7 @@ TEST(SoftTick, ASmallBallIsAsDeepAsHertzInsideTheLoopAndWithFriction)
       // And the ball is shown where the coupling alone holds it off the device.
       EXPECT_NEAR(found.proxy_W.z(), 0.06 - depth + f.z() / s.plan.coupling_N_per_m, 1e-9);
     }
-    // 1 mm deep: Hertz times the layer's factor (CompliancePacket).
+    // 1 mm deep: Hertz times the layer's factor (ComplianceSnapshot).
     const double truth_N = 1.0653 * 4.0 / 3.0 * 20e3 / 0.84 * 0.1 * std::pow(1e-3, 1.5);
     s.state = {};
     (void)s.move(SoftPad::middle() + Vec3(0, 0, 0.02));
@@ -284,11 +284,11 @@ TEST(SoftTick, ASofterPacketLeavesTheForceAsItIsAndIsFeltOnceTheChangeHasFaded)
   SoftScene anew(SoftPad(8, 2.0, ElementKind::Linear));
   (void)s.move(p + Vec3(0, 0, 0.02));
   const double before_N = s.move(p).force_N.norm();
-  CompliancePacket softer = *s.packet;
+  ComplianceSnapshot softer = *s.snapshot;
   softer.compliance *= 1.5;
-  *anew.packet = softer;
-  s.touch.packet = &softer;
-  changePackets(std::span(&s.touch, 1), s.state);
+  *anew.snapshot = softer;
+  s.touch.snapshot = &softer;
+  changeSnapshots(std::span(&s.touch, 1), s.state);
   EXPECT_NEAR(s.move(p).force_N.norm(), before_N, 1e-6 * before_N);
   for (int tick = 0; tick < 1000; ++tick)
   {
@@ -345,7 +345,7 @@ TEST(SoftTick, AfterTicksWithLittleWorkItComesToWhereItWouldHaveBeen)
   ASSERT_EQ(whole.state.count, 1);
   const SoftContact& contact = whole.state.contacts[0];
   const Vec3 f = expected.force_N;
-  const double given_u = (complianceBetween(*whole.packet, contact.point, contact.point) * f).z() +
+  const double given_u = (complianceBetween(*whole.snapshot, contact.point, contact.point) * f).z() +
                          f.z() / whole.plan.coupling_N_per_m + subgridDepth(contact.spring, f.z()).depth_u;
   const double depth_u = 0.05 + whole.plan.radius_u - wayOver(200).z();
   EXPECT_NEAR(given_u, depth_u, 1e-9 * depth_u);

@@ -6,7 +6,7 @@
 #include "Blocks.h"
 #include "haptics/compliance/map/FrameMap.h"
 #include "haptics/compliance/map/Patches.h"
-#include "haptics/compliance/packet/SoftSurface.h"
+#include "haptics/compliance/snapshot/SoftSurface.h"
 #include "testing/support/Random.h"
 
 namespace palpate::test

@@ -28,7 +28,7 @@ SoftPad stiffPad(double young_Pa)
 }
 
 /// How much faster a device of .1 kg and 1 N s/m moves after 3.5 s than after .5 s, which 1 N presses on a pad and
-/// which was pushed by 1 mm/s at rest. `held_ticks`: the force is computed once in so many ticks. Half of the packets
+/// which was pushed by 1 mm/s at rest. `held_ticks`: the force is computed once in so many ticks. Half of the snapshots
 /// get lost.
 double growth(SoftPad& pad, double coupling_N_per_m, int held_ticks)
 {
@@ -38,7 +38,7 @@ double growth(SoftPad& pad, double coupling_N_per_m, int held_ticks)
   plan.coupling_N_per_m = coupling_N_per_m;
   SoftLoop loop(*pad.body, pad.surface, 100, plan);
   const LinearPlant plant(0.1, 1.0, 0.0, servo_s);
-  const double compliance = loop.packet().compliance(2, 2) + 1.0 / coupling_N_per_m;
+  const double compliance = loop.snapshot().compliance(2, 2) + 1.0 / coupling_N_per_m;
   Vec3 p = SoftPad::middle() + Vec3(0.0, 0.0, 0.005 - compliance);
   Vec3 v(0.0, 0.0, 1e-3);
   double force_N = 1.0;
@@ -63,7 +63,7 @@ TEST(TwoRates, SharedComplianceHoldsWhatTheServoHoldsAtTenPacketsASecondOfWhichH
   SampledWall wall;
   wall.damping_Ns_per_m = 1.0;
   const double limit_N_per_m = criticalStiffness(wall); // of a wall that the servo itself closes
-  const double body_m_per_N = pad.packet(0.0, 0.0)->compliance(2, 2);
+  const double body_m_per_N = pad.snapshot(0.0, 0.0)->compliance(2, 2);
   for (const double share : { 0.99, 1.01 })
   {
     // Coupling and body in series are as stiff as that wall: then the loop is as stable as that wall's, mode by mode.
@@ -75,7 +75,7 @@ TEST(TwoRates, SharedComplianceHoldsWhatTheServoHoldsAtTenPacketsASecondOfWhichH
   EXPECT_GT(growth(pad, 0.08 * limit_N_per_m, 20), 1.0);
 }
 
-/// What the body itself answers to a device that is held at p: packet after packet until force and state agree.
+/// What the body itself answers to a device that is held at p: snapshot after snapshot until force and state agree.
 double restingForce(SoftPad& pad, const ContactPlan& plan, const Vec3& p_W)
 {
   SoftLoop loop(*pad.body, pad.surface, 1, plan);
@@ -137,7 +137,7 @@ TEST(TwoRates, AChangeOfPacketsLeavesTheForceAsItIs)
   SoftLoop loop(*pad.body, pad.surface, 40, plan);
   const Vec3 p(0.05, 0.05, 0.047);
   double before_N = 0.0;
-  for (int tick = 0; tick < 41; ++tick) // the first packet that knows of the contact comes at 80
+  for (int tick = 0; tick < 41; ++tick) // the first snapshot that knows of the contact comes at 80
   {
     before_N = loop.tick(tick == 0 ? Vec3(p + Vec3(0, 0, 0.02)) : p).force_N.norm();
   }
@@ -173,13 +173,13 @@ struct Delivered
   double step_N = 0.0;   ///< largest of a tick
 };
 
-/// Goes 12 mm in and out again, at a speed, with packets every so many ticks, so late, and lost.
+/// Goes 12 mm in and out again, at a speed, with snapshots every so many ticks, so late, and lost.
 Delivered pressAndRelease(double speed, int period, int late, double lost, const EnergyBalancePlan& plan)
 {
   Random random(testSeed(192));
   EnergyBalance balance;
   const double deepest = 0.012;
-  double x0 = 0.0; // state of the packet in use
+  double x0 = 0.0; // state of the snapshot in use
   double offset = 0.0;
   double felt_N = 0.0;
   double p = 0.0;
@@ -191,7 +191,7 @@ Delivered pressAndRelease(double speed, int period, int late, double lost, const
     const double step = at(tick) - p;
     p = at(tick);
     found.energy_J -= felt_N * step;
-    const auto line = [&](double from) // force with the packet of a state
+    const auto line = [&](double from) // force with the snapshot of a state
     {
       const double c = 1.0 / Hardening::slope(from);
       return std::max((p - from + c * Hardening::force(from) - offset) / (c + 1e-3), 0.0);
@@ -263,7 +263,7 @@ TEST(TwoRates, TheEnergyThatIsStoredIsTheWorkThatTheHandHasDone)
     work_J -= 0.5 * (felt_N + now_N).dot(step);
     felt_N = now_N;
   }
-  const SoftTouch touch{ 0, &loop.packet() };
+  const SoftSurfaceRef touch{ 0, &loop.snapshot() };
   EXPECT_NEAR(storedEnergy(std::span(&touch, 1), loop.state, plan.coupling_N_per_m) / work_J, 1.0, 2e-3);
 }
 

@@ -14,14 +14,14 @@ inline constexpr double k = 1.0; ///< [N/u]; with a spacing of a millimetre work
 inline const GridIndex cube_n{ 32, 32, 32 };
 inline const Vec3 middle(15.5, 15.5, 15.5);
 
-inline Brick brickOf(
-  std::vector<BrickArray> arrays, std::vector<Vec3> places_W = {}, std::vector<BrickLine> lines_W = {})
+inline FieldBlock brickOf(
+  std::vector<FieldBlockArray> arrays, std::vector<Vec3> places_W = {}, std::vector<FieldBlockLine> lines_W = {})
 {
-  return Brick(1, BrickGrid{ cube_n }, std::move(arrays), std::move(places_W), std::move(lines_W));
+  return FieldBlock(1, FieldBlockGrid{ cube_n }, std::move(arrays), std::move(places_W), std::move(lines_W));
 }
 
 template<class Function>
-BrickArray scalar(const Function& function, BrickRole role = BrickRole::Scalar)
+FieldBlockArray scalar(const Function& function, FieldBlockRole role = FieldBlockRole::Scalar)
 {
   return { role, "f", sampledValues(cube_n, function) };
 }
@@ -31,7 +31,7 @@ inline const auto height = [](const Vec3& i) { return i.z(); };
 /// A hand that moves and the work that the field does on it, by the trapezoid of both ends of each step.
 struct Hand
 {
-  const Brick& brick;
+  const FieldBlock& brick;
   FieldPlan plan;
   FieldState state = {};
   Vec3 p = middle, force = Vec3::Zero();

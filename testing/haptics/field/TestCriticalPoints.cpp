@@ -18,11 +18,11 @@ namespace
 const GridIndex flow_n{ 20, 18, 22 };
 constexpr std::size_t all = 1000;
 
-Brick flowOf(const std::function<Vec3(const Vec3&)>& function)
+FieldBlock flowOf(const std::function<Vec3(const Vec3&)>& function)
 {
   const Vec3 corner_W(3, -4, 5);
-  return Brick(1, { flow_n, Vec3(1.0, 0.5, 2.0), { corner_W } },
-    { { BrickRole::Vector, "v", test::sampledVectors(flow_n, function) } });
+  return FieldBlock(1, { flow_n, Vec3(1.0, 0.5, 2.0), { corner_W } },
+    { { FieldBlockRole::Vector, "v", test::sampledVectors(flow_n, function) } });
 }
 
 TEST(CriticalPoints, OfALinearFlowIsItsOneZeroWhereverItIs)
@@ -33,7 +33,7 @@ TEST(CriticalPoints, OfALinearFlowIsItsOneZeroWhereverItIs)
     const Vec3 zero = Vec3(9.5, 8.5, 10.5) + random.inCube(7.0);
     const Mat3 slope =
       (Mat3() << random.inCube(1.0), random.inCube(1.0), random.inCube(1.0)).finished() + 1.5 * Mat3::Identity();
-    const Brick brick = flowOf([&](const Vec3& at) { return Vec3(slope * (at - zero)); });
+    const FieldBlock brick = flowOf([&](const Vec3& at) { return Vec3(slope * (at - zero)); });
     const std::vector<Vec3> found = findCriticalPoints(brick, all);
     ASSERT_EQ(found.size(), 1U) << zero.transpose();
     // Floats of up to 60 are known to 4e-6, and the slope is 0.5 at least along every direction for most of these.
@@ -50,7 +50,7 @@ TEST(CriticalPoints, OfWavesAreAllThereAreAndThoseInTheMiddleComeFirst)
     return Vec3(std::sin(std::numbers::pi * (i.x() - 0.5) / 5.0), std::sin(std::numbers::pi * (i.y() - 0.5) / 6.0),
       std::sin(std::numbers::pi * (i.z() - 0.5) / 7.0));
   };
-  const Brick brick = flowOf(waves);
+  const FieldBlock brick = flowOf(waves);
   const std::vector<Vec3> found = findCriticalPoints(brick, all);
   ASSERT_EQ(found.size(), 4U * 3U * 3U);
   double before = 0.0;
@@ -74,7 +74,7 @@ TEST(CriticalPoints, AreNotAtWallsNorWhereValuesAreMissingNorInAStreamThatIsEver
   const auto hole = [](const Vec3& i)
   { return i == Vec3(9, 9, 9) ? Vec3(Vec3::Constant(NAN)) : Vec3(i - Vec3(9.3, 9.3, 9.3)); };
   EXPECT_TRUE(findCriticalPoints(flowOf(hole), all).empty());
-  EXPECT_TRUE(findCriticalPoints(*test::scalarBrick(8, [](const Vec3& i) { return i.x(); }), all).empty());
+  EXPECT_TRUE(findCriticalPoints(*test::scalarFieldBlock(8, [](const Vec3& i) { return i.x(); }), all).empty());
 }
 
 } // namespace

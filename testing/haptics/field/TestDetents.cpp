@@ -14,7 +14,7 @@ namespace
 
 TEST(Detents, ASmoothDetentHasItsStrengthWhereTheSlopeIsTheUsualOneAndTakesNoWorkBack)
 {
-  const Brick brick = brickOf({ scalar(height) });
+  const FieldBlock brick = brickOf({ scalar(height) });
   FieldPlan plan;
   // 32 A / D^2 = 32 s / (3.0792 D) is the largest bend: below 0.9 k the proxy never snaps.
   plan.detent = { 0.15, 0.0, 2.0, 1.0, false };
@@ -34,7 +34,7 @@ TEST(Detents, ASmoothDetentHasItsStrengthWhereTheSlopeIsTheUsualOneAndTakesNoWor
 
 TEST(Detents, ASmoothDetentDependsOnThePlaceAloneAlsoWhereTheFieldBends)
 {
-  const Brick brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }) });
+  const FieldBlock brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }) });
   FieldPlan plan;
   plan.detent = { 0.15, 0.0, 2.0, 1.0, false };
   Random random(testSeed(1650));
@@ -53,7 +53,7 @@ TEST(Detents, ASmoothDetentDependsOnThePlaceAloneAlsoWhereTheFieldBends)
 
 TEST(Detents, ClicksLoseTheEnergyOfTheSpringAtEachLevelThatLetsGoOnBentLevelsToo)
 {
-  const Brick brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }) });
+  const FieldBlock brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }) });
   for (const double strength_N : { 0.2, 0.5 })
   {
     FieldPlan plan;
@@ -76,7 +76,7 @@ TEST(Detents, ClicksLoseTheEnergyOfTheSpringAtEachLevelThatLetsGoOnBentLevelsToo
 
 TEST(Detents, AClickThatIsPressedAndLeftAgainLosesNothingSoCrossingsAloneDoNotCountTheLoss)
 {
-  const Brick brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }) });
+  const FieldBlock brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }) });
   for (const double strength_N : { 0.2, 0.5 })
   {
     FieldPlan plan;
@@ -103,7 +103,7 @@ TEST(Detents, AClickAtAnySpeedTakesTheEnergyOfItsSpringAndItsStrengthOverTheWayO
   // The pull rises with the hand from 0 to the strength s. It is sampled once a tick, and the tick in which the hand
   // passes has s as well. Over all phases of a level among the ticks, the sum of the rising part is its integral
   // s^2 / 2k, whichever end of a tick the force is taken from, and s times the way of a tick is added.
-  const Brick brick = brickOf({ scalar(height) });
+  const FieldBlock brick = brickOf({ scalar(height) });
   for (const double strength_N : { 0.2, 0.5 })
   {
     for (const double way : { 0.01, 0.05, 0.3 }) // in a tick: 10 to 300 mm/s
@@ -148,7 +148,7 @@ TEST(Detents, TheEnergyOfADetentHasTheDerivativesItSays)
 
 TEST(Detents, AClickLosesTheSquareOfItsStrengthOverTwiceTheStiffnessACrossing)
 {
-  const Brick brick = brickOf({ scalar(height) });
+  const FieldBlock brick = brickOf({ scalar(height) });
   for (const double direction : { 1.0, -1.0 })
   {
     FieldPlan plan;
@@ -186,7 +186,7 @@ TEST(Detents, ChosenLevelsAreHollowsAndBetweenThemIsNoForce)
     EXPECT_NEAR(std::fabs(at.slope), away < 1.0 ? std::fabs(truth.slope) : 0.0, 1e-12) << f;
     EXPECT_NEAR(at.energy, away < 1.0 ? truth.energy : detentEnergy(equal, 13.0).energy, 1e-12) << f;
   }
-  const Brick brick = brickOf({ scalar(height) });
+  const FieldBlock brick = brickOf({ scalar(height) });
   FieldPlan felt;
   felt.detent = plan;
   Hand hand{ brick, felt };
@@ -206,7 +206,7 @@ TEST(Detents, ChosenLevelsAreHollowsAndBetweenThemIsNoForce)
 
 TEST(Detents, AClickAtChosenLevelsHoldsAtEachAndNowhereElse)
 {
-  const Brick brick = brickOf({ scalar(height) });
+  const FieldBlock brick = brickOf({ scalar(height) });
   for (const double direction : { 1.0, -1.0 })
   {
     FieldPlan plan;

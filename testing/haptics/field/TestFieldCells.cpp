@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/field/proxy/FieldProxy.h"
-#include "haptics/recording/inputs/Bricks.h"
+#include "haptics/recording/inputs/FieldBlocks.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Random.h"
 
@@ -94,7 +94,7 @@ CellParts pyramids(const CellParts& parts)
 }
 
 template<class Function>
-Brick cellBrick(CellParts parts, const Function& value)
+FieldBlock cellFieldBlock(CellParts parts, const Function& value)
 {
   for (const Vec3& p_W : parts.points_W)
   {
@@ -105,19 +105,19 @@ Brick cellBrick(CellParts parts, const Function& value)
   {
     box.extend(p_W);
   }
-  const BrickGrid grid{ { 2, 2, 2 }, box.sizes(), { box.min() } };
-  return { 1, grid, { { BrickRole::Scalar, "f", std::vector<float>(8, 0.0F) } }, {}, {}, nullptr,
+  const FieldBlockGrid grid{ { 2, 2, 2 }, box.sizes(), { box.min() } };
+  return { 1, grid, { { FieldBlockRole::Scalar, "f", std::vector<float>(8, 0.0F) } }, {}, {}, nullptr,
     FieldCells::make(std::move(parts)) };
 }
 
 struct CellHand
 {
-  Brick brick;
+  FieldBlock brick;
   FieldPlan plan{};
   FieldState state{};
   FieldResult last{};
 
-  explicit CellHand(Brick felt, double isovalue) : brick(std::move(felt))
+  explicit CellHand(FieldBlock felt, double isovalue) : brick(std::move(felt))
   {
     this->plan.isosurface = true;
     this->plan.isovalue = isovalue;
@@ -152,7 +152,7 @@ TEST(FieldCells, OfEveryKindHoldAHandOnThePlaneOfALinearFunctionToRounding)
   for (const CellParts& parts :
     { hexahedra, cutInto(hexahedra, wedges), cutInto(hexahedra, tetrahedra), pyramids(hexahedra) })
   {
-    CellHand hand(cellBrick(parts, linear), linear(middle));
+    CellHand hand(cellFieldBlock(parts, linear), linear(middle));
     hand.to(middle + 0.2 * n);
     for (int i = 0; i < 300; ++i)
     {
@@ -213,7 +213,7 @@ TEST(FieldCells, OfAChannelHoldAHandAtEachSurfaceOfItsBoundaryLayerGoingThroughT
   {
     const auto [surface, cell] = heightOf(u);
     ASSERT_NEAR(surface, -0.0127 * std::log(1.0 - u), 0.25 * cell) << "the data has it within a quarter of a cell";
-    CellHand hand(cellBrick(parts, [](const Vec3& p) { return layerProfile(p.y()); }), u);
+    CellHand hand(cellFieldBlock(parts, [](const Vec3& p) { return layerProfile(p.y()); }), u);
     for (double y = 0.5; y > -0.2; y -= handStep_u)
     {
       const Vec3 x = hand.to({ 1.1, y, 1.4 });
@@ -248,7 +248,7 @@ TEST(FieldCells, OfAnOGridHoldAHandAllRoundASphereAcrossItsSeamAndPastItsPoles)
   const double level = 1.0 - std::exp(-1.0);
   const auto speed = [](const Vec3& p) { return 1.0 - std::exp(-(p.norm() - 1.0) / 0.01); };
   const double chord = 1.0 - std::cos(std::numbers::pi / (bends - 1)); // a flat face is inside of its sphere
-  CellHand hand(cellBrick(parts, speed), level);
+  CellHand hand(cellFieldBlock(parts, speed), level);
   const auto at = [](double turn, double bend)
   { return Vec3(std::sin(bend) * std::cos(turn), std::sin(bend) * std::sin(turn), std::cos(bend)); };
   for (const double bend : { 1.57, 0.5, 0.02 })
@@ -276,7 +276,7 @@ TEST(FieldCells, AreFeltToTheFaceOfACellThatIsHiddenAndToTheCellsOfAPointWithout
   CellParts parts = block({ 9, 5, 5 }, [](double i, double j, double k) { return Vec3(i, j, k); });
   std::erase_if(parts.corners, [&](const CellCorners& c) { return parts.points_W[c[0]].x() >= 4.0; });
   const auto z = [](const Vec3& p) { return p == Vec3(1, 1, 1) ? std::nan("") : p.z(); };
-  CellHand hand(cellBrick(parts, z), 2.25);
+  CellHand hand(cellFieldBlock(parts, z), 2.25);
   const auto isFelt = [&hand](double x, double y)
   {
     hand.state = FieldState{};
@@ -297,13 +297,13 @@ TEST(FieldCells, GoOnInARecordingAsTheyWere)
 {
   const CellParts parts =
     block({ 9, 9, 9 }, [](double i, double j, double k) { return Vec3(i, 0.25 * j, k + 0.1 * i); });
-  CellHand hand(cellBrick(parts, [](const Vec3& p) { return p.y() + 0.05 * std::sin(p.x() + p.z()); }), 1.1);
+  CellHand hand(cellFieldBlock(parts, [](const Vec3& p) { return p.y() + 0.05 * std::sin(p.x() + p.z()); }), 1.1);
   hand.to({ 4, 1.5, 4 });
   hand.to({ 4, 0.9, 4 });
   ByteWriter out;
-  putBrick(out, hand.brick);
+  putFieldBlock(out, hand.brick);
   ByteReader in(out.bytes().data(), out.bytes().size());
-  const auto read = readBrick(in);
+  const auto read = readFieldBlock(in);
   ASSERT_TRUE(read && in.ok() && in.left() == 0 && read->cells());
   EXPECT_EQ(read->contentHash(), hand.brick.contentHash());
   FieldState state = hand.state;
@@ -322,7 +322,7 @@ TEST(FieldCells, GoOnInARecordingAsTheyWere)
   for (std::size_t cut = 1; cut < 40; ++cut)
   {
     ByteReader less(out.bytes().data(), out.bytes().size() - cut);
-    static_cast<void>(readBrick(less));
+    static_cast<void>(readFieldBlock(less));
     EXPECT_FALSE(less.ok());
   }
 }
@@ -333,15 +333,15 @@ TEST(FieldCells, AreComeToAndLeftWithoutAStepAndOnTheSameSide)
   CellParts parts = block({ 41, 17, 9 }, [](double i, double j, double k) { return Vec3(0.5 * i, 0.25 * j, k); });
   parts.centre_W = Vec3(10.0, 2.0, 4.0);
   parts.reach_u = 6.0;
-  const Brick near = cellBrick(parts, value);
-  const BrickGrid grid{ { 81, 33, 33 }, Vec3(0.25, 0.125, 0.25), {} };
+  const FieldBlock near = cellFieldBlock(parts, value);
+  const FieldBlockGrid grid{ { 81, 33, 33 }, Vec3(0.25, 0.125, 0.25), {} };
   std::vector<float> values;
   for (std::size_t i = 0; i < grid.points(); ++i)
   {
     const auto at = static_cast<int>(i);
     values.push_back(static_cast<float>(value(grid.toWorld(Vec3(at % 81, at / 81 % 33, at / (81 * 33))))));
   }
-  CellHand hand(Brick(1, grid, { { BrickRole::Scalar, "f", values } }, {}, {}, nullptr, near.cells()), 2.0);
+  CellHand hand(FieldBlock(1, grid, { { FieldBlockRole::Scalar, "f", values } }, {}, {}, nullptr, near.cells()), 2.0);
   hand.to({ 1.0, 2.5, 4.0 });
   Vec3 last = hand.to({ 1.0, 1.5, 4.0 });
   int taken = 0;
@@ -361,7 +361,7 @@ TEST(FieldCells, AreComeToAndLeftWithoutAStepAndOnTheSameSide)
 TEST(FieldCells, AllocateNothing)
 {
   test::Random random(test::testSeed(2802));
-  CellHand hand(cellBrick(block({ 9, 9, 9 }, [](double i, double j, double k) { return Vec3(i, 0.1 * j * j, k); }),
+  CellHand hand(cellFieldBlock(block({ 9, 9, 9 }, [](double i, double j, double k) { return Vec3(i, 0.1 * j * j, k); }),
                   [](const Vec3& p) { return (p - Vec3(4, 3, 4)).norm(); }),
     2.0);
   const test::AllocationGuard guard;

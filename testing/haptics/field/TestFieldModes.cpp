@@ -16,7 +16,7 @@ namespace
 
 TEST(FieldModes, DragIsAForceOfItsStrengthAgainstTheMotionWhateverItsSpeed)
 {
-  const Brick brick = brickOf({ scalar(height) });
+  const FieldBlock brick = brickOf({ scalar(height) });
   FieldPlan plan;
   plan.drag_N = 0.3;
   Hand hand{ brick, plan };
@@ -36,8 +36,8 @@ TEST(FieldModes, DragIsAForceOfItsStrengthAgainstTheMotionWhateverItsSpeed)
 
 TEST(FieldModes, DragIsAsStrongAsTheResistanceAtTheHandSays)
 {
-  const Brick brick =
-    brickOf({ scalar([](const Vec3& i) { return 2.0 * (i.x() - 15.0) / 16.0; }, BrickRole::Resistance) });
+  const FieldBlock brick =
+    brickOf({ scalar([](const Vec3& i) { return 2.0 * (i.x() - 15.0) / 16.0; }, FieldBlockRole::Resistance) });
   FieldPlan plan;
   plan.drag_N = 0.4;
   Hand hand{ brick, plan };
@@ -63,8 +63,8 @@ TEST(FieldModes, DragIsAsStrongAsTheResistanceAtTheHandSays)
 
 TEST(FieldModes, CompareDragsWhereTwoScalarsDifferAndOnlyThere)
 {
-  const Brick brick = brickOf(
-    { scalar(height), scalar([](const Vec3& i) { return i.z() + (i.x() > 20 ? 0.5 : 0.0); }, BrickRole::Other) });
+  const FieldBlock brick = brickOf(
+    { scalar(height), scalar([](const Vec3& i) { return i.z() + (i.x() > 20 ? 0.5 : 0.0); }, FieldBlockRole::Other) });
   FieldPlan plan;
   plan.compare_N = 0.4;
   plan.compareFull = 1.0;
@@ -82,7 +82,7 @@ TEST(FieldModes, CompareDragsWhereTwoScalarsDifferAndOnlyThere)
 
 TEST(FieldModes, SnapPullsToTheNearestPlaceByAForceWithAPotential)
 {
-  const Brick brick = brickOf({ scalar(height) }, { { 10, 10, 10 }, { 20, 10, 10 } });
+  const FieldBlock brick = brickOf({ scalar(height) }, { { 10, 10, 10 }, { 20, 10, 10 } });
   FieldPlan plan;
   plan.snap_N = 0.5;
   plan.snapReach_u = 4.0;
@@ -104,7 +104,7 @@ TEST(FieldModes, SnapPullsToTheNearestPlaceByAForceWithAPotential)
 
 TEST(FieldModes, SnapPullsAcrossALineAndLetsTheHandSlideAlongIt)
 {
-  const Brick brick = brickOf({ scalar(height) }, {}, { { Vec3(5, 10, 10), Vec3(25, 10, 10) } });
+  const FieldBlock brick = brickOf({ scalar(height) }, {}, { { Vec3(5, 10, 10), Vec3(25, 10, 10) } });
   FieldPlan plan;
   plan.snap_N = 0.5;
   plan.snapReach_u = 4.0;
@@ -123,7 +123,7 @@ TEST(FieldModes, SnapPullsAcrossALineAndLetsTheHandSlideAlongIt)
 TEST(FieldModes, PushDoesTwoPiTimesRadiusTimesStrengthATurnAndStopsOutside)
 {
   const auto vortex = [](const Vec3& i) { return Vec3(15.5 - i.y(), i.x() - 15.5, 0.0); };
-  const Brick brick = brickOf({ { BrickRole::Vector, "v", sampledVectors(cube_n, vortex) } });
+  const FieldBlock brick = brickOf({ { FieldBlockRole::Vector, "v", sampledVectors(cube_n, vortex) } });
   FieldPlan plan;
   plan.push_N = 0.25;
   Hand hand{ brick, plan };
@@ -143,9 +143,9 @@ TEST(FieldModes, SeveralAtOnceGiveNoEnergyOverClosedWays)
 {
   Random random(testSeed(1651));
   const auto swirl = [](const Vec3& i) { return Vec3(15.5 - i.y(), i.x() - 15.5, 3.0); };
-  const Brick brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }),
-    { BrickRole::Vector, "v", sampledVectors(cube_n, swirl) },
-    scalar([](const Vec3& i) { return i.z(); }, BrickRole::Other) });
+  const FieldBlock brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }),
+    { FieldBlockRole::Vector, "v", sampledVectors(cube_n, swirl) },
+    scalar([](const Vec3& i) { return i.z(); }, FieldBlockRole::Other) });
   for (std::size_t way = 0; way < testCount(12); ++way)
   {
     FieldPlan plan;
@@ -184,15 +184,15 @@ TEST(FieldModes, AnotherBrickOfTheSamePointsIsNoStepAndOneWhoseSurfaceIsElsewher
   const auto make = [](const GridIndex& begin, double shift)
   {
     const Vec3 corner(begin[0], begin[1], begin[2]);
-    return Brick(1, { cube_n, Vec3::Ones(), { corner } },
-      { { BrickRole::Scalar, "f",
+    return FieldBlock(1, { cube_n, Vec3::Ones(), { corner } },
+      { { FieldBlockRole::Scalar, "f",
         sampledValues(cube_n,
           [&](const Vec3& i) { return std::hypot(i.z() + corner.z(), 0.25 * (i.x() + corner.x())) + shift; }) } });
   };
   FieldPlan plan;
   plan.isosurface = true;
   plan.isovalue = 16.3;
-  const Brick first = make({ 0, 0, 0 }, 0.0), beside = make({ 3, -2, 1 }, 0.0), moved = make({ 3, -2, 1 }, -1.0);
+  const FieldBlock first = make({ 0, 0, 0 }, 0.0), beside = make({ 3, -2, 1 }, 0.0), moved = make({ 3, -2, 1 }, -1.0);
   FieldState state;
   (void)moveFieldProxy(first, plan, k, { 15, 15, 20 }, state);
   const Vec3 p(15, 15, 14);
@@ -233,8 +233,8 @@ TEST(FieldModes, FindsTheExtremaOfAGridByTheirClearness)
 TEST(FieldModes, AllocateNothing)
 {
   Random random(testSeed(1652));
-  const Brick brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }),
-    { BrickRole::Vector, "v", sampledVectors(cube_n, [](const Vec3& i) { return i; }) } });
+  const FieldBlock brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }),
+    { FieldBlockRole::Vector, "v", sampledVectors(cube_n, [](const Vec3& i) { return i; }) } });
   FieldPlan plan;
   plan.isosurface = true;
   plan.isovalue = 8.0;

@@ -17,10 +17,11 @@ namespace
 constexpr double k_N_per_u = 1.0; ///< a spacing is a millimetre: work is in mJ
 const Vec3 centre(23.5, 23.5, 1.5);
 
-Brick vectorBrick(const std::function<Vec3(const Vec3&)>& function)
+FieldBlock vectorFieldBlock(const std::function<Vec3(const Vec3&)>& function)
 {
   const GridIndex size{ 48, 48, 4 };
-  return Brick(1, BrickGrid{ size }, { { BrickRole::Vector, "v", test::sampledVectors(size, function) } });
+  return FieldBlock(
+    1, FieldBlockGrid{ size }, { { FieldBlockRole::Vector, "v", test::sampledVectors(size, function) } });
 }
 
 /// Exact between points: it is linear.
@@ -50,7 +51,7 @@ Vec3 onCircle(double radius, double turn)
 }
 
 /// The radius of the proxy after ten turns of a hand that is a millimetre outside, less that before, over it.
-double driftOfTenTurns(const Brick& brick, double radius, double speed_mm_per_s)
+double driftOfTenTurns(const FieldBlock& brick, double radius, double speed_mm_per_s)
 {
   FieldState state;
   const FieldPlan plan = follow(5.0);
@@ -65,18 +66,18 @@ double driftOfTenTurns(const Brick& brick, double radius, double speed_mm_per_s)
 
 TEST(Follow, StaysOnTheCircleOfASolidBodyForTenTurnsAt300MillimetresASecond)
 {
-  EXPECT_LE(std::fabs(driftOfTenTurns(vectorBrick(solidBody), 20.0, 300.0)), 1e-9);
+  EXPECT_LE(std::fabs(driftOfTenTurns(vectorFieldBlock(solidBody), 20.0, 300.0)), 1e-9);
 }
 
 TEST(Follow, StaysOnTheCircleOfAVortexThatDecaysToWhatItsGridHolds)
 {
-  EXPECT_LE(std::fabs(driftOfTenTurns(vectorBrick(lambOseen), 12.0, 100.0)), 1e-4);
+  EXPECT_LE(std::fabs(driftOfTenTurns(vectorFieldBlock(lambOseen), 12.0, 100.0)), 1e-4);
 }
 
 TEST(Follow, OfAnUndirectedFieldGoesTheSameWay)
 {
   // Eigenvectors have no sign: half of the field points backwards.
-  const Brick turned = vectorBrick([](const Vec3& i) { return i.x() < 24 ? Vec3(-1, 0, 0) : Vec3(1, 0, 0); });
+  const FieldBlock turned = vectorFieldBlock([](const Vec3& i) { return i.x() < 24 ? Vec3(-1, 0, 0) : Vec3(1, 0, 0); });
   FieldState state;
   for (double x = 2; x < 20; x += 0.1)
   {
@@ -87,7 +88,7 @@ TEST(Follow, OfAnUndirectedFieldGoesTheSameWay)
 
 TEST(Follow, HoldsAHandBesideAStraightStreamlineByItsStrengthAndNoMore)
 {
-  const Brick brick = vectorBrick([](const Vec3&) { return Vec3(2, 0, 0); });
+  const FieldBlock brick = vectorFieldBlock([](const Vec3&) { return Vec3(2, 0, 0); });
   const double s = 0.6;
   FieldState state;
   (void)moveFieldProxy(brick, follow(s), k_N_per_u, { 10, 10, 1 }, state);
@@ -101,7 +102,7 @@ TEST(Follow, HoldsAHandBesideAStraightStreamlineByItsStrengthAndNoMore)
 
 TEST(Follow, GivesNoEnergyOnAWayThereAndBackOutsideOfTheCurve)
 {
-  const Brick brick = vectorBrick(solidBody);
+  const FieldBlock brick = vectorFieldBlock(solidBody);
   for (const double speed_mm_per_s : { 30.0, 90.0 })
   {
     FieldState state;
@@ -129,7 +130,8 @@ TEST(Follow, GivesNoEnergyOnAWayThereAndBackOutsideOfTheCurve)
 
 TEST(Follow, LetsGoWhereThereAreNoVectors)
 {
-  const Brick brick = vectorBrick([](const Vec3& i) { return i.x() > 20 ? Vec3(NAN, NAN, NAN) : Vec3(1, 0, 0); });
+  const FieldBlock brick =
+    vectorFieldBlock([](const Vec3& i) { return i.x() > 20 ? Vec3(NAN, NAN, NAN) : Vec3(1, 0, 0); });
   FieldState state;
   (void)moveFieldProxy(brick, follow(1.0), k_N_per_u, { 10, 10, 1 }, state);
   EXPECT_GT(moveFieldProxy(brick, follow(1.0), k_N_per_u, { 10, 10.5, 1 }, state).pull_W.norm(), 0.4);
@@ -145,8 +147,9 @@ TEST(Follow, LeadsAlongAxesWhoseSignsMeanNothingAsAlongTheirVectors)
   const GridIndex size{ 48, 48, 4 };
   test::Random random(test::testSeed(1642));
   const auto turned = [&](const Vec3& i) { return Vec3((random.uniform() < 0.5 ? -1.0 : 1.0) * lambOseen(i)); };
-  const Brick axes(1, BrickGrid{ size }, { { BrickRole::Axis, "v", test::sampledVectors(size, turned) } });
-  const Brick vectors = vectorBrick(lambOseen);
+  const FieldBlock axes(
+    1, FieldBlockGrid{ size }, { { FieldBlockRole::Axis, "v", test::sampledVectors(size, turned) } });
+  const FieldBlock vectors = vectorFieldBlock(lambOseen);
   FieldState alongAxes, alongVectors;
   for (double turn = 0.0; turn < 2.0 * std::numbers::pi; turn += 0.01)
   {

@@ -23,8 +23,8 @@ const Vec3 evenly = Vec3::Ones();
 class IsoHand
 {
 public:
-  IsoHand(std::shared_ptr<const Brick> brick, const IsoPlan& plan, const Vec3& spacing_u = evenly)
-    : brick_(std::move(brick)), field_(brick_->component(BrickRole::Scalar)), plan_(plan), spacing_u_(spacing_u),
+  IsoHand(std::shared_ptr<const FieldBlock> brick, const IsoPlan& plan, const Vec3& spacing_u = evenly)
+    : brick_(std::move(brick)), field_(brick_->component(FieldBlockRole::Scalar)), plan_(plan), spacing_u_(spacing_u),
       oracle(field_)
   {
   }
@@ -39,8 +39,8 @@ private:
     return moveIsoProxy(this->field_, this->spacing_u_, this->plan_, index, this->state, sink);
   }
 
-  std::shared_ptr<const Brick> brick_;
-  BrickComponent field_;
+  std::shared_ptr<const FieldBlock> brick_;
+  FieldBlockComponent field_;
   IsoPlan plan_;
   Vec3 spacing_u_;
 
@@ -70,7 +70,7 @@ TEST(IsoProxy, OnALinearFieldIsTheFootOfTheHandToATrillionthInTheSameTick)
   {
     const Vec3 slope = wholeNumbers(random), n = slope.normalized(), middle(15.5, 15.5, 15.5);
     const Vec3 through = middle + random.inCube(3.0);
-    IsoHand hand(test::scalarBrick(32, [&](const Vec3& i) { return slope.dot(i); }), at(slope.dot(through)));
+    IsoHand hand(test::scalarFieldBlock(32, [&](const Vec3& i) { return slope.dot(i); }), at(slope.dot(through)));
     const double side = random.below(2) ? 1.0 : -1.0;
     hand.to(through + side * 2.0 * n);
     for (int i = 0; i < 50; ++i)
@@ -96,7 +96,7 @@ TEST(IsoProxy, OnAGridOfUnevenSpacingIsTheFootInTheScaledSpace)
   {
     const Vec3 slope = wholeNumbers(random), middle(15.5, 15.5, 15.5); // per cell
     const Vec3 n_u = slope.cwiseQuotient(h).normalized();
-    IsoHand hand(test::scalarBrick(32, [&](const Vec3& i) { return slope.dot(i); }), at(slope.dot(middle)), h);
+    IsoHand hand(test::scalarFieldBlock(32, [&](const Vec3& i) { return slope.dot(i); }), at(slope.dot(middle)), h);
     hand.to(middle + n_u.cwiseQuotient(h));
     const Vec3 p = middle - random.uniform(0.1, 2.0) * n_u.cwiseQuotient(h);
     hand.to(p);
@@ -110,7 +110,7 @@ double largestRadialError(double radius, bool squared, double level)
 {
   const int points = 64;
   const Vec3 centre(31.37, 31.61, 31.13);
-  IsoHand hand(test::scalarBrick(points,
+  IsoHand hand(test::scalarFieldBlock(points,
                  [&](const Vec3& i)
                  {
                    const double r2 = (i - centre).squaredNorm();
@@ -145,7 +145,7 @@ TEST(IsoProxy, OnASphereOfItsSampledSquareErrsByThreeEighthsOfThat)
 TEST(IsoProxy, NeverPassesASheetOfAFiftiethOfASpacingUnderJumpsOfSixty)
 {
   // |z - 32| is exactly what the grid holds, since its kink lies on points.
-  IsoHand hand(test::scalarBrick(65, [](const Vec3& i) { return std::fabs(i.z() - 32.0); }), at(0.01, 10));
+  IsoHand hand(test::scalarFieldBlock(65, [](const Vec3& i) { return std::fabs(i.z() - 32.0); }), at(0.01, 10));
   test::Random random(test::testSeed(1613));
   hand.to({ 32, 32, 40 });
   for (std::size_t i = 0; i < test::testCount(1000); ++i)
@@ -157,7 +157,7 @@ TEST(IsoProxy, NeverPassesASheetOfAFiftiethOfASpacingUnderJumpsOfSixty)
 }
 
 /// White noise on a grid, once smoothed or not, with holes or not.
-std::shared_ptr<const Brick> noise(test::Random& random, int passes, double holes)
+std::shared_ptr<const FieldBlock> noise(test::Random& random, int passes, double holes)
 {
   const GridIndex size{ 24, 24, 24 };
   std::vector<float> values = test::sampledValues(size, [&](const Vec3&) { return random.uniform(-1, 1); });
@@ -166,8 +166,8 @@ std::shared_ptr<const Brick> noise(test::Random& random, int passes, double hole
   {
     value = random.uniform() < holes ? NAN : value;
   }
-  return std::make_shared<const Brick>(
-    1, BrickGrid{ size }, std::vector<BrickArray>{ { BrickRole::Scalar, "f", values } });
+  return std::make_shared<const FieldBlock>(
+    1, FieldBlockGrid{ size }, std::vector<FieldBlockArray>{ { FieldBlockRole::Scalar, "f", values } });
 }
 
 TEST(IsoProxy, IsNeverOnTheWrongSideInNoiseWithHolesInNumbersOf113Bits)
@@ -200,7 +200,7 @@ TEST(IsoProxy, RestsWhereNoLegalPlaceNearbyIsNearerToTheHand)
   // the hand, comes no nearer.
   const auto waves = [](const Vec3& i)
   { return std::sin(0.4 * i.x()) + std::sin(0.5 * i.y()) + std::sin(0.45 * i.z() + 0.1 * i.x()); };
-  IsoHand hand(test::scalarBrick(32, waves), at(0.2));
+  IsoHand hand(test::scalarFieldBlock(32, waves), at(0.2));
   test::Random random(test::testSeed(1620));
   Vec3 p(15, 15, 15);
   std::uint64_t contacts = 0, nearer = 0;
@@ -229,7 +229,7 @@ TEST(IsoProxy, RestsWhereNoLegalPlaceNearbyIsNearerToTheHand)
 
 TEST(IsoProxy, RestsOnASurfaceThatLiesInTheFacesOfCells)
 {
-  IsoHand hand(test::scalarBrick(16, [](const Vec3& i) { return i.z(); }), at(8.0));
+  IsoHand hand(test::scalarFieldBlock(16, [](const Vec3& i) { return i.z(); }), at(8.0));
   hand.to({ 7.5, 7.5, 9.0 });
   const IsoResult result = hand.to({ 7.5, 7.25, 7.0 });
   EXPECT_FALSE(result.capped);
@@ -240,7 +240,7 @@ TEST(IsoProxy, RestsOnASurfaceThatLiesInTheFacesOfCells)
 TEST(IsoProxy, GivesNoForceOutsideAndWithoutValuesAndFindsItsSideAgain)
 {
   const auto ball = [](const Vec3& i) { return i.x() > 20 ? std::nan("") : (i - Vec3(10, 10, 10)).norm(); };
-  IsoHand hand(test::scalarBrick(24, ball), at(5.0));
+  IsoHand hand(test::scalarFieldBlock(24, ball), at(5.0));
   for (const Vec3& nowhere : { Vec3(22, 10, 10), Vec3(-1, 10, 10), Vec3(1e200, 0, 0) })
   {
     hand.to(nowhere);
@@ -259,7 +259,7 @@ TEST(IsoProxy, OfAMembraneHoldsItsLimitToRoundingAndThenLetsTheHandThrough)
 {
   IsoPlan plan = at(15.5);
   plan.yield_u = 0.7;
-  IsoHand hand(test::scalarBrick(32, [](const Vec3& i) { return i.z(); }), plan);
+  IsoHand hand(test::scalarFieldBlock(32, [](const Vec3& i) { return i.z(); }), plan);
   hand.to({ 15, 15, 18 });
   double p = 16.0;
   for (; 15.5 - p <= plan.yield_u; p -= 0.01)
@@ -277,7 +277,7 @@ TEST(IsoProxy, UnderFrictionHoldsByTheStaticConeAndTrailsByTheKineticOne)
 {
   IsoPlan plan = at(15.25);
   plan.friction = { 0.5, 0.3 };
-  IsoHand hand(test::scalarBrick(32, [](const Vec3& i) { return i.z(); }), plan);
+  IsoHand hand(test::scalarFieldBlock(32, [](const Vec3& i) { return i.z(); }), plan);
   hand.to({ 8, 15, 16.0 });
   const double depth = 2.0;
   hand.to({ 8, 15, 15.25 - depth });
@@ -298,7 +298,7 @@ TEST(IsoProxy, UnderFrictionOnlyTakesEnergyOverClosedWays)
   IsoPlan plan = at(10.0);
   plan.friction = { 0.4, 0.2 };
   const Vec3 centre(15.3, 15.1, 15.8);
-  IsoHand hand(test::scalarBrick(32, [&](const Vec3& i) { return (i - centre).norm(); }), plan);
+  IsoHand hand(test::scalarFieldBlock(32, [&](const Vec3& i) { return (i - centre).norm(); }), plan);
   Vec3 p = centre + Vec3(11, 0, 0), pull = Vec3::Zero();
   hand.unwatched(p);
   double gain = 0.0;
@@ -323,7 +323,7 @@ TEST(IsoProxy, GivesNoEnergyOverClosedWays)
   // by the trapezoid of both its ends, which is exact for a spring.
   const double radius = 12.0;
   const Vec3 centre(16.3, 16.1, 15.8);
-  IsoHand hand(test::scalarBrick(34, [&](const Vec3& i) { return (i - centre).norm(); }), at(radius));
+  IsoHand hand(test::scalarFieldBlock(34, [&](const Vec3& i) { return (i - centre).norm(); }), at(radius));
   test::Random random(test::testSeed(1621));
   for (std::size_t way = 0; way < test::testCount(20); ++way)
   {

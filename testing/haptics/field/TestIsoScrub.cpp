@@ -26,8 +26,8 @@ struct Scrubbed
 template<class Function>
 Scrubbed scrub(const Function& function, double low, double high, double hand_u, std::uint64_t seed)
 {
-  const auto brick = test::scalarBrick(32, function);
-  const BrickComponent field = brick->component(BrickRole::Scalar);
+  const auto brick = test::scalarFieldBlock(32, function);
+  const FieldBlockComponent field = brick->component(FieldBlockRole::Scalar);
   test::FieldOracle oracle(field);
   test::Random random(test::testSeed(seed));
   IsoPlan plan;
@@ -85,13 +85,13 @@ TEST(IsoScrub, OfAFieldWithSaddlesKeepsTheSideOfAMovingHandAndStepsByNoMore)
 TEST(IsoScrub, ReachesANewLevelAndComesToRestOnIt)
 {
   const auto field = [](const Vec3& i) { return i.z(); };
-  const auto brick = test::scalarBrick(32, field);
+  const auto brick = test::scalarFieldBlock(32, field);
   IsoPlan plan;
   plan.level = 10.5;
   plan.scrub_u = scrub_u;
   IsoState state;
   const auto tick = [&](double z) {
-    return moveIsoProxy(brick->component(BrickRole::Scalar), Vec3::Ones(), plan, { 15, 15, z }, state);
+    return moveIsoProxy(brick->component(FieldBlockRole::Scalar), Vec3::Ones(), plan, { 15, 15, z }, state);
   };
   tick(11.0);
   EXPECT_NEAR(tick(10.0).pull_u.z(), 0.5, 1e-12);
@@ -116,13 +116,14 @@ TEST(IsoScrub, LetsGoOfAHandWhoseSurfaceVanishes)
 {
   // Inside of a hill that is cut off at the top the field does not rise any more.
   const auto hill = [](const Vec3& i) { return std::max(-(i - Vec3(15.5, 15.5, 15.5)).norm(), -3.0); };
-  const auto brick = test::scalarBrick(32, hill);
+  const auto brick = test::scalarFieldBlock(32, hill);
   IsoPlan plan;
   plan.level = -4.0;
   plan.scrub_u = scrub_u;
   IsoState state;
   const Vec3 p(25, 15, 15);
-  const auto tick = [&] { return moveIsoProxy(brick->component(BrickRole::Scalar), Vec3::Ones(), plan, p, state); };
+  const auto tick = [&]
+  { return moveIsoProxy(brick->component(FieldBlockRole::Scalar), Vec3::Ones(), plan, p, state); };
   tick();
   EXPECT_EQ(state.side, 1.0);
   plan.level = -2.0; // above every value near the hand: its side is nowhere
@@ -144,9 +145,9 @@ TEST(IsoScrub, FadesWithinThirtyMillisecondsOfWhereTheLastOfASurfaceIsGone)
   for (std::size_t i = 0; i < test::testCount(40); ++i)
   {
     const Vec3 top = Vec3(15.75, 15.75, 15.75) + random.inCube(0.2);
-    const auto brick = test::scalarBrick(32, [&](const Vec3& at) { return -(at - top).norm(); });
+    const auto brick = test::scalarFieldBlock(32, [&](const Vec3& at) { return -(at - top).norm(); });
     const auto tick = [&](const IsoPlan& plan, const Vec3& p, IsoState& state)
-    { return moveIsoProxy(brick->component(BrickRole::Scalar), Vec3::Ones(), plan, p, state); };
+    { return moveIsoProxy(brick->component(FieldBlockRole::Scalar), Vec3::Ones(), plan, p, state); };
     IsoPlan plan;
     plan.level = -4.0;
     plan.scrub_u = scrub_u;

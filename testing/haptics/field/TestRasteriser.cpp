@@ -74,7 +74,7 @@ double slowly(const Mesh& mesh, const std::vector<float>& values, const Vec3& p_
   return NAN;
 }
 
-BrickGrid turnedGrid(double spacing, const Vec3& centre, int points)
+FieldBlockGrid turnedGrid(double spacing, const Vec3& centre, int points)
 {
   const Quat q(Eigen::AngleAxisd(0.6, Vec3(1, -2, 1).normalized()));
   return { { points, points, points }, Vec3(spacing, 1.2 * spacing, 0.9 * spacing),
@@ -87,7 +87,7 @@ TEST(Rasteriser, GivesTheValuesOfEveryTetrahedronAndNoneOutside)
   const Mesh mesh(6, 0.25, random);
   const std::vector<float> values = valuesOf(mesh, [](const Vec3& p) { return std::sin(p.x()) + p.y() * p.z(); });
   const TetraBins bins(mesh.points_W, mesh.tetrahedra);
-  const BrickGrid grid = turnedGrid(0.37, { 3.1, 2.9, 4.0 }, 16);
+  const FieldBlockGrid grid = turnedGrid(0.37, { 3.1, 2.9, 4.0 }, 16);
   const std::vector<float> raster = rasterise({ mesh.points_W, mesh.tetrahedra, values }, bins, grid);
   std::size_t inside = 0;
   for (std::size_t i = 0; i < raster.size(); ++i)
@@ -120,7 +120,7 @@ TEST(Rasteriser, OfALinearFunctionIsExactInEveryComponentWhateverSizesAreBesideO
     values.push_back(static_cast<float>(2.0 - p_W.z()));
   }
   const TetraBins bins(mesh.points_W, mesh.tetrahedra);
-  const BrickGrid grid{ { 20, 20, 20 }, Vec3::Constant(0.41), { Vec3::Constant(0.1) } };
+  const FieldBlockGrid grid{ { 20, 20, 20 }, Vec3::Constant(0.41), { Vec3::Constant(0.1) } };
   const std::vector<float> raster = rasterise({ mesh.points_W, mesh.tetrahedra, values, 2 }, bins, grid);
   for (std::size_t i = 0; i < grid.points(); ++i)
   {
@@ -166,7 +166,8 @@ TEST(Rasteriser, SaysWhatALargeMeshCosts)
     "%zu tetrahedra: bins %.0f ms, %.1f MB;", mesh.tetrahedra.size(), built_ms - begin_ms, 1e-6 * bins.bytes());
   for (const double spacing : { 0.25, 0.5, 1.0 })
   {
-    const BrickGrid grid{ { 48, 48, 48 }, Vec3::Constant(spacing), { Vec3::Constant(0.5 * cubes - 23.5 * spacing) } };
+    const FieldBlockGrid grid{ { 48, 48, 48 }, Vec3::Constant(spacing),
+      { Vec3::Constant(0.5 * cubes - 23.5 * spacing) } };
     const double from_ms = now_ms();
     const std::vector<float> raster = rasterise({ mesh.points_W, mesh.tetrahedra, values }, bins, grid);
     std::printf(" h %.2f edges %.1f ms;", spacing, now_ms() - from_ms);

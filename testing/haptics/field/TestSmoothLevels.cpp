@@ -27,7 +27,7 @@ using test::middle;
 
 using Function = std::function<double(const Vec3&)>;
 using Way = std::function<Vec3(double)>;
-using BrickAt = std::function<std::shared_ptr<const Brick>(const Vec3&)>;
+using FieldBlockAt = std::function<std::shared_ptr<const FieldBlock>(const Vec3&)>;
 
 constexpr double mostLost_mJ = 1e-4, mostStep_N = 0.02;
 
@@ -41,16 +41,16 @@ double waves(const Vec3& p)
   return p.x() + 1.5 * std::sin(0.35 * p.y()) * std::cos(0.3 * p.z());
 }
 
-std::shared_ptr<const Brick> brickOn(
-  const BrickGrid& grid, const Function& function, std::shared_ptr<const Brick> finer = nullptr)
+std::shared_ptr<const FieldBlock> brickOn(
+  const FieldBlockGrid& grid, const Function& function, std::shared_ptr<const FieldBlock> finer = nullptr)
 {
-  return std::make_shared<const Brick>(1, grid,
-    std::vector<BrickArray>{ { BrickRole::Scalar, "f",
+  return std::make_shared<const FieldBlock>(1, grid,
+    std::vector<FieldBlockArray>{ { FieldBlockRole::Scalar, "f",
       test::sampledValues(grid.size, [&](const Vec3& index) { return function(grid.toWorld(index)); }) } },
-    std::vector<Vec3>(), std::vector<BrickLine>(), std::move(finer));
+    std::vector<Vec3>(), std::vector<FieldBlockLine>(), std::move(finer));
 }
 
-LevelBounds boundsOf(const Brick& brick)
+LevelBounds boundsOf(const FieldBlock& brick)
 {
   return levelBounds(brick.arrays().front().values, brick.grid().size, brick.grid().spacing_u);
 }
@@ -64,7 +64,7 @@ DetentPlan levelsOf(double strength_N, const LevelBounds& bounds)
 
 /// The work that levels do on a hand over a closed way, after a first turn on which it takes its place. No step of the
 /// force is longer than asked. `largest_N` becomes the largest force.
-double workOver(const Way& way, const BrickAt& brickAt, const DetentPlan& detent, double& largest_N)
+double workOver(const Way& way, const FieldBlockAt& brickAt, const DetentPlan& detent, double& largest_N)
 {
   FieldPlan plan;
   plan.detent = detent;
@@ -134,20 +134,20 @@ TEST(SmoothLevels, TakeNoWorkOverClosedWaysAroundTheCentreOfABallAndThroughIt)
   }
 }
 
-/// Bricks of one lattice that follow the hand, each with a finer one in it where `finer` says so.
-class FollowingBricks
+/// FieldBlocks of one lattice that follow the hand, each with a finer one in it where `finer` says so.
+class FollowingFieldBlocks
 {
 public:
-  FollowingBricks(const Function& function, bool finer) : function_(function), finer_(finer) {}
+  FollowingFieldBlocks(const Function& function, bool finer) : function_(function), finer_(finer) {}
 
-  std::shared_ptr<const Brick> operator()(const Vec3& hand_W)
+  std::shared_ptr<const FieldBlock> operator()(const Vec3& hand_W)
   {
     constexpr double used_u = 3.0;
     if (!this->brick_ || (hand_W - this->centre_W_).cwiseAbs().maxCoeff() > used_u)
     {
       this->centre_W_ = hand_W;
       const Vec3 corner_W = (hand_W - Vec3::Constant(8.0)).array().round();
-      std::shared_ptr<const Brick> finer;
+      std::shared_ptr<const FieldBlock> finer;
       if (this->finer_)
       {
         const Vec3 inner_W = (hand_W - Vec3::Constant(2.0)).array().round();
@@ -165,7 +165,7 @@ private:
   Function function_;
   bool finer_;
   Vec3 centre_W_ = Vec3::Zero();
-  std::shared_ptr<const Brick> brick_;
+  std::shared_ptr<const FieldBlock> brick_;
 };
 
 TEST(SmoothLevels, TakeNoWorkOverClosedWaysWhereBricksFollowTheHandAndTheFinerOneTakesOver)
@@ -179,7 +179,7 @@ TEST(SmoothLevels, TakeNoWorkOverClosedWaysWhereBricksFollowTheHandAndTheFinerOn
     const auto whole = brickOn({ { 48, 48, 48 }, Vec3::Ones(), { Vec3::Constant(-8.0) } }, function);
     for (const bool finer : { false, true })
     {
-      FollowingBricks bricks(function, finer);
+      FollowingFieldBlocks bricks(function, finer);
       double largest_N = 0.0;
       const double work_mJ = workOver(
         way, [&](const Vec3& hand_W) { return bricks(hand_W); }, levelsOf(5.0, boundsOf(*whole)), largest_N);
@@ -197,12 +197,12 @@ TEST(SmoothLevels, AreLimitedByBoundsThatNoPlaceExceedsAndOnePlaceComesNearTo)
   std::ranges::generate(noise, [&] { return random.uniform(-1.0, 1.0); });
   const Function rough = [&](const Vec3& p)
   { return noise[static_cast<std::size_t>(p.x() + 16.0 * p.y() + 256.0 * p.z())]; };
-  const BrickGrid grid{ { 16, 16, 16 }, Vec3(1.0, 0.5, 2.0) };
+  const FieldBlockGrid grid{ { 16, 16, 16 }, Vec3(1.0, 0.5, 2.0) };
   for (const Function& function : { Function([&](const Vec3& i) { return rough(i); }), Function(waves),
          Function([](const Vec3& i) { return (i - Vec3(7.4, 7.6, 7.5)).norm(); }) })
   {
     const auto values = test::sampledValues(grid.size, function);
-    const Brick brick(1, grid, { { BrickRole::Scalar, "f", values } });
+    const FieldBlock brick(1, grid, { { FieldBlockRole::Scalar, "f", values } });
     const LevelBounds bounds = levelBounds(values, grid.size, grid.spacing_u);
     double steepest = 0.0, most = 0.0;
     for (std::size_t i = 0; i < test::testCount(200000); ++i)
@@ -224,9 +224,9 @@ TEST(SmoothLevels, AreLimitedByBoundsThatNoPlaceExceedsAndOnePlaceComesNearTo)
 TEST(SmoothLevels, HaveTheDerivativesOfTheirScalar)
 {
   test::Random random(test::testSeed(2821));
-  const BrickGrid grid{ cube_n, Vec3(1.0, 0.5, 2.0),
+  const FieldBlockGrid grid{ cube_n, Vec3(1.0, 0.5, 2.0),
     { Vec3(3, -2, 1), Quat(Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized())) } };
-  const Brick brick(1, grid, { { BrickRole::Scalar, "f", test::sampledValues(cube_n, waves) } });
+  const FieldBlock brick(1, grid, { { FieldBlockRole::Scalar, "f", test::sampledValues(cube_n, waves) } });
   for (int i = 0; i < 300; ++i)
   {
     const Vec3 p_W = grid.toWorld(middle + random.inCube(15.0));
@@ -271,7 +271,7 @@ TEST(SmoothLevels, AreNowhereFeltWithMoreThanTheirSentenceSaysAndSomewhereWithMo
     plan.detent = levelsOf(50.0, boundsOf(*brick));
     plan.detent.spacing = random.uniform(0.3, 2.0);
     plan.detent.slope_per_u = usualGradient(*brick);
-    const std::string said = detentSentence(plan, k);
+    const std::string said = detentText(plan, k);
     double felt_N = 0.0;
     FieldState state;
     Vec3 hand_W = middle, way_W = random.direction();

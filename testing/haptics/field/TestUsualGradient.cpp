@@ -13,12 +13,12 @@ namespace
 {
 
 const GridIndex slab_n{ 9, 20, 33 };
-const BrickGrid grid{ slab_n, { 0.5, 2.0, 1.25 }, {} };
+const FieldBlockGrid grid{ slab_n, { 0.5, 2.0, 1.25 }, {} };
 
-Brick brickOf(const std::function<double(const Vec3&)>& f)
+FieldBlock brickOf(const std::function<double(const Vec3&)>& f)
 {
   return { 1, grid,
-    { { BrickRole::Scalar, "f",
+    { { FieldBlockRole::Scalar, "f",
       test::sampledValues(slab_n, [&](const Vec3& index) { return f(grid.toWorld(index)); }) } } };
 }
 

@@ -18,10 +18,10 @@ namespace
 using test::T;
 
 /// A spring wall below z = 0 whose force is held over each period, with the energy meter and the controller.
-class HeldWall
+class DeviceWall
 {
 public:
-  HeldWall(double stiffness, PassivityPlan plan) : stiffness_(stiffness), plan_(plan) {}
+  DeviceWall(double stiffness, PassivityPlan plan) : stiffness_(stiffness), plan_(plan) {}
 
   /// Force [N] along z for a hand at height z that came from the last one at constant speed.
   double force(double z_m)
@@ -52,7 +52,7 @@ private:
 };
 
 /// Presses from the surface to a depth and back to the surface at constant speed; visits every tick.
-void press(HeldWall& wall, double speed, double depth, double phase, const std::function<void(double z)>& visit = {})
+void press(DeviceWall& wall, double speed, double depth, double phase, const std::function<void(double z)>& visit = {})
 {
   const double half_s = depth / speed;
   for (double t = (phase - 1.0) * T; t < 2 * half_s + 2 * T; t += T)
@@ -73,7 +73,7 @@ TEST(EnergyMeter, MeasuresTheLeakOfAHeldSpringAsTheFormulaSays)
   const int phases = 100;
   for (int i = 0; i < phases; ++i)
   {
-    HeldWall wall(K, {});
+    DeviceWall wall(K, {});
     press(wall, v, depth, (i + 0.5) / phases);
     sum += wall.meter.delivered_J;
   }
@@ -83,7 +83,7 @@ TEST(EnergyMeter, MeasuresTheLeakOfAHeldSpringAsTheFormulaSays)
 
 TEST(EnergyMeter, ForgetsAContactWhenItEndsAndGivesNoCreditForWhatWasTaken)
 {
-  HeldWall wall(1000.0, {});
+  DeviceWall wall(1000.0, {});
   press(wall, 0.1, 2e-3, 0.5, [&wall](double z) { EXPECT_LE(wall.meter.absorbed_J, 0.5 * 1000.0 * z * z + 1e-18); });
   EXPECT_EQ(wall.meter.absorbed_J, 0.0);
   EXPECT_EQ(wall.meter.excess_J, 0.0);
@@ -112,7 +112,7 @@ TEST(PassivityController, APressAndReleaseDeliversNothingAtAnyPhaseAndSpeed)
   {
     for (int i = 0; i < 20; ++i)
     {
-      HeldWall wall(2000.0, plan);
+      DeviceWall wall(2000.0, plan);
       press(wall, v, 4e-3, i / 20.0);
       EXPECT_LE(wall.meter.delivered_J, 0.0) << v << " m/s, phase " << i / 20.0;
     }
@@ -123,7 +123,7 @@ TEST(PassivityController, AddsNothingInFreeSpaceAndNothingWhenItIsOff)
 {
   PassivityPlan on;
   on.enabled = true;
-  HeldWall free(1000.0, on), off(1000.0, {});
+  DeviceWall free(1000.0, on), off(1000.0, {});
   for (int k = 0; k < 100; ++k)
   {
     EXPECT_EQ(free.force(1e-6 + 1e-4 * (k % 7)), 0.0);
@@ -167,7 +167,7 @@ TEST(PassivityController, AMassNeverComesBackWithMoreThanItBrought)
     for (int i = 0; i < 40; ++i)
     {
       const LinearPlant plant(m, 0.0, 0.0, T);
-      HeldWall wall(K, plan);
+      DeviceWall wall(K, plan);
       Vec3 x(0, 0, v0 * T * i / 40.0), v(0, 0, -v0);
       do
       {

@@ -90,13 +90,13 @@ Pose anyHand(Random& random, double way, double turn)
 
 TEST_F(FiniteTurns, ATipOnItsPinStandsThereAndIsDrawnUpAsItsRodLeans)
 {
-  this->rig.join(LawKind::Attachment, "world", turnedTip, turnedTip);
+  this->rig.join(ConstraintKind::Attachment, "world", turnedTip, turnedTip);
   this->pinned = true;
   // Turned by .01 the tip of a rod of 200 mm is .010 mm lower: so much is the hand's spring longer.
   const Pose hand{ Vec3::Zero(), turnBy(Vec3(0.01, 0.0, 0.0)) };
   MechanismRig stiff(turnedRod);
   stiff.grip = { kc, 1e9 };
-  stiff.join(LawKind::Attachment, "world", turnedTip, turnedTip);
+  stiff.join(ConstraintKind::Attachment, "world", turnedTip, turnedTip);
   const MechanismResult& r = stiff.step(hand);
   EXPECT_NEAR(r.pose_W[0].p.z(), turnedRod * (1.0 - std::cos(0.01)), 1e-9);
   EXPECT_NEAR(r.pose_W[0].p.y(), turnedRod * std::sin(0.01), 1e-9);
@@ -125,7 +125,7 @@ TEST_F(FiniteTurns, ATipOnItsPinStandsThereAndIsDrawnUpAsItsRodLeans)
 
 TEST_F(FiniteTurns, InOneTickFromFarTheTipIsOnItsPin)
 {
-  this->rig.join(LawKind::Attachment, "world", turnedTip, turnedTip);
+  this->rig.join(ConstraintKind::Attachment, "world", turnedTip, turnedTip);
   const Pose to{ Vec3(0.05, -0.02, 0.01), turnBy(Vec3(0.5, 0.8, -0.3)) };
   const MechanismResult& r = this->rig.step(to);
   EXPECT_LE((r.pose_W[0].p + r.pose_W[0].q * turnedTip - turnedTip).norm(), 1e-14);
@@ -135,7 +135,7 @@ TEST_F(FiniteTurns, InOneTickFromFarTheTipIsOnItsPin)
 TEST_F(FiniteTurns, APushThatAlmostFoldsTheRodIsMetAndItsResidualIsTrueOnTheWay)
 {
   this->rig.grip = { kc, 0.5 };
-  this->rig.join(LawKind::Attachment, "world", turnedTip, turnedTip);
+  this->rig.join(ConstraintKind::Attachment, "world", turnedTip, turnedTip);
   this->pinned = true;
   const Pose to{ Vec3(2e-4, 0.0, 0.012), Quat::Identity() }; // 12 N at .2 m: beyond what the turning spring holds
   const MechanismResult& r = this->lead(to, 200);
@@ -154,7 +154,7 @@ TEST_F(FiniteTurns, APushThatAlmostFoldsTheRodIsMetAndItsResidualIsTrueOnTheWay)
 TEST_F(FiniteTurns, AHingeHoldsPointAndAxisOnTheTurnedRod)
 {
   const Vec3 at(0.0, 0.01, 0.05), axis = Vec3(1.0, 0.2, -0.1).normalized();
-  MechanismLaw& law = this->rig.join(LawKind::Hinge, "world", at, at);
+  MechanismConstraint& law = this->rig.join(ConstraintKind::Hinge, "world", at, at);
   law.axis_A = law.axis_B = axis;
   Random random(testSeed(2802));
   for (std::size_t trial = 0; trial < testCount(30); ++trial)
@@ -194,7 +194,7 @@ TEST_F(FiniteTurns, AShaftInTwoHolesGivesWayAndLeansAsTheEnergyOfBothSpringsHasI
   {
     const Vec3 at(0.0, 0.0, hole.at_u);
     this->rig.addSoft(hole.name, springWall(hole.name, at, -Vec3::UnitZ(), 0.02, 1.0 / hole.stiffness_N_per_u));
-    this->rig.join(LawKind::Insertion, hole.name, Vec3::Zero(), at);
+    this->rig.join(ConstraintKind::Insertion, hole.name, Vec3::Zero(), at);
   }
   Random random(testSeed(2803));
   for (std::size_t trial = 0; trial < testCount(30); ++trial)
@@ -233,7 +233,7 @@ TEST_F(FiniteTurns, AShaftThatSticksInItsHoleIsHeldAlongAsItLeans)
 {
   const Vec3 at(0.0, 0.0, 0.1);
   this->rig.addSoft("wall", springWall("wall", at, -Vec3::UnitZ(), 0.02, 1.0 / tissue));
-  this->rig.join(LawKind::Insertion, "wall", Vec3::Zero(), at).dryFriction_N = 1e3;
+  this->rig.join(ConstraintKind::Insertion, "wall", Vec3::Zero(), at).dryFriction_N = 1e3;
   Random random(testSeed(2804));
   for (std::size_t trial = 0; trial < testCount(30); ++trial)
   {
@@ -254,7 +254,7 @@ TEST_F(FiniteTurns, AShaftThatSticksInItsHoleIsHeldAlongAsItLeans)
 
 TEST_F(FiniteTurns, AContactOfTheTipIsPressedByThePlaneAloneHoweverTheRodLeans)
 {
-  MechanismLaw& law = this->rig.join(LawKind::Contact, "world", turnedTip, turnedTip);
+  MechanismConstraint& law = this->rig.join(ConstraintKind::Contact, "world", turnedTip, turnedTip);
   law.axis_B = Vec3(0.3, 0.1, -1.0).normalized();
   const Vec3 n = law.axis_B;
   Random random(testSeed(2805));

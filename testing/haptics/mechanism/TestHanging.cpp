@@ -28,9 +28,9 @@ protected:
     this->rig.mechanism.bodies.push_back(body);
   }
 
-  MechanismLaw& join(LawKind kind, const Vec3& point_A, const Vec3& point_B, const Vec3& axis)
+  MechanismConstraint& join(ConstraintKind kind, const Vec3& point_A, const Vec3& point_B, const Vec3& axis)
   {
-    MechanismLaw& law = this->rig.join(kind, "world", point_A, point_B);
+    MechanismConstraint& law = this->rig.join(kind, "world", point_A, point_B);
     law.a = this->rig.mechanism.bodies.back().name;
     law.axis_A = law.axis_B = axis;
     return law;
@@ -67,9 +67,9 @@ protected:
   HangingDrawer()
   {
     this->addBody("drawer", Vec3(40.0, 30.0, 10.0), Vec3(0.0, 0.0, away));
-    this->rig.join(LawKind::Attachment, "drawer", Vec3(0.0, 0.0, rodLength), Vec3(0.0, 0.0, -arm));
-    this->join(LawKind::Slider, Vec3::Zero(), Vec3(0.0, 0.0, away), Vec3::UnitX());
-    this->join(LawKind::DryFriction, Vec3::Zero(), Vec3(0.0, 0.0, away), Vec3::UnitX()).dryFriction_N = felt;
+    this->rig.join(ConstraintKind::Attachment, "drawer", Vec3(0.0, 0.0, rodLength), Vec3(0.0, 0.0, -arm));
+    this->join(ConstraintKind::Slider, Vec3::Zero(), Vec3(0.0, 0.0, away), Vec3::UnitX());
+    this->join(ConstraintKind::DryFriction, Vec3::Zero(), Vec3(0.0, 0.0, away), Vec3::UnitX()).dryFriction_N = felt;
   }
 
   /// Across the rails hand, rod and drawer are one straight line, as nothing there has a moment: as long as the arm,
@@ -116,8 +116,8 @@ protected:
   HangingDoor()
   {
     this->addBody("door", Vec3(half, 30.0, 2.0), Vec3(half, 0.0, 22.0));
-    this->rig.join(LawKind::Attachment, "door", Vec3(0.0, 0.0, rodLength), Vec3(35.0, 0.0, -2.0));
-    this->join(LawKind::Hinge, Vec3(-half, 0.0, 0.0), pin, Vec3::UnitY());
+    this->rig.join(ConstraintKind::Attachment, "door", Vec3(0.0, 0.0, rodLength), Vec3(35.0, 0.0, -2.0));
+    this->join(ConstraintKind::Hinge, Vec3(-half, 0.0, 0.0), pin, Vec3::UnitY());
   }
 
   Vec3 pin{ 0.0, 0.0, 22.0 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rigid rod in the hand through a wall and an organ, docs/theory.md, "Laws between bodies": lateral, y; the rod runs
-// along z. Its numbers are those of small turns, where the hand goes a ten thousandth of its 5 mm; where it goes all of
-// them, the statics of the finite turn are the judge.
+// A rigid rod in the hand through a wall and an organ, docs/theory.md, "Constraints between bodies": lateral, y; the
+// rod runs along z. Its numbers are those of small turns, where the hand goes a ten thousandth of its 5 mm; where it
+// goes all of them, the statics of the finite turn are the judge.
 #include <gtest/gtest.h>
 
 #include "haptics/tool/motion/Turn.h"
@@ -23,8 +23,8 @@ protected:
     this->rig.addSoft("wall", springWall("wall", Vec3(0.0, 0.0, a), -Vec3::UnitZ(), 0.02, 1.0 / wall));
     this->rig.addSoft("organ", springWall("organ", Vec3(0.0, 0.0, l), -Vec3::UnitZ(), 0.02, 1.0 / organ));
     this->rig.grip = { kc, kr };
-    this->rig.join(LawKind::Insertion, "wall", Vec3::Zero(), Vec3(0.0, 0.0, a));
-    this->rig.join(LawKind::Insertion, "organ", Vec3::Zero(), Vec3(0.0, 0.0, l));
+    this->rig.join(ConstraintKind::Insertion, "wall", Vec3::Zero(), Vec3(0.0, 0.0, a));
+    this->rig.join(ConstraintKind::Insertion, "organ", Vec3::Zero(), Vec3(0.0, 0.0, l));
   }
 
   MechanismRig rig;
@@ -116,7 +116,7 @@ TEST_F(Lever, RedundantHolesChangeNoForceOnTheHand)
   twice.mechanism = this->rig.mechanism;
   twice.soft = this->rig.soft;
   twice.pressed = this->rig.pressed;
-  twice.join(LawKind::Insertion, "wall", Vec3::Zero(), Vec3(0.0, 0.0, a));
+  twice.join(ConstraintKind::Insertion, "wall", Vec3::Zero(), Vec3(0.0, 0.0, a));
   const MechanismResult& r = twice.step(hand);
   EXPECT_LE((r.wrench_W.force - alone.wrench_W.force).norm(), 1e-12);
   EXPECT_LE((r.wrench_W.torque - alone.wrench_W.torque).norm(), 1e-12);

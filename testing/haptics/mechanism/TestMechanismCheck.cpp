@@ -22,8 +22,8 @@ protected:
   {
     this->rig.addSoft("wall", springWall("wall", Vec3(0.0, 0.0, 0.05), -Vec3::UnitZ(), 0.02, 2e-3));
     this->rig.addSoft("liver", springWall("liver", Vec3(0.0, 0.0, 0.15), -Vec3::UnitZ(), 0.02, 5e-3));
-    this->rig.join(LawKind::Insertion, "wall", Vec3::Zero(), Vec3(0.0, 0.0, 0.05)).name = "hole";
-    this->rig.join(LawKind::Puncture, "liver", Vec3::Zero(), Vec3::Zero()).name = "entry";
+    this->rig.join(ConstraintKind::Insertion, "wall", Vec3::Zero(), Vec3(0.0, 0.0, 0.05)).name = "hole";
+    this->rig.join(ConstraintKind::Puncture, "liver", Vec3::Zero(), Vec3::Zero()).name = "entry";
   }
 
   MechanismRig rig{ 0.2 };
@@ -79,19 +79,19 @@ INSTANTIATE_TEST_SUITE_P(All, WrongMechanism,
     Wrong{ "JoinedToNothing", [](MechanismRig& r) { r.mechanism.laws[0].b = "spleen"; }, "no body has that name" },
     Wrong{ "SoftBodyIsGone", [](MechanismRig& r) { r.soft.pop_back(); }, "\"liver\" is missing" },
     Wrong{ "BreakForceOf0",
-      [](MechanismRig& r) { r.join(LawKind::Break, "world", Vec3::Zero(), Vec3::Zero()).strength_N = 0.0; },
+      [](MechanismRig& r) { r.join(ConstraintKind::Break, "world", Vec3::Zero(), Vec3::Zero()).strength_N = 0.0; },
       "breaks at 0 N" },
     Wrong{
       "StrengthIsNoNumber", [](MechanismRig& r) { r.mechanism.laws[1].strength_N = std::nan(""); }, "breaks at 0 N" },
     Wrong{ "JointBeyondTheTip",
-      [](MechanismRig& r) { r.join(LawKind::Attachment, "world", 0.21 * Vec3::UnitZ(), Vec3::Zero()); },
+      [](MechanismRig& r) { r.join(ConstraintKind::Attachment, "world", 0.21 * Vec3::UnitZ(), Vec3::Zero()); },
       "outside of \"needle\"" },
     Wrong{ "HoleBesideTheWall", [](MechanismRig& r) { r.mechanism.laws[0].point_B = Vec3(0.0, 0.1, 0.05); },
       "outside of \"wall\"" },
     Wrong{ "LimitTurnedRound",
       [](MechanismRig& r)
       {
-        MechanismLaw& law = r.join(LawKind::Limit, "world", Vec3::Zero(), Vec3::Zero());
+        MechanismConstraint& law = r.join(ConstraintKind::Limit, "world", Vec3::Zero(), Vec3::Zero());
         law.least_u = 1.0;
         law.most_u = -1.0;
       },
@@ -99,35 +99,35 @@ INSTANTIATE_TEST_SUITE_P(All, WrongMechanism,
     Wrong{ "HeldInTwoPlaces",
       [](MechanismRig& r)
       {
-        r.join(LawKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());
-        r.join(LawKind::Attachment, "world", Vec3::Zero(), aside);
+        r.join(ConstraintKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());
+        r.join(ConstraintKind::Attachment, "world", Vec3::Zero(), aside);
       },
       "conflicts with the others" },
     Wrong{ "RodBetweenPointsThatAreTooFarApart",
       [](MechanismRig& r)
       {
-        r.join(LawKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());
-        r.join(LawKind::Attachment, "world", 0.1 * Vec3::UnitZ(), 0.11 * Vec3::UnitZ());
+        r.join(ConstraintKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());
+        r.join(ConstraintKind::Attachment, "world", 0.1 * Vec3::UnitZ(), 0.11 * Vec3::UnitZ());
       },
       "conflicts with the others" },
     Wrong{ "ContactsFromBothSidesOfNoRoom",
       [](MechanismRig& r)
       {
-        r.join(LawKind::Contact, "world", Vec3::Zero(), Vec3(0.05, 0.0, 0.0)).axis_B = Vec3::UnitX();
-        r.join(LawKind::Contact, "world", Vec3::Zero(), Vec3::Zero()).axis_B = -Vec3::UnitX();
+        r.join(ConstraintKind::Contact, "world", Vec3::Zero(), Vec3(0.05, 0.0, 0.0)).axis_B = Vec3::UnitX();
+        r.join(ConstraintKind::Contact, "world", Vec3::Zero(), Vec3::Zero()).axis_B = -Vec3::UnitX();
       },
       "conflicts with the others" },
     Wrong{ "StiffLimitBesideAnAttachment",
       [](MechanismRig& r)
       {
-        r.join(LawKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());
-        MechanismLaw& limit = r.join(LawKind::Limit, "world", Vec3::Zero(), Vec3::Zero());
+        r.join(ConstraintKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());
+        MechanismConstraint& limit = r.join(ConstraintKind::Limit, "world", Vec3::Zero(), Vec3::Zero());
         limit.axis_B = Vec3::UnitX();
         limit.least_u = 0.1;
       },
       "conflicts with the others" },
     Wrong{ "RestBeyondAllNumbers",
-      [](MechanismRig& r) { r.join(LawKind::Spring, "world", Vec3::Zero(), Vec3::Zero()).rest_u = 1e308; },
+      [](MechanismRig& r) { r.join(ConstraintKind::Spring, "world", Vec3::Zero(), Vec3::Zero()).rest_u = 1e308; },
       "a position beyond 1e9" },
     Wrong{ "RodBeyondAllNumbers", [](MechanismRig& r) { r.mechanism.bodies[0].length_u = 1e300; }, "no length" },
     Wrong{ "MoreRowsThanTheBudget",
@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(All, WrongMechanism,
       {
         for (int i = 0; i < 10; ++i)
         {
-          r.join(LawKind::Hinge, "world", Vec3::Zero(), Vec3::Zero());
+          r.join(ConstraintKind::Hinge, "world", Vec3::Zero(), Vec3::Zero());
         }
       },
       "rows, at most 48" },
@@ -149,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(All, WrongMechanism,
     Wrong{ "OneNameTwice", [](MechanismRig& r) { r.mechanism.laws[1].name = "hole"; }, "a unique name" },
     Wrong{ "RodWithoutLength", [](MechanismRig& r) { r.mechanism.bodies[0].length_u = 0.0; }, "no length" },
     Wrong{ "HingeOfASoftBody",
-      [](MechanismRig& r) { r.join(LawKind::Hinge, "wall", Vec3::Zero(), Vec3(0.0, 0.0, 0.05)); },
+      [](MechanismRig& r) { r.join(ConstraintKind::Hinge, "wall", Vec3::Zero(), Vec3(0.0, 0.0, 0.05)); },
       "no rotation of its own" },
     Wrong{ "PunctureOfTheWorld", [](MechanismRig& r) { r.mechanism.laws[1].b = "world"; }, "needs a soft body" },
     Wrong{ "AxisWithoutDirection", [](MechanismRig& r) { r.mechanism.laws[0].axis_B.setZero(); }, "axis of length 0" },
@@ -159,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(All, WrongMechanism,
         r.grip.turning_Nu_per_rad = 0.0;
         for (const double z : { 0.0, 0.1, 0.2 })
         {
-          r.join(LawKind::Friction, "world", z * Vec3::UnitZ(), z * Vec3::UnitZ()).friction = 0.3;
+          r.join(ConstraintKind::Friction, "world", z * Vec3::UnitZ(), z * Vec3::UnitZ()).friction = 0.3;
         }
       },
       "share of the friction is undetermined" },
@@ -191,7 +191,7 @@ TEST(CheckedBodies, ThatOverlapAsTheyStandAreSaidAndSuchThatTouchAreNot)
       body.halfSize_u = Vec3::Ones();
       body.pose_W = { p, q };
       rig.mechanism.bodies.push_back(body);
-      rig.join(LawKind::Attachment, "world", Vec3::Zero(), p).a = name;
+      rig.join(ConstraintKind::Attachment, "world", Vec3::Zero(), p).a = name;
     }
     return rig.check();
   };
@@ -224,7 +224,7 @@ TEST(CheckedBodies, ARigidOneThatPassesThroughASoftSurfaceIsSaid)
     body.halfSize_u = Vec3::Constant(0.1);
     body.pose_W.p = Vec3(0.05, 0.02, height);
     rig.mechanism.bodies.push_back(body);
-    rig.join(LawKind::Attachment, "world", Vec3::Zero(), body.pose_W.p).a = "box";
+    rig.join(ConstraintKind::Attachment, "world", Vec3::Zero(), body.pose_W.p).a = "box";
     EXPECT_EQ(rig.check().overlaps.size(), std::abs(height) < 0.1 ? 1u : 0u) << height;
   }
 }
@@ -242,15 +242,15 @@ protected:
     box.halfSize_u = Vec3::Constant(0.1);
     box.pose_W.p = Vec3(0.0, 0.0, 0.15); // from .05 on
     this->rig.mechanism.bodies.push_back(box);
-    this->rig.join(LawKind::Attachment, "world", Vec3::Zero(), box.pose_W.p).a = "box";
+    this->rig.join(ConstraintKind::Attachment, "world", Vec3::Zero(), box.pose_W.p).a = "box";
   }
 
   /// With the needle's tip so high above the wall.
   [[nodiscard]] std::vector<BodyPair> at(double tip)
   {
     const MechanismResult& r = this->rig.step(Vec3(0.01, 0.02, tip - 0.2));
-    std::array<LawPhase, Mechanism::mostLaws> phases{};
-    std::ranges::transform(r.laws, phases.begin(), [](const LawNow& law) { return law.phase; });
+    std::array<ConstraintPhase, Mechanism::mostConstraints> phases{};
+    std::ranges::transform(r.laws, phases.begin(), [](const ConstraintNow& law) { return law.phase; });
     return this->watch.look(this->rig.mechanism, this->rig.soft, r.pose_W, phases);
   }
 
@@ -271,11 +271,11 @@ TEST_F(WatchedBodies, ANeedleInAWallOrABoxThatNoLawJoinsItToIsNamedAsLongAsItIsT
 
 TEST_F(WatchedBodies, ANeedleThatHasPuncturedAWallIsNotNamedAndOneThatCameBehindItIs)
 {
-  this->rig.join(LawKind::Puncture, "wall", Vec3::Zero(), Vec3::Zero()).strength_N = 0.5;
+  this->rig.join(ConstraintKind::Puncture, "wall", Vec3::Zero(), Vec3::Zero()).strength_N = 0.5;
   EXPECT_TRUE(this->at(-0.01).empty());
   EXPECT_TRUE(this->at(2e-4).empty()) << "it is pressed on";
   EXPECT_TRUE(this->at(0.02).empty()) << "it is in";
-  ASSERT_EQ(this->rig.tick.state().laws[1].phase, LawPhase::Inside);
+  ASSERT_EQ(this->rig.tick.state().laws[1].phase, ConstraintPhase::Inside);
   this->rig.plan(); // begins anew where the hand is, and the wall is whole
   EXPECT_EQ(this->at(0.02), (std::vector{ BodyPair("needle", "wall") }));
 }
@@ -292,7 +292,7 @@ TEST_F(WatchedBodies, ABoxThatItsLawHoldsOnAWallIsNotNamedAndOneThatFallsThrough
   EXPECT_TRUE(this->at(-0.05).empty());
   put(-0.05);
   EXPECT_EQ(this->at(-0.15), (std::vector{ BodyPair("wall", "box") }));
-  this->rig.join(LawKind::Attachment, "wall", Vec3(0.0, 0.0, 0.05), Vec3(0.3, 0.0, 0.0)).a = "box";
+  this->rig.join(ConstraintKind::Attachment, "wall", Vec3(0.0, 0.0, 0.05), Vec3(0.3, 0.0, 0.0)).a = "box";
   this->rig.plan();
   EXPECT_TRUE(this->at(-0.5).empty()) << "the law says how they meet";
 }

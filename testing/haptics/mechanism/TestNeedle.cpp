@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Along the shaft, docs/theory.md, "Laws between bodies": punctured, pushed in, turned round, pulled out.
+// Along the shaft, docs/theory.md, "Constraints between bodies": punctured, pushed in, turned round, pulled out.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ protected:
   {
     this->rig.grip = { kc, 0.5 };
     this->rig.addSoft("tissue", springWall("tissue", Vec3(0.0, 0.0, rod), -Vec3::UnitZ(), 0.02, 1.0 / tissue));
-    MechanismLaw& law = this->rig.join(LawKind::Puncture, "tissue", Vec3::Zero(), Vec3::Zero());
+    MechanismConstraint& law = this->rig.join(ConstraintKind::Puncture, "tissue", Vec3::Zero(), Vec3::Zero());
     law.strength_N = punctureAt;
     law.dryFriction_N = friction;
     (void)this->rig.step(Vec3(0.0, 0.0, -1e-3));
@@ -44,7 +44,7 @@ TEST_F(Needle, AStrokeIsPuncturedTurnsRoundAndTakesTheWorkOfTheLaw)
     EXPECT_LE(r.residual_u, 1e-15);
     const double force = -r.exact_W.force.z();
     work += 0.5 * (before + force) * (x - last);
-    if (r.eventCount > 0 && r.events[0].change == LawChange::Punctured)
+    if (r.eventCount > 0 && r.events[0].change == ConstraintChange::Punctured)
     {
       punctured = x;
       work += 0.5 * (punctureAt + force - before - force) * (x - last); // up to the puncture it rose
@@ -78,7 +78,7 @@ TEST_F(Needle, NoMoreOfTheRodGoesInThanThereIs)
     (void)this->at(x);
   }
   const MechanismResult& r = this->at(through);
-  EXPECT_EQ(r.laws[0].phase, LawPhase::Inside);
+  EXPECT_EQ(r.laws[0].phase, ConstraintPhase::Inside);
   EXPECT_NEAR(r.laws[0].inside_u, rod, 1e-12);
   // The hand is beyond by what its spring and the wall's give way by under the force.
   EXPECT_NEAR(-r.exact_W.force.z(), (through - rod) / series, 1e-9);
@@ -104,7 +104,7 @@ TEST_F(Needle, PulledOutItLeavesItsHoleAndTheNextEntryIsPuncturedAnew)
   {
     (void)this->at(x);
   }
-  EXPECT_EQ(this->at(0.01).laws[0].phase, LawPhase::Inside);
+  EXPECT_EQ(this->at(0.01).laws[0].phase, ConstraintPhase::Inside);
   EXPECT_NEAR(this->at(0.01).laws[0].inside_u, 0.01 - friction * series, 1e-9);
   int withdrawn = 0;
   double most = 0.0;
@@ -112,7 +112,7 @@ TEST_F(Needle, PulledOutItLeavesItsHoleAndTheNextEntryIsPuncturedAnew)
   {
     const MechanismResult& r = this->at(x);
     most = std::max(most, r.exact_W.force.z());
-    withdrawn += r.eventCount > 0 && r.events[0].change == LawChange::Withdrawn;
+    withdrawn += r.eventCount > 0 && r.events[0].change == ConstraintChange::Withdrawn;
   }
   EXPECT_NEAR(most, friction, 1e-12); // it is held back
   EXPECT_EQ(withdrawn, 1);
@@ -168,7 +168,7 @@ TEST_F(Needle, PulledSidewaysItTearsOutAtWhatTheHoleHolds)
       EXPECT_LE(std::abs(shaft.dot(r.laws[0].force_W)), friction + 1e-12);
       continue;
     }
-    EXPECT_EQ(r.events[0].change, LawChange::TornOut);
+    EXPECT_EQ(r.events[0].change, ConstraintChange::TornOut);
     EXPECT_GT(r.events[0].force_N, tear_N);
     EXPECT_LT(r.events[0].force_N, std::hypot(tear_N + kc * step, friction)) << "and what it rubs at most";
     EXPECT_EQ(r.exact_W.force.norm(), 0.0);
@@ -179,7 +179,7 @@ TEST_F(Needle, PulledSidewaysItTearsOutAtWhatTheHoleHolds)
 
 TEST_F(Needle, AnotherPacketUnderTheSameForceIsAnOffsetThatFades)
 {
-  this->rig.mechanism.laws[0].strength_N = MechanismLaw::unlimited;
+  this->rig.mechanism.laws[0].strength_N = MechanismConstraint::unlimited;
   this->rig.plan();
   auto first = springWall("tissue", Vec3(0.0, 0.0, rod), -Vec3::UnitZ(), 0.02, 1.0 / tissue, 2);
   auto second = springWall("tissue", Vec3(0.0, 0.0, rod - 5e-4), -Vec3::UnitZ(), 0.02, 1.5 / tissue, 3);
@@ -212,7 +212,7 @@ TEST(NeedleRecording, GoesOnBitForBitFromTheStateOfAnyTick)
   for (MechanismRig* rig : { &whole, &part })
   {
     rig->addSoft("wall", springWall("wall", Vec3(0.0, 0.0, rod), -Vec3::UnitZ(), 0.05, 1.0 / 800.0));
-    MechanismLaw& law = rig->join(LawKind::Puncture, "wall", Vec3::Zero(), Vec3::Zero());
+    MechanismConstraint& law = rig->join(ConstraintKind::Puncture, "wall", Vec3::Zero(), Vec3::Zero());
     law.strength_N = 1.5;
     law.dryFriction_N = 0.4;
     rig->plan();

@@ -98,7 +98,7 @@ TEST(Overlaps, OfSoftBoxesAreNamedWhereverTheirVerticesCoincideAndBoxesThatTouch
     for (const Vec3& place : placesAround())
     {
       MechanismRig rig;
-      rig.join(LawKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());
+      rig.join(ConstraintKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());
       const Vec3 first_W(far, -far, 10.0);
       rig.addSoft("one", softBox("one", first_W));
       rig.addSoft("other", softBox("other", first_W + place));
@@ -122,7 +122,7 @@ TEST(Overlaps, OfASoftAndARigidBoxAreNamedWhereverTheirFacesAreCoplanarAndBoxesT
       box.halfSize_u = half;
       box.pose_W.p = Vec3(0, 0, 10) + place;
       rig.mechanism.bodies.push_back(box);
-      rig.join(LawKind::Attachment, "world", Vec3::Zero(), box.pose_W.p).a = "rigid";
+      rig.join(ConstraintKind::Attachment, "world", Vec3::Zero(), box.pose_W.p).a = "rigid";
       EXPECT_EQ(rig.check().overlaps.size(), sharesRoom(Vec3(6, 6, 2), 2.0 * half, place) ? 1u : 0u)
         << place.transpose() << " of half " << half.transpose();
     }
@@ -138,11 +138,11 @@ TEST(Overlaps, OfARodFromTheOriginAreNamedWhereItRunsInABodyAndNotOnItsFaceOrWhe
     rig.addSoft("soft", softBox("soft", middle_W));
     if (!joined)
     {
-      rig.join(LawKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());
+      rig.join(ConstraintKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());
     }
     else
     {
-      rig.join(LawKind::Attachment, "soft", Vec3::Zero(), middle_W + Vec3::UnitZ());
+      rig.join(ConstraintKind::Attachment, "soft", Vec3::Zero(), middle_W + Vec3::UnitZ());
     }
     const MechanismCheck check = rig.check();
     EXPECT_TRUE(check.faults.empty()) << (check.faults.empty() ? "" : check.faults.front());

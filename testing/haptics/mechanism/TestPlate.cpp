@@ -99,11 +99,11 @@ int judgePlate(const PressedPlate& c, const PlateForces& expected)
   {
     const std::string name = "patch " + std::to_string(foot);
     rig.addSoft(name, springWall(name, c.feet[foot], Vec3::UnitZ(), 0.01, 1.0 / c.springs[foot]));
-    MechanismLaw& law = rig.join(LawKind::Contact, name, c.feet[foot], c.feet[foot]);
+    MechanismConstraint& law = rig.join(ConstraintKind::Contact, name, c.feet[foot], c.feet[foot]);
     law.a = "plate";
     law.axis_B = Vec3::UnitZ();
   }
-  rig.join(LawKind::Contact, "plate", Vec3(0.0, 0.0, lengthOverPlate), c.pressed).axis_B = Vec3::UnitZ();
+  rig.join(ConstraintKind::Contact, "plate", Vec3(0.0, 0.0, lengthOverPlate), c.pressed).axis_B = Vec3::UnitZ();
   // The rod stands upside down over the plate.
   const MechanismResult& r =
     rig.step(Pose{ c.pressed + Vec3(0.0, 0.0, lengthOverPlate - c.depth), Quat(0.0, 1.0, 0.0, 0.0) });
@@ -125,7 +125,7 @@ int judgePlate(const PressedPlate& c, const PlateForces& expected)
       ++open;
       EXPECT_EQ(force, 0.0) << foot;
       EXPECT_GE(gap, 0.0) << foot;
-      EXPECT_EQ(r.laws[foot].phase, LawPhase::Open);
+      EXPECT_EQ(r.laws[foot].phase, ConstraintPhase::Open);
     }
   }
   EXPECT_LE(balance.lpNorm<Eigen::Infinity>(), 1e-12 * size);

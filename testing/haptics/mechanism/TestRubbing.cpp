@@ -35,13 +35,13 @@ protected:
       const Vec3 at(foot & 1 ? halfBlock : -halfBlock, foot & 2 ? halfBlock : -halfBlock, -halfHeight);
       const std::string name = "foot " + std::to_string(foot);
       this->rig.addSoft(name, springWall(name, at, Vec3::UnitZ(), 0.01, 1.0 / springOfFoot));
-      MechanismLaw& law = this->rig.join(LawKind::Friction, name, at, at);
+      MechanismConstraint& law = this->rig.join(ConstraintKind::Friction, name, at, at);
       law.a = "block";
       law.axis_B = Vec3::UnitZ();
       law.friction = friction;
     }
     this->pushed = Vec3(-halfBlock, 0.0, height - halfHeight);
-    MechanismLaw& push = this->rig.join(LawKind::Contact, "block", Vec3(0.0, 0.0, pusher), this->pushed);
+    MechanismConstraint& push = this->rig.join(ConstraintKind::Contact, "block", Vec3(0.0, 0.0, pusher), this->pushed);
     push.axis_B = -Vec3::UnitX();
     ASSERT_TRUE(this->rig.check().faults.empty()) << this->rig.check().faults.front();
   }
@@ -95,7 +95,7 @@ TEST_F(Rubbing, ABlockThatIsPushedSticksUntilAllFrictionIsUsedUpThenSlidesAndSta
   EXPECT_NEAR(this->blockOf(sticks).p.x(), held_N * onFeet, 1e-15);
   for (std::size_t foot = 0; foot < 4; ++foot)
   {
-    EXPECT_EQ(sticks.laws[foot].phase, LawPhase::Closed);
+    EXPECT_EQ(sticks.laws[foot].phase, ConstraintPhase::Closed);
     EXPECT_LE((sticks.laws[foot].force_W - Vec3(-0.25 * held_N, 0.0, 0.25 * weightOfBlock)).norm(), 1e-12);
   }
   EXPECT_NEAR(this->blockOf(this->lead(-1e-3)).p.x(), 0.0, 1e-15) << "it has not slipped";
@@ -110,7 +110,7 @@ TEST_F(Rubbing, ABlockThatIsPushedSticksUntilAllFrictionIsUsedUpThenSlidesAndSta
   EXPECT_NEAR(this->blockOf(slides).p.x(), slipped + most_N * onFeet, 1e-14);
   for (std::size_t foot = 0; foot < 4; ++foot)
   {
-    EXPECT_EQ(slides.laws[foot].phase, LawPhase::Slips);
+    EXPECT_EQ(slides.laws[foot].phase, ConstraintPhase::Slips);
     EXPECT_LE((slides.laws[foot].force_W - Vec3(-0.25 * most_N, 0.0, 0.25 * weightOfBlock)).norm(), 1e-12);
   }
   const MechanismResult left = this->lead(-1e-3);
@@ -138,7 +138,7 @@ TEST_F(Rubbing, ABlockThatIsPushedHighTipsBeforeItSlidesAndItsFeetBehindOpenExac
     const bool front = foot & 1;
     const Vec3 expected_N = front ? Vec3(-0.5 * tips_N, 0.0, 0.5 * weightOfBlock) : Vec3(Vec3::Zero());
     EXPECT_LE((r.laws[foot].force_W - expected_N).norm(), front ? 1e-12 : 0.0) << foot;
-    EXPECT_EQ(r.laws[foot].phase, front ? LawPhase::Closed : LawPhase::Open);
+    EXPECT_EQ(r.laws[foot].phase, front ? ConstraintPhase::Closed : ConstraintPhase::Open);
   }
 }
 
@@ -156,7 +156,7 @@ TEST_F(Rubbing, OnLessFrictionTheSameBlockSlidesBeforeItTipsAndPressesMoreOnItsF
     const double normal_N = 0.25 * weightOfBlock + (foot & 1 ? moment : -moment);
     EXPECT_NEAR(r.laws[foot].force_W.z(), normal_N, 1e-12);
     EXPECT_NEAR(r.laws[foot].force_W.x(), -friction * normal_N, 1e-12);
-    EXPECT_EQ(r.laws[foot].phase, LawPhase::Slips);
+    EXPECT_EQ(r.laws[foot].phase, ConstraintPhase::Slips);
   }
 }
 
@@ -208,7 +208,7 @@ TEST_F(Rubbing, WhereNoPlaceIsOneOfRestATickSaysSoAndTheBlockGoesNoFurtherThanIt
   // A needle in its way bears what friction does not.
   this->rig.mechanism.laws.pop_back();
   const Vec3 front(halfBlock, 0.0, -0.02);
-  this->rig.join(LawKind::Contact, "block", Vec3(0.0, 0.0, pusher), front).axis_B = Vec3::UnitX();
+  this->rig.join(ConstraintKind::Contact, "block", Vec3(0.0, 0.0, pusher), front).axis_B = Vec3::UnitX();
   this->rig.plan();
   const Quat againstX(Eigen::AngleAxisd(-0.5 * M_PI, Vec3::UnitY()));
   const MechanismResult& held = this->rig.step(Pose{ front + pusher * Vec3::UnitX(), againstX });
@@ -250,7 +250,7 @@ MechanismResult standAside(double turning_Nm_per_rad, double friction, double de
   MechanismRig rig(pusher);
   rig.grip = { kc, turning_Nm_per_rad };
   rig.addSoft("floor", springWall("floor", tipAt, -Vec3::UnitZ(), 0.02, 1.0 / springOfFoot));
-  MechanismLaw& law = rig.join(LawKind::Friction, "floor", tipAt, tipAt);
+  MechanismConstraint& law = rig.join(ConstraintKind::Friction, "floor", tipAt, tipAt);
   law.axis_B = -Vec3::UnitZ();
   law.friction = friction;
   EXPECT_TRUE(rig.check().faults.empty());
@@ -299,7 +299,7 @@ TEST(RubbingRod, WhoseTurnIsFreePushesOnlyAlongItselfAndOneThatIsTurnedIsHeldAsi
     EXPECT_LE((turned.exact_W.force - rod.force(z)).norm(), 1e-11);
     EXPECT_LE((turned.exact_W.torque - rod.moment(z)).norm(), 1e-12);
     EXPECT_NEAR(turned.exact_W.force.x(), rubs_N, 1e-11);
-    EXPECT_EQ(turned.laws[0].phase, slips ? LawPhase::Slips : LawPhase::Closed);
+    EXPECT_EQ(turned.laws[0].phase, slips ? ConstraintPhase::Slips : ConstraintPhase::Closed);
   }
 }
 

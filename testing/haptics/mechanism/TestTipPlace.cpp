@@ -58,7 +58,7 @@ TEST(TipPlace, ATipComesInWhereItsWayEntersTheBodyAndIsPushedOutThere)
   for (std::size_t i = 0; i < testCount(500); ++i)
   {
     const Vec3 to_W = anyInside(random), from_W = to_W + 0.3 * random.direction();
-    LawState state;
+    ConstraintState state;
     ASSERT_TRUE(meetSurface(*body, from_W, to_W, state)) << i;
     const auto [entry_W, normal_W] = entryOf(from_W, to_W);
     EXPECT_LT((state.place_B.x_W - entry_W).norm(), 1e-9) << i;
@@ -74,7 +74,7 @@ TEST(TipPlace, ATipThatIsInsideComesOutWithoutBeingMet)
   for (std::size_t i = 0; i < testCount(500); ++i)
   {
     const Vec3 from_W = anyInside(random);
-    LawState state;
+    ConstraintState state;
     EXPECT_FALSE(meetSurface(*body, from_W, from_W + 0.3 * random.direction(), state)) << i;
   }
 }
@@ -96,7 +96,7 @@ TEST(TipPlace, NoTipSlipsThroughAVertexOrAnEdge)
         {
           continue; // beside the top, or on its rim
         }
-        LawState state;
+        ConstraintState state;
         EXPECT_TRUE(meetSurface(*body, p_W + Vec3(0, 0, 0.02), p_W - Vec3(0, 0, 0.02), state)) << p_W.transpose();
         EXPECT_EQ(state.normal_W, Vec3::UnitZ()) << p_W.transpose();
         ++onTop;
@@ -113,7 +113,7 @@ TEST(TipPlace, ATipSlidesAsFarAsTheSurfaceReachesAndNoFurther)
   Random random(testSeed(2022));
   for (std::size_t i = 0; i < testCount(500); ++i)
   {
-    LawState state;
+    ConstraintState state;
     const Vec3 from_W = anyInside(random);
     ASSERT_TRUE(meetSurface(*body, Vec3(from_W.x(), from_W.y(), 0.1), from_W, state));
     const Vec3 aside_W(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), 0.0);

@@ -27,18 +27,18 @@ public:
                              }
                            })
   {
-    PacketRequest request;
+    SnapshotRequest request;
     request.ball_W = this->top_W();
-    this->packet_ = PacketMaker(*this->pad_.body, this->pad_.surface).make(request);
+    this->snapshot_ = SnapshotMaker(*this->pad_.body, this->pad_.surface).make(request);
     SurfaceInput input;
     input.name = "pad";
-    input.mesh = std::make_shared<TriangleMesh>(TriangleMesh{ this->packet_->free_W, this->pad_.surface.triangles });
+    input.mesh = std::make_shared<TriangleMesh>(TriangleMesh{ this->snapshot_->free_W, this->pad_.surface.triangles });
     input.ordered = true;
     auto body = std::make_shared<PressedBody>();
     body->revision = revision;
     body->scene = SceneBuilder().build({ input }, nullptr).scene;
-    body->packet = this->packet_;
-    body->touch = { 0, this->packet_.get() };
+    body->snapshot = this->snapshot_;
+    body->touch = { 0, this->snapshot_.get() };
     this->pressed = body;
     for (std::size_t v = 0; v < this->pad_.mesh.vertices_W.size(); ++v)
     {
@@ -92,7 +92,7 @@ public:
 private:
   Vec3 shift_W_;
   SoftPad pad_;
-  std::shared_ptr<const CompliancePacket> packet_;
+  std::shared_ptr<const ComplianceSnapshot> snapshot_;
   std::vector<Eigen::Index> free_;
 };
 
@@ -105,7 +105,7 @@ TEST(WholeMechanism, SixRowsOfTheTickAreTheAnswerOfAllFourteenHundredUnknownsHow
   rig.addSoft("organ", organ.pressed);
   for (const auto& [name, pad] : { std::pair("wall", &wall), std::pair("organ", &organ) })
   {
-    rig.join(LawKind::Insertion, name, Vec3::Zero(), pad->top_W()).dryFriction_N = 100.0; // it sticks
+    rig.join(ConstraintKind::Insertion, name, Vec3::Zero(), pad->top_W()).dryFriction_N = 100.0; // it sticks
   }
   const Vec3 origin_W = middleOfPad() + Vec3(0.0, 0.0, 0.04);
   const Quat down(0.0, 1.0, 0.0, 0.0);

@@ -109,7 +109,7 @@ TEST(NamedChunks, OfTodaysVersionWithMoreThanTheyHoldAreDamaged)
 TEST(NamedChunks, OfABrickWithoutItsBytesAreDamaged)
 {
   RawRecording raw = recorded();
-  raw.chunks.insert(raw.chunks.begin() + 1, { "brick", input::Bricks::chunk.version, "" });
+  raw.chunks.insert(raw.chunks.begin() + 1, { "brick", input::FieldBlocks::chunk.version, "" });
   EXPECT_NE(problemOf(raw), "");
 }
 

@@ -17,7 +17,7 @@ ToolContacts someContacts()
   set.held = set.placed = true;
   set.revision = 7;
   set.pose_W = { Vec3(1, 2, 3), Quat(0.6, 0.0, 0.8, 0.0) };
-  set.lever_u = 0.5;
+  set.characteristic_u = 0.5;
   set.restGap_u = 1e-7;
   set.ball_u = 0.25;
   set.reach_u = 0.75;
@@ -65,7 +65,7 @@ TEST(RecordedTools, ContactsThatCannotBeAreRefused)
   EXPECT_TRUE(isReadWith([](ToolContacts& set) { set.count = ToolContacts::capacity; }));
   EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.contacts[1].n_W.x() = none; }));
   EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.pose_W.q.w() = none; }));
-  EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.lever_u = 0.0; }));
+  EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.characteristic_u = 0.0; }));
   EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.ball_u = none; }));
   EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.ball_u = -1.0; }));
   EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.reach_u = none; }));

@@ -39,9 +39,9 @@ inline MechanismInputs needleAndBlock(ElasticModel model = ElasticModel::Linear)
 {
   MechanismInputs inputs;
   inputs.mechanism.bodies = { bodyOf("needle", MechanismBodyKind::Held), bodyOf("block", MechanismBodyKind::Soft) };
-  MechanismLaw puncture;
+  MechanismConstraint puncture;
   puncture.name = "puncture";
-  puncture.kind = LawKind::Puncture;
+  puncture.kind = ConstraintKind::Puncture;
   puncture.a = "needle";
   puncture.b = "block";
   puncture.strength_N = punctureAt_N;
@@ -66,9 +66,9 @@ inline MechanismInputs tipHeld()
 {
   MechanismInputs inputs;
   inputs.mechanism.bodies = { bodyOf("needle", MechanismBodyKind::Held), bodyOf("world", MechanismBodyKind::World) };
-  MechanismLaw held;
+  MechanismConstraint held;
   held.name = "tip";
-  held.kind = LawKind::Attachment;
+  held.kind = ConstraintKind::Attachment;
   held.a = "needle";
   held.b = "world";
   held.point_A = Vec3(0, 0, needleLength);

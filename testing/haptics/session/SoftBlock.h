@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/compliance/packet/SoftSurface.h"
+#include "haptics/compliance/snapshot/SoftSurface.h"
 #include "testing/haptics/compliance/Blocks.h"
 #include "testing/support/Random.h"
 

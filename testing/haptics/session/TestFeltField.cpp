@@ -16,7 +16,7 @@ namespace
 class FakeSource : public FieldSource
 {
 public:
-  [[nodiscard]] MadeBrick brickAround(const BrickWish& wish) const override
+  [[nodiscard]] MadeFieldBlock brickAround(const FieldBlockWish& wish) const override
   {
     const Vec3& centre_W = wish.centre_W;
     const double reach_u = wish.reach_u;
@@ -27,10 +27,10 @@ public:
     {
       return { nullptr, centre_W, reach_u, "" };
     }
-    const BrickGrid grid{ { 2, 2, 2 }, Vec3::Constant(2 * reach_u),
+    const FieldBlockGrid grid{ { 2, 2, 2 }, Vec3::Constant(2 * reach_u),
       { centre_W - Vec3::Constant(reach_u), Quat::Identity() } };
-    return { std::make_shared<const Brick>(
-               wish.revision, grid, std::vector<BrickArray>{ { BrickRole::Scalar, "f", std::vector<float>(8, 1.0F) } }),
+    return { std::make_shared<const FieldBlock>(wish.revision, grid,
+               std::vector<FieldBlockArray>{ { FieldBlockRole::Scalar, "f", std::vector<float>(8, 1.0F) } }),
       centre_W, reach_u, "" };
   }
   void hold(bool on)
@@ -117,9 +117,9 @@ TEST(FeltField, ABrickOfASourceThatWasLeftIsThrownAway)
 class NoisySource : public FakeSource
 {
 public:
-  [[nodiscard]] MadeBrick brickAround(const BrickWish& wish) const override
+  [[nodiscard]] MadeFieldBlock brickAround(const FieldBlockWish& wish) const override
   {
-    MadeBrick made = this->FakeSource::brickAround(wish);
+    MadeFieldBlock made = this->FakeSource::brickAround(wish);
     made.smoothness = { 0, 0.0, wish.level, 1.0 };
     return made;
   }

@@ -7,7 +7,7 @@
 
 #include "devices/FedDevice.h"
 #include "haptics/recording/Recording.h"
-#include "haptics/recording/inputs/Bricks.h"
+#include "haptics/recording/inputs/FieldBlocks.h"
 #include "haptics/recording/writing/EndedRecording.h"
 #include "haptics/session/HapticSession.h"
 #include "testing/haptics/recording/FlippedBits.h"
@@ -22,14 +22,14 @@ namespace
 {
 
 /// A ball of 50 mm around the origin as a field, on the grid around a place of the hand.
-std::shared_ptr<const Brick> brickAround(const Vec3& hand_W, std::uint64_t revision)
+std::shared_ptr<const FieldBlock> brickAround(const Vec3& hand_W, std::uint64_t revision)
 {
   const GridIndex size{ 24, 24, 24 };
   const double h_u = 0.004;
-  const BrickGrid grid{ size, Vec3::Constant(h_u),
+  const FieldBlockGrid grid{ size, Vec3::Constant(h_u),
     { h_u * (hand_W / h_u).array().floor().matrix() - Vec3::Constant(11.5 * h_u) } };
-  return std::make_shared<const Brick>(revision, grid,
-    std::vector<BrickArray>{ { BrickRole::Scalar, "distance",
+  return std::make_shared<const FieldBlock>(revision, grid,
+    std::vector<FieldBlockArray>{ { FieldBlockRole::Scalar, "distance",
       test::sampledValues(size, [&](const Vec3& i) { return grid.toWorld(i).norm(); }) } });
 }
 
@@ -45,7 +45,7 @@ void stroke(HapticSession& session, int ticks, int from = 0)
     static_cast<FedDevice*>(session.device())->feed(sample);
     if (tick % 40 == 0)
     {
-      session.setBrick(tick == 1200 ? nullptr : brickAround(p, 1 + static_cast<std::uint64_t>(tick)));
+      session.setFieldBlock(tick == 1200 ? nullptr : brickAround(p, 1 + static_cast<std::uint64_t>(tick)));
     }
     ASSERT_EQ(session.step(1), 1);
   }
@@ -129,7 +129,8 @@ TEST(FieldInLoop, ARecordingBegunWhileAFieldIsFeltReplaysBitForBitAndIsNotFelt)
     {
       if (begin % 3 != 0)
       {
-        session->setBrick(begin % 3 == 1 ? nullptr : brickAround({ 0.04, 0.01, 0 }, static_cast<std::uint64_t>(begin)));
+        session->setFieldBlock(
+          begin % 3 == 1 ? nullptr : brickAround({ 0.04, 0.01, 0 }, static_cast<std::uint64_t>(begin)));
       }
     }
     ASSERT_EQ(recorded.record(path), "");
@@ -151,7 +152,7 @@ TEST(FieldInLoop, ARecordingBegunWhileAFieldIsFeltReplaysBitForBitAndIsNotFelt)
 
 TEST(FieldInLoop, CellsThatNoBrickOfARecordingHasAreForgotten)
 {
-  const std::shared_ptr<const Brick> brick = brickAround({ 0.05, 0, 0 }, 1);
+  const std::shared_ptr<const FieldBlock> brick = brickAround({ 0.05, 0, 0 }, 1);
   FieldState whole;
   whole.brick = brick->contentHash();
   whole.surface.placed = true;
@@ -178,14 +179,14 @@ TEST(FieldInLoop, WithoutItsBrickARecordingSaysThatItCannotBeRecomputed)
 {
   Recording recording;
   RecordedChange change;
-  change.event = { 1, EventKind::Brick, 17 };
+  change.event = { 1, EventKind::FieldBlock, 17 };
   recording.entries.emplace_back(change);
   EXPECT_NE(replay(recording).problem, "");
 }
 
 TEST(FieldInLoop, OfBricksOfTheSamePointsFeelsNoSwap)
 {
-  // Bricks of one grid: at the swap the force changes by no more than the hand's own step asks for.
+  // FieldBlocks of one grid: at the swap the force changes by no more than the hand's own step asks for.
   HapticSession session;
   HapticParameters parameters;
   parameters.field.isosurface = true;
@@ -203,12 +204,12 @@ TEST(FieldInLoop, OfBricksOfTheSamePointsFeelsNoSwap)
     EXPECT_EQ(session.step(1), 1);
     return session.state().force_W;
   };
-  session.setBrick(brickAround({ 0.05, 0, 0 }, 1));
+  session.setFieldBlock(brickAround({ 0.05, 0, 0 }, 1));
   tick({ 0.055, 0, 0 });
   tick({ 0.047, 0, 0 });
   const Vec3 before = tick({ 0.047, 0, 0 });
   ASSERT_GT(before.norm(), 1.0);
-  session.setBrick(brickAround({ 0.062, 0.008, -0.004 }, 2));
+  session.setFieldBlock(brickAround({ 0.062, 0.008, -0.004 }, 2));
   EXPECT_LT((tick({ 0.047, 0, 0 }) - before).norm(), 1e-3);
 }
 

@@ -117,7 +117,7 @@ TEST(FoldedSheet, InEveryTickBelowItsSurfaceTheBallIsPushedOutward)
 
 /// A hairpin in equilibrium under a force into a vertex in the middle of its upper leaf, by an oracle: where the patch
 /// of that vertex has gone. The sheet is made of linear tetrahedra, as the oracle has them. The patch's nodes and
-/// weights are the product's own, and tested elsewhere (CompliancePacket).
+/// weights are the product's own, and tested elsewhere (ComplianceSnapshot).
 class PressedSheet
 {
 public:

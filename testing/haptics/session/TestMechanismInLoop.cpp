@@ -65,7 +65,7 @@ MechanismChoice chosen(const MechanismInputs& inputs)
   return { std::make_shared<const MechanismInputs>(inputs), "scene", 25.0 };
 }
 
-/// What a hand there feels of the block once it is at rest: no packets, a solve of the whole body in each tick.
+/// What a hand there feels of the block once it is at rest: no snapshots, a solve of the whole body in each tick.
 double restingForce_N(double depth)
 {
   MechanismHold hold;
@@ -180,12 +180,12 @@ TEST_F(MechanismInLoop, ATipOnABlockIsPushedAsByTheBlockAtRestAndGoesInAtItsStre
   EXPECT_NEAR(on.force_W.z(), restingForce_N(before), 1e-3 * punctureAt_N);
   EXPECT_LT(on.force_W.z(), handSpring * before) << "it gives way";
   EXPECT_NEAR(on.mechanism.laws[0].force_N, on.force_W.norm(), 1e-6);
-  EXPECT_EQ(on.mechanism.laws[0].phase, LawPhase::Closed);
+  EXPECT_EQ(on.mechanism.laws[0].phase, ConstraintPhase::Closed);
   EXPECT_EQ(on.mechanism.changes.count, 0u);
   const HapticState in = this->lower(-before, -beyond, 1000);
-  EXPECT_EQ(in.mechanism.laws[0].phase, LawPhase::Inside);
+  EXPECT_EQ(in.mechanism.laws[0].phase, ConstraintPhase::Inside);
   ASSERT_EQ(in.mechanism.changes.count, 1u);
-  EXPECT_EQ(in.mechanism.changes.at(0).change, LawChange::Punctured);
+  EXPECT_EQ(in.mechanism.changes.at(0).change, ConstraintChange::Punctured);
   EXPECT_EQ(in.mechanism.changes.at(0).law, 0u);
   EXPECT_NEAR(in.force_W.z(), shaftFriction_N, 1e-6) << "what the shaft holds";
   const double moved_N = handSpring * 1e-4; // by the hand in a tick
@@ -244,7 +244,7 @@ TEST_F(MechanismInLoop, ReplaysBitForBitAndTellsItsChanges)
   for (const RecordedEntry& entry : recording.entries)
   {
     const auto* const change = std::get_if<RecordedChange>(&entry);
-    told += change != nullptr && change->event.kind == EventKind::Law;
+    told += change != nullptr && change->event.kind == EventKind::Constraint;
   }
   EXPECT_EQ(told, changes);
   expectReplay(recording, ticks);
@@ -263,7 +263,7 @@ TEST_F(MechanismInLoop, OfARecordingBegunWhileTheNeedleIsInReplaysBitForBit)
 {
   const TemporaryFolder folder;
   this->begin(needleAndBlock(ElasticModel::NeoHookean));
-  ASSERT_EQ(this->lower(0.005, -0.02).mechanism.laws[0].phase, LawPhase::Inside);
+  ASSERT_EQ(this->lower(0.005, -0.02).mechanism.laws[0].phase, ConstraintPhase::Inside);
   for (const char* const name : { "a", "b" }) // the second goes on where the first ends
   {
     ASSERT_EQ(this->session.record(folder.file(name)), "");
@@ -286,10 +286,10 @@ TEST_F(MechanismInLoop, ALawThatAPersonBreaksLetsTheHandGoWithoutAStepAndReplays
   this->begin(tipHeld(), true, virtualTime(folder.file("a")));
   const Pose hand = needleAt(Vec3(0, 0, 3e-3));
   ASSERT_NEAR(this->hold(hand, 500).force_W.z(), -3.0, 1e-6);
-  this->session.breakLaw(0);
+  this->session.breakConstraint(0);
   this->holdWithoutAStep(hand, 500);
   EXPECT_LE(this->session.state().force_W.norm(), 1e-6);
-  EXPECT_EQ(this->session.state().mechanism.laws[0].phase, LawPhase::Gone);
+  EXPECT_EQ(this->session.state().mechanism.laws[0].phase, ConstraintPhase::Gone);
   EXPECT_EQ(this->session.stop(), "");
   expectReplay(recordingIn(folder.file("a")), 1000u);
 }
@@ -303,7 +303,7 @@ TEST_F(MechanismInLoop, ABodyThatFindsNoPlaceToRestIsSaidInEachTickAndTheHandFee
   for (const auto& [name, at] : { std::pair("front", Vec3(0.01, 0, -0.01)), std::pair("left", Vec3(-0.01, 0.01, -0.01)),
          std::pair("right", Vec3(-0.01, -0.01, -0.01)) })
   {
-    MechanismLaw& runner = inputs.mechanism.laws.emplace_back();
+    MechanismConstraint& runner = inputs.mechanism.laws.emplace_back();
     runner.name = name;
     runner.a = "sledge";
     runner.b = "world";
@@ -380,7 +380,7 @@ TEST_F(MechanismInLoop, ItIsBeingComputedUntilTheServoIsGivenItAndItsBodiesAreTo
 TEST_F(MechanismInLoop, ItsThreadMakesPacketsThatGiveWay)
 {
   this->begin(needleAndBlock(ElasticModel::NeoHookean), true, SessionOptions{});
-  EXPECT_TRUE(eventually([&] { return this->session.status<MechanismTask>().packets > 2; }));
+  EXPECT_TRUE(eventually([&] { return this->session.status<MechanismTask>().snapshots > 2; }));
   EXPECT_EQ(this->session.status<MechanismTask>().problem, "");
   EXPECT_TRUE(eventually([&] { return this->session.state().mechanism.held; }));
   static_cast<HandOfTest*>(this->session.device())->move(needleAt(Vec3(0, 0, -0.002)));

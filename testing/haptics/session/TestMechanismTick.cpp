@@ -81,7 +81,7 @@ TEST(MechanismTick, AnotherMechanismThatRestsBeforeItsFirstTickSaysNothingOfTheO
 {
   const auto pierced = feltBlock();
   MechanismInputs two = needleAndBlock();
-  MechanismLaw tip = tipHeld().mechanism.laws[0];
+  MechanismConstraint tip = tipHeld().mechanism.laws[0];
   tip.b = "block";
   two.mechanism.laws.insert(two.mechanism.laws.begin(), tip);
   std::string refusal;
@@ -98,23 +98,23 @@ TEST(MechanismTick, AnotherMechanismThatRestsBeforeItsFirstTickSaysNothingOfTheO
   {
     now = ticks.next(*pierced, needleAt(Vec3(0, 0, 1e-3 - 1e-4 * i))).state.mechanism;
   }
-  ASSERT_EQ(now.laws[0].phase, LawPhase::Inside);
+  ASSERT_EQ(now.laws[0].phase, ConstraintPhase::Inside);
   ASSERT_GT(now.changes.count, 0u);
   const Vec3 before_W = now.pose_W[0].p;
 
-  const HapticEvent broken{ 0, EventKind::BreakLaw, 1 };
+  const HapticEvent broken{ 0, EventKind::BreakConstraint, 1 };
   now = ticks.next(other, nowhere, std::span(&broken, 1)).state.mechanism;
   EXPECT_EQ(now.revision, 2u);
   EXPECT_EQ(now.lawCount, 2);
   EXPECT_FALSE(now.held) << "it has been nowhere";
-  EXPECT_EQ(now.laws[0].phase, LawPhase::Open);
-  EXPECT_EQ(now.laws[1].phase, LawPhase::Gone);
+  EXPECT_EQ(now.laws[0].phase, ConstraintPhase::Open);
+  EXPECT_EQ(now.laws[1].phase, ConstraintPhase::Gone);
   EXPECT_EQ(now.changes.count, 0u);
   EXPECT_NE(now.pose_W[0].p, before_W);
   now = ticks.next(other, above).state.mechanism;
   EXPECT_TRUE(now.held);
-  EXPECT_EQ(now.laws[0].phase, LawPhase::Closed);
-  EXPECT_EQ(now.laws[1].phase, LawPhase::Gone);
+  EXPECT_EQ(now.laws[0].phase, ConstraintPhase::Closed);
+  EXPECT_EQ(now.laws[1].phase, ConstraintPhase::Gone);
   EXPECT_EQ(now.hand_W.p, above.p);
   EXPECT_LE(now.hand_W.q.angularDistance(above.q), 1e-12) << "the hand turns it";
   const Vec3 held_W = now.pose_W[0].p;
@@ -153,11 +153,11 @@ TEST(RecordedMechanisms, ComeBackToTheLastBitAndAreRefusedWhereTheyCannotBe)
   };
   EXPECT_FALSE(refused([](MechanismPlan&) {}));
   EXPECT_TRUE(refused([](MechanismPlan& p) { p.held = 1; }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.lever_u = 0.0; }));
+  EXPECT_TRUE(refused([](MechanismPlan& p) { p.characteristic_u = 0.0; }));
   EXPECT_TRUE(refused([](MechanismPlan& p) { p.bodies[1].soft = 1; }));
   EXPECT_TRUE(refused([](MechanismPlan& p) { p.bodies[0].pose_W.q.coeffs().setZero(); }));
   EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].b = 2; }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].kind = static_cast<LawKind>(11); }));
+  EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].kind = static_cast<ConstraintKind>(11); }));
   EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].place_B.vertices[2] = 1u << 20; }));
   EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].friction = std::nan(""); }));
   for (std::size_t size = 0; size < bytes.size(); size += 997)

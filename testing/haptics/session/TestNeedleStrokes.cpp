@@ -25,9 +25,9 @@ constexpr double spring = 500.0, beyond_m = 0.04, before_m = -0.006, speed_m_per
 MechanismInputs guided(MechanismInputs inputs)
 {
   inputs.mechanism.bodies.push_back(bodyCalled("world", MechanismBodyKind::World));
-  MechanismLaw& guide = inputs.mechanism.laws.emplace_back();
+  MechanismConstraint& guide = inputs.mechanism.laws.emplace_back();
   guide.name = "guide";
-  guide.kind = LawKind::Slider;
+  guide.kind = ConstraintKind::Slider;
   guide.a = "needle";
   guide.b = "world";
   return inputs;
@@ -138,13 +138,13 @@ protected:
   void look(const MechanismEvent& event)
   {
     const double asked_N = event.law == 0 ? skin_N : capsule_N;
-    if (event.change == LawChange::Punctured)
+    if (event.change == ConstraintChange::Punctured)
     {
       ++this->punctured[event.law];
       this->leastPuncture = std::min(this->leastPuncture, event.force_N / asked_N);
       this->mostBeyond_N = std::max(this->mostBeyond_N, event.force_N - asked_N - spring * this->way_m);
     }
-    this->withdrawn += event.change == LawChange::Withdrawn;
+    this->withdrawn += event.change == ConstraintChange::Withdrawn;
   }
 
   /// Into wall and liver, on the spring of both, until nothing moves there.

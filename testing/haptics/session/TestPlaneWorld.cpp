@@ -100,7 +100,7 @@ TEST(PlaneWorld, SaysWhoClosesTheWallsAndWhy)
   HapticParameters parameters = inPlane(across(leaning()), leaning(), {}, joystick());
   parameters.walls.every_s = 1.0 / 125.0;
   const auto said = [&](const PlaneWishes& wishes, const DeviceInfo& device)
-  { return planeSentence(inPlane(parameters, leaning(), wishes, device), wishes, device, 0.25, "of its colour"); };
+  { return planeText(inPlane(parameters, leaning(), wishes, device), wishes, device, 0.25, "of its colour"); };
   EXPECT_TRUE(test::says(said({}, joystick()), { "updated", "125 Hz", "sliding", "0.1 m/s", "0.25 N" }));
   EXPECT_TRUE(test::says(said({ false, true }, joystick()), { "program renders the walls", "as set" }));
   EXPECT_TRUE(test::says(said({}, DeviceInfo()), { "device holds none", "guided" }));

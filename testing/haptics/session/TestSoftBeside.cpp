@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "SoftInLoop.h"
-#include "haptics/session/HapticSession.h"
 #include "haptics/geometry/scene/SceneMotion.h"
 #include "haptics/recording/Recording.h"
+#include "haptics/session/HapticSession.h"
 #include "haptics/session/SessionWorkers.h"
 #include "haptics/session/scene/FeltScene.h"
 #include "haptics/session/soft/SoftChoice.h"
@@ -88,7 +88,7 @@ TEST_F(SoftInLoop, WhatHasMovedBesideItRestsASecondLater)
   commit(1.001, SphereBeside::way_s);
   this->hold(Vec3(0, 0, 0.02), 1000);
   EXPECT_FALSE(felt.rests());
-  this->hold(Vec3(0, 0, 0.02), 200); // its way, and until the next packet brought it
+  this->hold(Vec3(0, 0, 0.02), 200); // its way, and until the next snapshot brought it
   EXPECT_TRUE(felt.rests());
 }
 
@@ -132,7 +132,7 @@ TEST_F(SoftInLoop, BesideAServersPartItIsFeltToTheRimOfThatAndTheBallWaitsThere)
     }
     const Vec3 beyond = pressed + Vec3(reach, 0, 0);
     const Vec3 waits_W = this->hold(beyond).proxy_W.p;
-    const HapticState& out = this->hold(beyond, 700); // 17 packets
+    const HapticState& out = this->hold(beyond, 700); // 17 snapshots
     EXPECT_TRUE(out.known.beyond);
     EXPECT_LE(out.force_W.norm(), 1e-9);
     EXPECT_EQ(out.proxy_W.p, waits_W);

@@ -27,7 +27,7 @@ namespace
 TEST(SoftBodyMaker, TellsAHandThatIsFasterThanTheBodyCouldFollowFromASlowOne)
 {
   // No wave is faster than sqrt(M / rho) = 6.5 m/s, so four times the block's 50 mm take it 30 ms or more: by then a
-  // hand at 5 m/s has gone 150 mm, and in the period of a millisecond that packets have here 5 mm, less than a patch.
+  // hand at 5 m/s has gone 150 mm, and in the period of a millisecond that snapshots have here 5 mm, less than a patch.
   std::string refusal;
   const auto maker = BodyMaker::make(softBlock(ElasticModel::NeoHookean), "block", 0, refusal);
   ASSERT_TRUE(maker) << refusal;
@@ -58,7 +58,7 @@ TEST_F(SoftInLoop, ReplaysBitForBitWithPacketsThatBendTheSurface)
       EXPECT_LE(state.soft.age_s, 0.081) << "two periods at most, and a tick";
     });
   EXPECT_GT(presses, 500u);
-  EXPECT_GT(this->session.status<SoftTask>().packets, 30u);
+  EXPECT_GT(this->session.status<SoftTask>().snapshots, 30u);
   EXPECT_EQ(this->session.stop(), "");
   const auto read = readRecording(path);
   ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
@@ -236,7 +236,7 @@ TEST_F(SoftInLoop, ABodyThatIsComputedLessOftenIsNotMadeAnew)
   SoftChoice choice = blockOf20kPa();
   this->begin(choice);
   double last_N = this->hold(Vec3(0, 0, -0.004), 400).force_W.norm();
-  const std::uint64_t before = this->session.status<SoftTask>().packets;
+  const std::uint64_t before = this->session.status<SoftTask>().snapshots;
   choice.rate_Hz = 10.0;
   this->session.choose<SoftTask>(choice);
   for (int i = 0; i < 400; ++i)
@@ -245,7 +245,7 @@ TEST_F(SoftInLoop, ABodyThatIsComputedLessOftenIsNotMadeAnew)
     EXPECT_LE(std::abs(now_N - last_N), 0.01) << i;
     last_N = now_N;
   }
-  EXPECT_GT(this->session.status<SoftTask>().packets, before);
+  EXPECT_GT(this->session.status<SoftTask>().snapshots, before);
 }
 
 TEST_F(SoftInLoop, AHandAtRestFeelsWhatTheBodyPushesAndNothingForItsEnergy)
@@ -274,7 +274,7 @@ TEST_F(SoftInLoop, AnotherBodyInItsPlaceIsPressedFromTheSameSide)
 TEST_F(SoftInLoop, ItsThreadMakesPacketsThatBendWithTheHand)
 {
   this->begin(blockOf20kPa(), {}, false);
-  EXPECT_TRUE(eventually([&] { return this->session.status<SoftTask>().packets > 2; }));
+  EXPECT_TRUE(eventually([&] { return this->session.status<SoftTask>().snapshots > 2; }));
   EXPECT_EQ(this->session.status<SoftTask>().problem, "");
   feed(*static_cast<FedDevice*>(this->session.device()), Vec3(0, 0, -0.004));
   EXPECT_TRUE(eventually([&] { return this->session.state().soft.pressed; }));
@@ -291,7 +291,7 @@ TEST_F(SoftInLoop, WhatIsNoBodyIsSaid)
   EXPECT_FALSE(this->session.state().soft.felt);
 }
 
-/// One tick after the other on a block whose worker made two packets and then no more.
+/// One tick after the other on a block whose worker made two snapshots and then no more.
 TEST(SoftTick, AWorkerThatDoesNotComeBackForASecondEndsTheForceAndIsSaid)
 {
   std::string refusal;
@@ -299,7 +299,7 @@ TEST(SoftTick, AWorkerThatDoesNotComeBackForASecondEndsTheForceAndIsSaid)
   BodyHand hand;
   hand.ball_W = topOfBlock();
   const auto body = maker->press(hand, 0.04);
-  const auto room = std::make_unique<SoftRoom>();
+  const auto room = std::make_unique<SoftScratch>();
   HapticParameters parameters;
   parameters.stiffness_N_per_m = springInLoop;
   parameters.safety = SafetyLimits::none();
@@ -307,7 +307,7 @@ TEST(SoftTick, AWorkerThatDoesNotComeBackForASecondEndsTheForceAndIsSaid)
   TickInput input;
   input.scene = body->scene.get();
   input.body = body.get();
-  input.softRoom = room.get();
+  input.softScratch = room.get();
   double last_N = 0.0, pushed_N = 0.0;
   Fault fault = Fault::None;
   int faultAt = 0;
@@ -349,23 +349,23 @@ TEST(RecordedBodies, ComeBackToTheLastBitAndAreRefusedWhereTheyCannotBe)
   ASSERT_TRUE(read);
   EXPECT_EQ(in.left(), 0u);
   EXPECT_EQ(bytesOf(*read), bytes);
-  EXPECT_EQ(read->packet->compliance, body->packet->compliance);
+  EXPECT_EQ(read->snapshot->compliance, body->snapshot->compliance);
   const auto refused = [&](const auto& change)
   {
-    CompliancePacket packet = *body->packet;
-    change(packet);
+    ComplianceSnapshot snapshot = *body->snapshot;
+    change(snapshot);
     PressedBody other = *body;
-    other.packet = std::make_shared<const CompliancePacket>(packet);
+    other.snapshot = std::make_shared<const ComplianceSnapshot>(snapshot);
     const std::vector<char> wrong = bytesOf(other);
     ByteReader again(wrong.data(), wrong.size());
     return readBody(again) == nullptr;
   };
-  EXPECT_FALSE(refused([](CompliancePacket&) {}));
-  EXPECT_TRUE(refused([](CompliancePacket& p) { p.placeOf[3] = 4000; }));
-  EXPECT_TRUE(refused([](CompliancePacket& p) { p.near[0] = 1u << 31; }));
-  EXPECT_TRUE(refused([](CompliancePacket& p) { p.compliance(1, 1) = std::nan(""); }));
-  EXPECT_TRUE(refused([](CompliancePacket& p) { p.patchRadius_u[0] = 0.0; }));
-  EXPECT_TRUE(refused([](CompliancePacket& p) { p.springs[0].patch = -1.0; }));
+  EXPECT_FALSE(refused([](ComplianceSnapshot&) {}));
+  EXPECT_TRUE(refused([](ComplianceSnapshot& p) { p.placeOf[3] = 4000; }));
+  EXPECT_TRUE(refused([](ComplianceSnapshot& p) { p.near[0] = 1u << 31; }));
+  EXPECT_TRUE(refused([](ComplianceSnapshot& p) { p.compliance(1, 1) = std::nan(""); }));
+  EXPECT_TRUE(refused([](ComplianceSnapshot& p) { p.patchRadius_u[0] = 0.0; }));
+  EXPECT_TRUE(refused([](ComplianceSnapshot& p) { p.springs[0].patch = -1.0; }));
   for (std::size_t size = 0; size < bytes.size(); size += 97)
   {
     ByteReader cut(bytes.data(), size);
@@ -413,29 +413,29 @@ TEST(RecordedBodies, TheKnotsOfTheirSpringsComeBackToTheLastBitAndAreRefusedWher
   const auto body = maker->press(hand, 0.04);
   const auto readAs = [&body](const std::function<void(SubgridSpring&)>& change, PressedBody& read)
   {
-    CompliancePacket packet = *body->packet;
-    change(packet.springs[1]);
+    ComplianceSnapshot snapshot = *body->snapshot;
+    change(snapshot.springs[1]);
     PressedBody written = *body;
-    written.packet = std::make_shared<const CompliancePacket>(packet);
+    written.snapshot = std::make_shared<const ComplianceSnapshot>(snapshot);
     ByteWriter out;
     putKnots(out, written);
-    std::ranges::for_each(packet.springs, [](SubgridSpring& s) { s = { s.hertz, s.patch }; });
+    std::ranges::for_each(snapshot.springs, [](SubgridSpring& s) { s = { s.hertz, s.patch }; });
     read = *body;
-    read.packet = std::make_shared<const CompliancePacket>(packet); // as a version without knots leaves it
+    read.snapshot = std::make_shared<const ComplianceSnapshot>(snapshot); // as a version without knots leaves it
     ByteReader in(out.bytes().data(), out.bytes().size());
     readKnots(in, read);
     return in.ok() && in.left() == 0;
   };
   PressedBody read;
   ASSERT_TRUE(readAs([](SubgridSpring&) {}, read));
-  for (std::size_t i = 0; i < body->packet->springs.size(); ++i)
+  for (std::size_t i = 0; i < body->snapshot->springs.size(); ++i)
   {
-    const SubgridSpring& a = body->packet->springs[i];
-    const SubgridSpring& b = read.packet->springs[i];
+    const SubgridSpring& a = body->snapshot->springs[i];
+    const SubgridSpring& b = read.snapshot->springs[i];
     EXPECT_GT(a.step, 0.0);
     EXPECT_EQ(std::tie(a.step, a.across, a.depth_u, a.rise), std::tie(b.step, b.across, b.depth_u, b.rise));
   }
-  EXPECT_EQ(read.touch.packet, read.packet.get());
+  EXPECT_EQ(read.touch.snapshot, read.snapshot.get());
   EXPECT_FALSE(readAs([](SubgridSpring& s) { s.depth_u[3] = -1.0; }, read));
   EXPECT_FALSE(readAs([](SubgridSpring& s) { s.rise[3] = std::nan(""); }, read));
   EXPECT_FALSE(readAs([](SubgridSpring& s) { s.across = -1.0; }, read));

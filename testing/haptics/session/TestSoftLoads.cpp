@@ -127,13 +127,13 @@ TEST(SoftLoads, OfABodyThatIsNotWantedBeforeItIsThereAreNeverSaidAndTheNextBodyI
     {
       const SoftStatus status = worker.status();
       EXPECT_EQ(status.problem, "");
-      return !status.building && status.packets > 0 && status.asMade &&
+      return !status.building && status.snapshots > 0 && status.asMade &&
              status.asMade->mesh.tetras.size() == wanted.input->mesh.tetras.size();
     };
     EXPECT_TRUE(eventually(isFelt)) << i;
     worker.order({ unwanted, nullptr });
     worker.order({});
-    EXPECT_TRUE(eventually([&] { return !worker.status().building && worker.status().packets == 0; })) << i;
+    EXPECT_TRUE(eventually([&] { return !worker.status().building && worker.status().snapshots == 0; })) << i;
     EXPECT_EQ(worker.status().problem, "");
   }
 }
@@ -157,9 +157,9 @@ TEST(SoftLoads, OfALinearBodyMoveItsSurfaceAndChangeNothingOfHowItYields)
     pressed[bears] = makers[bears]->press(hand, 0.04);
     ASSERT_TRUE(pressed[bears]);
   }
-  const CompliancePacket &bare = *pressed[0]->packet, &loaded = *pressed[1]->packet;
-  // A packet has what the edges lead to within its reach. The weight strains no edge by more than the column's foot: so
-  // near less that share a vertex is in both, and what is in one of them is not further than that share beyond.
+  const ComplianceSnapshot &bare = *pressed[0]->snapshot, &loaded = *pressed[1]->snapshot;
+  // A snapshot has what the edges lead to within its reach. The weight strains no edge by more than the column's foot:
+  // so near less that share a vertex is in both, and what is in one of them is not further than that share beyond.
   const SoftBodyResult made = makeSoftBody(softBlock(ElasticModel::Linear));
   const SoftSurface surface = makeSoftSurface(*made.body, made.checked.mesh);
   const auto middle =
@@ -178,9 +178,9 @@ TEST(SoftLoads, OfALinearBodyMoveItsSurfaceAndChangeNothingOfHowItYields)
     ASSERT_TRUE(has(bare.near, a) && has(loaded.near, a)) << a;
     EXPECT_LE((bare.between(a, both[0]) - loaded.between(a, both[0])).norm(), 1e-12 * bare.compliance.norm());
   }
-  for (const CompliancePacket* packet : { &bare, &loaded })
+  for (const ComplianceSnapshot* snapshot : { &bare, &loaded })
   {
-    EXPECT_TRUE(std::ranges::all_of(packet->near, // and the corners that are pressed
+    EXPECT_TRUE(std::ranges::all_of(snapshot->near, // and the corners that are pressed
       [&](std::uint32_t v) { return has(either, v) || v < 3; }));
   }
   const double work_Nu = -hand.force_N[0].z() * yieldOfTop();

@@ -35,7 +35,7 @@ TEST_F(SoftInLoop, WithoutTheEnergyBalanceEveryTicksForceIsTheSpringsThoughPacke
         << i;
     }
     EXPECT_GT(pressed, 800);
-    EXPECT_GT(this->session.status<SoftTask>().packets, 20u);
+    EXPECT_GT(this->session.status<SoftTask>().snapshots, 20u);
     EXPECT_EQ(this->session.stop(), "");
   }
 }

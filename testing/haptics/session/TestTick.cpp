@@ -223,7 +223,7 @@ TEST(Tick, ABallThatDoesNotFitGivesNoForceAndSaysSo)
   parameters.contact.radius_u = 0.1;
   RendererState state;
   const TickOutput out = renderTick(inputAt({ 0, 0, 0 }, scene.get()), parameters, state);
-  EXPECT_EQ(out.state.fault, Fault::Seated);
+  EXPECT_EQ(out.state.fault, Fault::PlacementFailed);
   EXPECT_EQ(out.command.wrench_D.force.norm(), 0.0);
 }
 

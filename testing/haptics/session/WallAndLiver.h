@@ -37,11 +37,11 @@ inline MechanismBody bodyCalled(const char* name, MechanismBodyKind kind)
   return body;
 }
 
-inline MechanismLaw puncture(const char* name, const char* of, double strength_N, double rubs_N)
+inline MechanismConstraint puncture(const char* name, const char* of, double strength_N, double rubs_N)
 {
-  MechanismLaw law;
+  MechanismConstraint law;
   law.name = name;
-  law.kind = LawKind::Puncture;
+  law.kind = ConstraintKind::Puncture;
   law.a = "needle";
   law.b = of;
   law.strength_N = strength_N;

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "Tools.h"
-#include "haptics/tool/move/SettledWish.h"
+#include "haptics/tool/move/SettledTarget.h"
 #include "haptics/tool/servo/ToolForce.h"
 
 namespace palpate::test
@@ -26,7 +26,7 @@ ToolContacts contactsOf(const std::vector<ToolContact>& contacts)
 {
   ToolContacts set;
   set.placed = true;
-  set.lever_u = contactLever_mm;
+  set.characteristic_u = contactLever_mm;
   set.count = static_cast<std::uint32_t>(contacts.size());
   std::copy(contacts.begin(), contacts.end(), set.contacts.begin());
   return set;
@@ -226,7 +226,7 @@ TEST(RubbedTool, InAGrooveIsHeldByBothOfItsWalls)
     {
       Vec6 wish = Vec6::Zero();
       wish.head<3>() = Vec3(0, along, -down);
-      const SettledWish rubbed = settledWish(groove, wish, friction);
+      const SettledTarget rubbed = settledTarget(groove, wish, friction);
       const Vec6 goes = allowedMotion(groove, rubbed.wish).y;
       EXPECT_NEAR(goes.y(), std::max(0.0, along - most), 1e-9);
       EXPECT_LT(rubbed.rounds, 60) << "it settles";
@@ -247,7 +247,7 @@ TEST(RubbedTool, OnSlantedContactsLosesThePowerThatCoulombsLawTakes)
       bool cut = false;
       const Vec6 wish = wishedMotion(set.pose_W, hand_W, contactLever_mm, cut);
       missedInATick.push_back(powerMissed(toolPull(set, hand_W, ToolCoupling::Constraints, friction), wish, friction));
-      const AllowedMotion slow = allowedMotion(set, settledWish(set, wish, friction).wish);
+      const AllowedMotion slow = allowedMotion(set, settledTarget(set, wish, friction).wish);
       missed.push_back(powerMissed({ slow.y - wish, slow.active, slow.presses }, wish, friction));
     }
     std::sort(missed.begin(), missed.end());

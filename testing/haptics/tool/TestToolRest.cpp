@@ -150,7 +150,7 @@ PullOfContacts pullOf(const ToolMove& move, const Pose& hand_W)
 {
   const ToolContacts set = move.contacts();
   bool cut = false;
-  const Vec6 wish = wishedMotion(set.pose_W, hand_W, set.lever_u, cut);
+  const Vec6 wish = wishedMotion(set.pose_W, hand_W, set.characteristic_u, cut);
   const Vec6 pull = toolPull(set, hand_W, ToolCoupling::Constraints).pull_u;
   return { (wish + pull).norm() / wish.norm(), pull.norm() / wish.norm(), -pull.dot(wish) / wish.squaredNorm() };
 }

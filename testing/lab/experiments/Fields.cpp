@@ -31,13 +31,14 @@ const Vec3 middle = Vec3::Constant(0.5 * (points - 1) + 0.123);
 using Method = std::function<Vec3(const Vec3& p)>;
 using Scalar = std::function<double(const Vec3& p)>;
 
-Brick scalars(const Scalar& function)
+FieldBlock scalars(const Scalar& function)
 {
   const GridIndex size{ points, points, points };
-  return Brick(1, BrickGrid{ size }, { { BrickRole::Scalar, "f", test::sampledValues(size, function) } });
+  return FieldBlock(
+    1, FieldBlockGrid{ size }, { { FieldBlockRole::Scalar, "f", test::sampledValues(size, function) } });
 }
 
-Method isosurface(const Brick& brick, double level)
+Method isosurface(const FieldBlock& brick, double level)
 {
   FieldPlan plan;
   plan.isosurface = true;
@@ -47,11 +48,11 @@ Method isosurface(const Brick& brick, double level)
 }
 
 /// The depth by the value and the gradient where the hand is, without a memory.
-Method mapped(const Brick& brick, double level)
+Method mapped(const FieldBlock& brick, double level)
 {
   return [&brick, level](const Vec3& p) -> Vec3
   {
-    const auto at = brick.sample(BrickRole::Scalar, p);
+    const auto at = brick.sample(FieldBlockRole::Scalar, p);
     const double square = at ? at->gradient_W.squaredNorm() : 0.0;
     return at && at->value < level && square > 0.0 ? Vec3((level - at->value) / square * at->gradient_W)
                                                    : Vec3(Vec3::Zero());
@@ -60,11 +61,11 @@ Method mapped(const Brick& brick, double level)
 
 /// A proxy that looks for the surface at every half cell of its way, and goes on along the tangent plane where it met
 /// it: Salisbury and Tarr, ASME DSC 61, 1997.
-Method halfCells(const Brick& brick, double level)
+Method halfCells(const FieldBlock& brick, double level)
 {
   const auto isFree = [&brick, level](const Vec3& p)
   {
-    const auto at = brick.sample(BrickRole::Scalar, p);
+    const auto at = brick.sample(FieldBlockRole::Scalar, p);
     return !at || at->value >= level;
   };
   const auto march = [isFree](Vec3 free, const Vec3& to)
@@ -92,7 +93,7 @@ Method halfCells(const Brick& brick, double level)
   return [&brick, march, x = std::optional<Vec3>()](const Vec3& p) mutable -> Vec3
   {
     x = march(x.value_or(p), p);
-    const auto met = *x != p ? brick.sample(BrickRole::Scalar, *x) : std::nullopt;
+    const auto met = *x != p ? brick.sample(FieldBlockRole::Scalar, *x) : std::nullopt;
     const double square = met ? met->gradient_W.squaredNorm() : 0.0;
     if (square > 0.0)
     {
@@ -161,7 +162,7 @@ void judge(const Play& play, const char* name, Method method, const Limits& limi
 void judgeSurface(const Play& play, const Scalar& function, double level, double limit, const Limits& mapping,
   const Limits& stepping, Table& table)
 {
-  const Brick brick = scalars(function);
+  const FieldBlock brick = scalars(function);
   judge(play, "ours: isosurface", isosurface(brick, level), { limit }, table);
   judge(play, "force mapping", mapped(brick, level), mapping, table);
   judge(play, "steps of half a cell", halfCells(brick, level), stepping, table);
@@ -243,9 +244,9 @@ void judgeVortex(int ticksATurn, Table& table)
     play.way.push_back(Eigen::AngleAxisd(2.0 * std::numbers::pi * i / ticksATurn, Vec3::UnitZ()) * beside);
   }
   const GridIndex size{ points, points, points };
-  const BrickGrid grid{ size, Vec3::Ones(), { Vec3::Constant(-0.5 * (points - 1)), Quat::Identity() } };
-  const Brick brick(1, grid,
-    { { BrickRole::Vector, "v",
+  const FieldBlockGrid grid{ size, Vec3::Ones(), { Vec3::Constant(-0.5 * (points - 1)), Quat::Identity() } };
+  const FieldBlock brick(1, grid,
+    { { FieldBlockRole::Vector, "v",
       test::sampledVectors(size,
         [&](const Vec3& i) -> Vec3
         {
@@ -327,9 +328,9 @@ void judgeViscosity(int ticks, Table& table)
   table.within({ "viscosity", "sampled", "shakes from B on", "N s/m" }, found, truth, 0.02 * truth);
 
   const GridIndex size{ 5, 5, 5 };
-  const BrickGrid grid{ size, Vec3::Ones(), { Vec3::Constant(-2.0), Quat::Identity() } };
-  const Brick brick(
-    1, grid, { { BrickRole::Scalar, "f", test::sampledValues(size, [](const Vec3& i) { return i.x(); }) } });
+  const FieldBlockGrid grid{ size, Vec3::Ones(), { Vec3::Constant(-2.0), Quat::Identity() } };
+  const FieldBlock brick(
+    1, grid, { { FieldBlockRole::Scalar, "f", test::sampledValues(size, [](const Vec3& i) { return i.x(); }) } });
   FieldPlan plan;
   plan.drag_N = 1.0;
   FieldState field;

@@ -7,7 +7,7 @@
 
 #include "devices/simulated/SerialLink.h"
 #include "devices/simulated/SimulatedDevice.h"
-#include "haptics/force/HeldWalls.h"
+#include "haptics/force/DeviceWalls.h"
 #include "haptics/session/DeviceAdaptation.h"
 #include "testing/lab/Experiments.h"
 #include "testing/support/PlainJoystick.h"

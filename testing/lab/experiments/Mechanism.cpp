@@ -18,8 +18,8 @@ namespace mechanism_experiment
 using test::kc;
 using Two = Eigen::Vector2d; ///< of the wall and the organ
 
-/// The lever of docs/theory.md, "Laws between bodies": how stiff both are, where along the rod, and how far the hand
-/// has gone across it.
+/// The lever of docs/theory.md, "Constraints between bodies": how stiff both are, where along the rod, and how far the
+/// hand has gone across it.
 const Two stiffness_N_per_m(500.0, 200.0);
 const Two place_m(0.05, 0.15);
 constexpr double hand_m = 5e-3;
@@ -79,7 +79,7 @@ Two forceByMechanism_N(double turning_Nm)
     const Vec3 hole_W(0.0, 0.0, place_m[i]);
     const std::string name = i == 0 ? "wall" : "organ";
     rig.addSoft(name, test::springWall(name, hole_W, -Vec3::UnitZ(), 0.02, 1.0 / stiffness_N_per_m[i]));
-    rig.join(LawKind::Insertion, name, Vec3::Zero(), hole_W);
+    rig.join(ConstraintKind::Insertion, name, Vec3::Zero(), hole_W);
   }
   const MechanismResult& r = rig.step(Vec3(0.0, hand_m, 0.0));
   return { r.laws[0].force_W.y(), r.laws[1].force_W.y() };
@@ -114,7 +114,7 @@ void judgeLever(Table& table)
   table.atLeast({ "turn held", diagonal, "organ pushes where it is pulled, times" }, -alone[1] / truth[1], 1.0);
 }
 
-/// The stroke of docs/theory.md, "Laws between bodies".
+/// The stroke of docs/theory.md, "Constraints between bodies".
 constexpr double punctured_N = 1.5, rubs_N = 0.4, stroke_m = 0.02, rod_m = 0.1;
 constexpr double yield_m_per_N = 1.0 / kc + 1.0 / test::tissue;
 
@@ -130,7 +130,7 @@ public:
   {
     this->rig_.addSoft(
       "tissue", test::springWall("tissue", Vec3(0.0, 0.0, rod_m), -Vec3::UnitZ(), 0.02, 1.0 / test::tissue));
-    MechanismLaw& law = this->rig_.join(LawKind::Puncture, "tissue", Vec3::Zero(), Vec3::Zero());
+    MechanismConstraint& law = this->rig_.join(ConstraintKind::Puncture, "tissue", Vec3::Zero(), Vec3::Zero());
     law.strength_N = punctured_N;
     law.dryFriction_N = rubs_N;
     (void)this->rig_.step(Vec3(0.0, 0.0, -1e-3));

@@ -85,7 +85,7 @@ private:
   double proxy_m_ = 0.0;
 };
 
-/// How packets come.
+/// How snapshots come.
 struct Link
 {
   int period_ticks = 40;
@@ -101,12 +101,12 @@ double growth_per_s(Pad& pad, Feel feel, const Link& link, double coupling_N_per
   plan.radius_u = 0.005;
   plan.coupling_N_per_m = coupling_N_per_m;
   pad.body->place(Eigen::VectorXd::Zero(pad.body->displacement().size()));
-  // What is not shared is not computed from packets: they only say how the body lies.
+  // What is not shared is not computed from snapshots: they only say how the body lies.
   const int packets_ticks = feel == Feel::SharedCompliance ? link.period_ticks : 1000;
   test::SoftLoop loop(*pad.body, pad.surface, packets_ticks, plan, link.periodsLate);
   Felt felt(feel, link.period_ticks, coupling_N_per_m);
   const LinearPlant plant(mass_kg, damping_Ns_per_m, 0.0, servo_s);
-  const double yield_m = loop.packet().compliance(2, 2) + 1.0 / coupling_N_per_m;
+  const double yield_m = loop.snapshot().compliance(2, 2) + 1.0 / coupling_N_per_m;
   Vec3 p = test::middleOfPad() + Vec3(0.0, 0.0, plan.radius_u - yield_m);
   Vec3 v(0.0, 0.0, 3e-3);
   (void)loop.tick(test::middleOfPad() + Vec3(0.0, 0.0, 2.0 * plan.radius_u));
@@ -175,7 +175,7 @@ void judgeLimits(const Conditions& conditions, Table& table)
 {
   Pad pad(60e3);
   const ContactPlan plan;
-  const double body_m_per_N = test::SoftLoop(*pad.body, pad.surface, 100, plan).packet().compliance(2, 2);
+  const double body_m_per_N = test::SoftLoop(*pad.body, pad.surface, 100, plan).snapshot().compliance(2, 2);
   table.info({ "pad of 60 kPa", "the body alone", "stiffness", "N/m" }, 1.0 / body_m_per_N);
   for (const Link& link : { Link{ 40 }, Link{ 100 }, Link{ 100, 3 }, Link{ 100, 1, 0.5 } })
   {
@@ -203,7 +203,7 @@ public:
     for (int tick = 0; tick < this->ticks(); ++tick)
     {
       sample.time([&] { this->truth_.push_back(loop.tick(this->at(tick))); });
-      loop.state.offset_W.setZero(); // what a change of packets moves is felt at once
+      loop.state.offset_W.setZero(); // what a change of snapshots moves is felt at once
     }
     this->cost_ = Cost::of(sample);
   }
@@ -253,7 +253,7 @@ Trace traceOf(const Press& press, Feel feel, int period_ticks)
       now = feel == Feel::SharedCompliance ? loop.tick(p_W) : now;
       trace.force_N.push_back(felt.tick(now, p_W.z()));
     };
-    tick % period_ticks == 0 ? servo() : sample.time(servo); // then the worker's packet is made as well
+    tick % period_ticks == 0 ? servo() : sample.time(servo); // then the worker's snapshot is made as well
   }
   trace.cost = Cost::of(sample);
   return trace;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 40: a hand outruns the vertices that a packet has compliance of: what the servo takes for those outside.
+// Row 40: a hand outruns the vertices that a snapshot has compliance of: what the servo takes for those outside.
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/compliance/packet/PacketMaker.h"
+#include "haptics/compliance/snapshot/SnapshotMaker.h"
 #include "testing/haptics/compliance/Blocks.h"
 #include "testing/lab/Experiments.h"
 
@@ -49,8 +49,8 @@ double forceOf(double compliance_m_per_N)
   return 1.0 / (1.0 / coupling_N_per_m + compliance_m_per_N);
 }
 
-/// RMS error of the force over that of the whole body, while a packet is one to two periods old that was asked for when
-/// the hand was at rest: it knows nothing of the speed.
+/// RMS error of the force over that of the whole body, while a snapshot is one to two periods old that was asked for
+/// when the hand was at rest: it knows nothing of the speed.
 struct Error
 {
   double nearest = 0.0;
@@ -60,11 +60,11 @@ struct Error
 Error errorAt(const Pad& pad, double speed)
 {
   const Vec3 start_W(0.02, 0.05, 0.05);
-  PacketRequest request;
+  SnapshotRequest request;
   request.ball_W = start_W;
   request.radius_u = 0.005;
   request.period_s = period_s;
-  const auto packet = PacketMaker(*pad.made.body, pad.surface).make(request);
+  const auto snapshot = SnapshotMaker(*pad.made.body, pad.surface).make(request);
   double nearest2 = 0.0;
   double rigid2 = 0.0;
   double all2 = 0.0;
@@ -73,8 +73,8 @@ Error errorAt(const Pad& pad, double speed)
   {
     const std::uint32_t at = pad.vertexAt(start_W + Vec3(speed * period_s * (1.0 + (tick + 0.5) / ticks), 0.0, 0.0));
     const double truth = forceOf(pad.complianceAt(at));
-    const bool has = std::find(packet->near.begin(), packet->near.end(), at) != packet->near.end();
-    const double taken = forceOf(packet->between(at, at)(2, 2));
+    const bool has = std::find(snapshot->near.begin(), snapshot->near.end(), at) != snapshot->near.end();
+    const double taken = forceOf(snapshot->between(at, at)(2, 2));
     nearest2 += std::pow(taken - truth, 2);
     rigid2 += std::pow((has ? taken : coupling_N_per_m) - truth, 2);
     all2 += truth * truth;

@@ -39,7 +39,7 @@ void runContacts(const Conditions& conditions, Table& table)
   using namespace shared_contacts_experiment;
   judgeTwo(table);
   const auto problem = std::make_unique<ContactProblem>();
-  const auto room = std::make_unique<FrictionRoom>();
+  const auto room = std::make_unique<FrictionScratch>();
   test::Random random(conditions.seed);
   for (const int n : { 1, 2, 3, 5, 10, 20, 28, 40 })
   {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "devices/common/Condition.h"
-#include "haptics/force/HeldWalls.h"
+#include "haptics/force/DeviceWalls.h"
 #include "testing/lab/Experiments.h"
 
 namespace palpate::lab
@@ -32,7 +32,7 @@ Vec3 heldForce(const DeviceCommand& command, const Vec3& p_D)
   Vec3 force = Vec3::Zero();
   for (std::size_t i = 0; i < command.wallCount; ++i)
   {
-    const HeldWall& wall = command.walls[i];
+    const DeviceWall& wall = command.walls[i];
     const Condition spring = lowerWall(wall.offset_m, wall.stiffness_N_per_m);
     force += conditionForce(spring, wall.normal_D.dot(p_D)) * wall.normal_D;
   }

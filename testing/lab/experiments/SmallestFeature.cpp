@@ -57,15 +57,15 @@ Rest press(const Press& how, double width_m, Edge edge)
 }
 
 /// What looks at the handle alone pushes it out of the nearest side of the wall it is in.
-HeldWall nearestSide(double x_m, double width_m)
+DeviceWall nearestSide(double x_m, double width_m)
 {
   const double period_m = 2 * width_m, wall_m = (std::floor(x_m / period_m) + 0.5) * period_m;
-  return x_m < wall_m ? HeldWall{ { -1, 0, 0 }, -(wall_m - width_m / 2), 0.0 }
-                      : HeldWall{ { 1, 0, 0 }, wall_m + width_m / 2, 0.0 };
+  return x_m < wall_m ? DeviceWall{ { -1, 0, 0 }, -(wall_m - width_m / 2), 0.0 }
+                      : DeviceWall{ { 1, 0, 0 }, wall_m + width_m / 2, 0.0 };
 }
 
 /// What remembers where the virtual location is holds the side it came from.
-HeldWall sideItCameFrom(double, double width_m)
+DeviceWall sideItCameFrom(double, double width_m)
 {
   return { { -1, 0, 0 }, -width_m / 2, 0.0 };
 }

@@ -117,7 +117,7 @@ void judgeStep(double host_Hz, Table& table)
   const double truth_N = K * speed_m_per_s / host_Hz;
   DeviceCommand command = wall();
   switchSprings({ -speed_m_per_s / host_Hz, 0, 0 }, command);
-  const HeldWall& spring = command.walls[0];
+  const DeviceWall& spring = command.walls[0];
   const double step_N = command.wallCount > 0 ? conditionForce(bareSpring(spring.offset_m, spring.stiffness_N_per_m),
                                                   -speed_m_per_s / host_Hz)
                                               : 0.0;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/tool/motion/WishedMotion.h"
+#include "haptics/tool/motion/TargetMotion.h"
 #include "haptics/tool/solve/NearestMotion.h"
 #include "testing/lab/tools/ToolMethod.h"
 

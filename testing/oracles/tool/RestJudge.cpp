@@ -23,8 +23,8 @@ Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh, std::uint32_t t)
 
 } // namespace
 
-RestJudge::RestJudge(TriangleMesh tool_B, TriangleMesh scene_W, double lever_u)
-  : tool_B_(std::move(tool_B)), scene_W_(std::move(scene_W)), lever_u_(lever_u)
+RestJudge::RestJudge(TriangleMesh tool_B, TriangleMesh scene_W, double characteristic_u)
+  : tool_B_(std::move(tool_B)), scene_W_(std::move(scene_W)), characteristic_u_(characteristic_u)
 {
   for (std::uint32_t t = 0; t < this->scene_W_.triangles.size(); ++t)
   {
@@ -65,7 +65,7 @@ RestJudge::Motion RestJudge::between(const Pose& from_W, const Pose& to_W) const
 {
   const Eigen::AngleAxisd turn(to_W.q * from_W.q.conjugate());
   Motion motion;
-  motion << to_W.p - from_W.p, this->lever_u_ * turn.angle() * turn.axis();
+  motion << to_W.p - from_W.p, this->characteristic_u_ * turn.angle() * turn.axis();
   return motion;
 }
 
@@ -76,7 +76,7 @@ double RestJudge::distance_u(const Pose& from_W, const Pose& to_W) const
 
 Pose RestJudge::moved(const Pose& pose_W, const Motion& motion) const
 {
-  const Vec3 turn_rad = motion.tail<3>() / this->lever_u_;
+  const Vec3 turn_rad = motion.tail<3>() / this->characteristic_u_;
   const double angle_rad = turn_rad.norm();
   const Eigen::AngleAxisd turn(angle_rad, angle_rad > 0.0 ? Vec3(turn_rad / angle_rad) : Vec3(Vec3::UnitZ()));
   return { pose_W.p + motion.head<3>(), (Quat(turn) * pose_W.q).normalized() };
@@ -98,8 +98,8 @@ bool RestJudge::isFree(const Pose& pose_W, const Motion& motion) const
 
 double RestJudge::gain_u(const Pose& pose_W, const Pose& hand_W, int trials, Random& random) const
 {
-  // Of the tool's size. A longer motion may pass over an obstacle that the tool rests at, between two looks, into another
-  // place of rest.
+  // Of the tool's size. A longer motion may pass over an obstacle that the tool rests at, between two looks, into
+  // another place of rest.
   constexpr double longest = 0.002, shortest = 1e-5;
   constexpr double grows = 1.5, shrinks = 0.93;
   Pose at_W = pose_W;

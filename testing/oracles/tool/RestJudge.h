@@ -16,8 +16,8 @@ namespace palpate::test
 class RestJudge
 {
 public:
-  /// `tool_B` about the centre that its poses are of. `lever_u`: what a turn of 1 rad weighs as a way.
-  RestJudge(TriangleMesh tool_B, TriangleMesh scene_W, double lever_u);
+  /// `tool_B` about the centre that its poses are of. `characteristic_u`: what a turn of 1 rad weighs as a way.
+  RestJudge(TriangleMesh tool_B, TriangleMesh scene_W, double characteristic_u);
 
   [[nodiscard]] bool meets(const Pose& pose_W) const;
   /// sqrt(way^2 + (lever turn)^2) from one pose to another.
@@ -33,7 +33,7 @@ private:
 
   TriangleMesh tool_B_, scene_W_;
   std::vector<Eigen::AlignedBox3d> sceneBoxes_;
-  double lever_u_;
+  double characteristic_u_;
   double size_u_; ///< the diagonal of the tool's bounds
 };
 

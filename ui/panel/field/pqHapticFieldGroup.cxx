@@ -41,7 +41,7 @@ pqHapticFieldGroup::pqHapticFieldGroup(QWidget* parent) : Superclass(tr("Field")
        "region"));
   this->Form->addRow(tr("At the hand"), this->Value);
   this->Form->addRow(tr("Around it"), this->Around);
-  this->Sentence = this->addText("fieldSentence", tr("Sampled field: arrays, spacing and extent around the hand"));
+  this->Sentence = this->addText("fieldText", tr("Sampled field: arrays, spacing and extent around the hand"));
   const QPushButton* const take = this->addButton("fieldTakeColours", tr("Take Range of Colour Map"),
     tr("Take ranges from the colour maps: isovalue (at half of the largest opacity), detent levels, and the data "
        "ranges of stiffness, friction and texture"));
@@ -98,7 +98,7 @@ void pqHapticFieldGroup::refresh(vtkHapticSession* session)
                                                 .arg(std::hypot(gradient[0], gradient[1], gradient[2]), 0, 'g', 3)
                                             : tr("-"));
   this->Around->setText(session && session->GetFieldAge() > 0.0 ? AroundHand(*session) : tr("-"));
-  pqHapticSay(this->Sentence, session ? QString::fromUtf8(session->GetFieldSentence()) : QString());
+  pqHapticSay(this->Sentence, session ? QString::fromUtf8(session->GetFieldText()) : QString());
 }
 
 QList<QWidget*> pqHapticFieldGroup::fields() const

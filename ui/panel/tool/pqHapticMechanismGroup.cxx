@@ -23,7 +23,7 @@
 namespace
 {
 constexpr int ShownRows = 5; // the others are scrolled to
-const QStringList Columns = { "Law", "Phase", "Force", "Inside" };
+const QStringList Columns = { "Constraint", "Phase", "Force", "Inside" };
 const QStringList Units = { "", "", " N", " u" };
 
 /// "puncture: needle, wall; 1.5 N, drags 0.4 N".
@@ -40,12 +40,12 @@ vtkHapticSession* Session()
   return pqHapticController::instance()->session();
 }
 
-/// Laws that could not be changed are none: the session has said why.
-void SetLaws(const std::string& laws)
+/// Constraints that could not be changed are none: the session has said why.
+void SetConstraints(const std::string& laws)
 {
   if (!laws.empty())
   {
-    pqHapticNameSource("MechanismLaws", QString::fromStdString(laws));
+    pqHapticNameSource("MechanismConstraints", QString::fromStdString(laws));
   }
 }
 } // namespace
@@ -70,14 +70,14 @@ pqHapticMechanismGroup::pqHapticMechanismGroup(QWidget* parent)
   changes->addWidget(this->Break, 1);
   this->Form->addRow(changes);
   auto* added = new QHBoxLayout;
-  added->addWidget(this->Law, 1);
+  added->addWidget(this->Constraint, 1);
   added->addWidget(this->Add);
   this->Form->addRow(added);
 }
 
 void pqHapticMechanismGroup::use(pqOutputPort& port)
 {
-  pqHapticNameSource("MechanismLaws", {}); // those of another mechanism would not fit
+  pqHapticNameSource("MechanismConstraints", {}); // those of another mechanism would not fit
   this->Superclass::use(port);
 }
 
@@ -99,19 +99,20 @@ void pqHapticMechanismGroup::makeTable()
 
 void pqHapticMechanismGroup::makeButtons()
 {
-  this->Remove = pqHapticButton(
-    this, "mechanismRemove", tr("Remove"), tr("Remove the chosen constraint from the mechanism"));
+  this->Remove =
+    pqHapticButton(this, "mechanismRemove", tr("Remove"), tr("Remove the chosen constraint from the mechanism"));
   this->Break = pqHapticButton(this, "mechanismBreak", tr("Break"),
     tr("Break the chosen constraint, until the mechanism is held or touched anew or gets other constraints"));
-  this->Law = new QLineEdit(this);
-  this->Law->setObjectName("mechanismLaw");
-  this->Law->setPlaceholderText(tr("{ \"name\": ..., \"kind\": ..., \"a\": ..., \"b\": ... }"));
-  this->Law->setToolTip(tr("Constraint in the format of a scene file; replaces the constraint of the same name"));
+  this->Constraint = new QLineEdit(this);
+  this->Constraint->setObjectName("mechanismConstraint");
+  this->Constraint->setPlaceholderText(tr("{ \"name\": ..., \"kind\": ..., \"a\": ..., \"b\": ... }"));
+  this->Constraint->setToolTip(
+    tr("Constraint in the format of a scene file; replaces the constraint of the same name"));
   this->Add = pqHapticButton(this, "mechanismAdd", tr("Add"), tr("Add this constraint to the mechanism"));
-  this->connect(this->Add, &QPushButton::clicked, this, &pqHapticMechanismGroup::addLaw);
-  this->connect(this->Law, &QLineEdit::returnPressed, this, &pqHapticMechanismGroup::addLaw);
-  this->connect(this->Remove, &QPushButton::clicked, this, &pqHapticMechanismGroup::removeLaw);
-  this->connect(this->Break, &QPushButton::clicked, this, &pqHapticMechanismGroup::breakLaw);
+  this->connect(this->Add, &QPushButton::clicked, this, &pqHapticMechanismGroup::addConstraint);
+  this->connect(this->Constraint, &QLineEdit::returnPressed, this, &pqHapticMechanismGroup::addConstraint);
+  this->connect(this->Remove, &QPushButton::clicked, this, &pqHapticMechanismGroup::removeConstraint);
+  this->connect(this->Break, &QPushButton::clicked, this, &pqHapticMechanismGroup::breakConstraint);
 }
 
 QString pqHapticMechanismGroup::selected() const
@@ -120,27 +121,27 @@ QString pqHapticMechanismGroup::selected() const
   return row >= 0 ? this->Table->item(row, 0)->text() : QString();
 }
 
-void pqHapticMechanismGroup::addLaw()
+void pqHapticMechanismGroup::addConstraint()
 {
   if (vtkHapticSession* const session = Session())
   {
-    SetLaws(session->GetMechanism()->GetLawsWith(this->Law->text().toUtf8().constData()));
+    SetConstraints(session->GetMechanism()->GetConstraintsWith(this->Constraint->text().toUtf8().constData()));
   }
 }
 
-void pqHapticMechanismGroup::removeLaw()
+void pqHapticMechanismGroup::removeConstraint()
 {
   if (vtkHapticSession* const session = Session())
   {
-    SetLaws(session->GetMechanism()->GetLawsWithout(this->selected().toUtf8().constData()));
+    SetConstraints(session->GetMechanism()->GetConstraintsWithout(this->selected().toUtf8().constData()));
   }
 }
 
-void pqHapticMechanismGroup::breakLaw()
+void pqHapticMechanismGroup::breakConstraint()
 {
   if (vtkHapticSession* const session = Session())
   {
-    session->GetMechanism()->BreakLaw(this->selected().toUtf8().constData());
+    session->GetMechanism()->BreakConstraint(this->selected().toUtf8().constData());
   }
 }
 
@@ -187,7 +188,7 @@ void pqHapticMechanismGroup::refresh(vtkHapticSession* session)
     this->Chart->clear();
   }
   const bool chosen = held && !this->selected().isEmpty();
-  for (QWidget* const widget : QList<QWidget*>{ this->Table, this->Chart, this->Law, this->Add })
+  for (QWidget* const widget : QList<QWidget*>{ this->Table, this->Chart, this->Constraint, this->Add })
   {
     widget->setVisible(held);
   }
@@ -201,5 +202,5 @@ void pqHapticMechanismGroup::refresh(vtkHapticSession* session)
 QList<QWidget*> pqHapticMechanismGroup::fields() const
 {
   return this->Superclass::fields() + this->settings() +
-         QList<QWidget*>{ this->Table, this->Remove, this->Break, this->Law, this->Add };
+         QList<QWidget*>{ this->Table, this->Remove, this->Break, this->Constraint, this->Add };
 }

@@ -25,14 +25,14 @@ private:
   void use(pqOutputPort& port) override;
   void makeTable();
   void makeButtons();
-  void addLaw();
-  void removeLaw();
-  void breakLaw();
+  void addConstraint();
+  void removeConstraint();
+  void breakConstraint();
   QString selected() const;
   void fill(vtkHapticSession& session);
 
   QPushButton *Add, *Remove, *Break;
-  QLineEdit* Law;
+  QLineEdit* Constraint;
   QLabel* Text;
   QTableWidget* Table;
   pqHapticStrip* Chart;

@@ -40,13 +40,13 @@ void takePlan(TickContext& tick) noexcept
 }
 
 /// A law that the person breaks holds nothing from this tick on, whether the tick knows the place of the hand or not.
-void breakLaws(TickContext& tick) noexcept
+void breakConstraints(TickContext& tick) noexcept
 {
   for (const HapticEvent& event : tick.input.events)
   {
-    if (event.kind == EventKind::BreakLaw && event.value < tick.s.mechanism.laws.size())
+    if (event.kind == EventKind::BreakConstraint && event.value < tick.s.mechanism.laws.size())
     {
-      tick.s.mechanism.laws[event.value].phase = LawPhase::Gone;
+      tick.s.mechanism.laws[event.value].phase = ConstraintPhase::Gone;
     }
   }
 }
@@ -88,7 +88,7 @@ void pull(TickContext& tick, const MechanismResult& result, double lever_m) noex
   }
 }
 
-/// Of the oldest packet among those of bodies that are pressed. A tick that comes late is as long as those that were
+/// Of the oldest snapshot among those of bodies that are pressed. A tick that comes late is as long as those that were
 /// missed: ticks are counted with them.
 double age_s(const TickContext& tick, const MechanismResult& result) noexcept
 {
@@ -99,12 +99,12 @@ double age_s(const TickContext& tick, const MechanismResult& result) noexcept
   for (int i = 0; i < result.pressCount; ++i)
   {
     const PressedBody& body = *tick.input.mechanism->soft()[static_cast<std::size_t>(result.presses[i].soft)];
-    oldest = std::min(oldest, body.packet->builtFromTick);
+    oldest = std::min(oldest, body.snapshot->builtFromTick);
   }
   return period_s * static_cast<double>(tick.input.tick - oldest);
 }
 
-void tellLaws(const MechanismPlan& plan, const MechanismState& state, MechanismNow& now) noexcept
+void tellConstraints(const MechanismPlan& plan, const MechanismState& state, MechanismNow& now) noexcept
 {
   now.held = state.placed;
   now.revision = plan.revision;
@@ -121,10 +121,10 @@ void tell(const TickContext& tick, const MechanismResult& result, HapticState& s
 {
   const MechanismPlan& plan = tick.input.mechanism->plan();
   MechanismNow& now = state.mechanism;
-  tellLaws(plan, tick.s.mechanism, now);
+  tellConstraints(plan, tick.s.mechanism, now);
   for (int l = 0; l < plan.lawCount; ++l)
   {
-    const LawNow& law = result.laws[l];
+    const ConstraintNow& law = result.laws[l];
     now.laws[l] = { law.phase, law.force_W.norm(), law.at_W, law.inside_u };
     state.contacts += law.force_W != Vec3::Zero();
   }
@@ -135,13 +135,13 @@ void tell(const TickContext& tick, const MechanismResult& result, HapticState& s
 
 void tellChanges(TickContext& tick, const MechanismResult& result, MechanismNow& now) noexcept
 {
-  LawChanges& changes = tick.s.mechanismChanges;
+  ConstraintChanges& changes = tick.s.mechanismChanges;
   std::for_each_n(
     result.events.begin(), result.eventCount, [&changes](const MechanismEvent& event) { changes.add(event); });
   now.changes = changes;
 }
 
-/// Laws on a body that is not computed any more would hold the hand where it was.
+/// Constraints on a body that is not computed any more would hold the hand where it was.
 void endIfLate(TickContext& tick, const MechanismResult& result, MechanismNow& now) noexcept
 {
   now.age_s = age_s(tick, result);
@@ -151,7 +151,7 @@ void endIfLate(TickContext& tick, const MechanismResult& result, MechanismNow& n
   }
 }
 
-/// What the worker makes the next packets for.
+/// What the worker makes the next snapshots for.
 void tellWorker(TickContext& tick, const MechanismResult& result) noexcept
 {
   const MechanismPlan& plan = tick.input.mechanism->plan();
@@ -190,7 +190,7 @@ void HeldMechanism::step(TickContext& tick) noexcept
   }
   const double lever_m = mechanismLever_m(tick.p.mechanismTurning_N_m_per_rad, tick.p.stiffness_N_per_m);
   takePlan(tick);
-  breakLaws(tick);
+  breakConstraints(tick);
   const MechanismResult& result = compute(tick, lever_m);
   pull(tick, result, lever_m);
   tell(tick, result, tick.out.state);
@@ -207,11 +207,11 @@ void HeldMechanism::rest(TickContext& tick) noexcept
     return;
   }
   takePlan(tick);
-  breakLaws(tick);
+  breakConstraints(tick);
   tick.s.mechanismHand.tick = tick.s.mechanismTick = tick.input.tick; // bodies are computed while the hand rests
   const MechanismPlan& plan = tick.input.mechanism->plan();
   MechanismNow& now = tick.out.state.mechanism;
-  tellLaws(plan, tick.s.mechanism, now);
+  tellConstraints(plan, tick.s.mechanism, now);
   now.changes = tick.s.mechanismChanges;
   now.hand_W = now.pose_W[plan.held];
   if (now.held)

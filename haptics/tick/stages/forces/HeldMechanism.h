@@ -15,8 +15,9 @@ namespace palpate
 {
 
 /// Initial state of a constraint in a recording.
-template<class Visit, class Law>
-void membersOf(const Visit& visit, Law& law) requires std::is_same_v<std::remove_const_t<Law>, LawState>
+template<class Visit, class Constraint>
+void membersOf(
+  const Visit& visit, Constraint& law) requires std::is_same_v<std::remove_const_t<Constraint>, ConstraintState>
 {
   visit(law.phase);
   visit(law.met);
@@ -74,14 +75,14 @@ struct HeldMechanism
     ToolLead mechanismLead;
     bool mechanismLoose = false;     ///< the clutch was held: the hand takes it anew
     std::uint64_t mechanismTick = 0; ///< the last one with a mechanism; 0: none
-    LawChanges mechanismChanges;
+    ConstraintChanges mechanismChanges;
     MechanismHand mechanismHand; ///< for the worker
   };
   template<class Visit, class... S>
   static void stateFields(const Visit& visit, S&... s)
   {
     visit("revision", s.mechanism.revision...);
-    visit("packets", s.mechanism.packet...);
+    visit("packets", s.mechanism.snapshot...);
     visit("poses_W", s.mechanism.pose_W...);
     visit("laws", s.mechanism.laws...);
     visit("placed", s.mechanism.placed...);

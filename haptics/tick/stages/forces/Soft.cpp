@@ -13,11 +13,11 @@ namespace palpate::stage
 namespace
 {
 
-/// In periods: a packet on time is at most two old. From there on more of the force may be bent.
+/// In periods: a snapshot on time is at most two old. From there on more of the force may be bent.
 constexpr double latePeriods = 2.0;
 constexpr double lateShare = 0.15;
 
-std::span<const SoftTouch> touchOf(const TickContext& tick) noexcept
+std::span<const SoftSurfaceRef> touchOf(const TickContext& tick) noexcept
 {
   return { &tick.input.body->touch, 1 };
 }
@@ -30,7 +30,7 @@ double period_s(const TickContext& tick) noexcept
 }
 
 /// A body that the ball is not on any more, or another one, is met anew.
-void takePacket(TickContext& tick) noexcept
+void takeSnapshot(TickContext& tick) noexcept
 {
   RendererState& s = tick.s;
   const PressedBody& body = *tick.input.body;
@@ -41,10 +41,10 @@ void takePacket(TickContext& tick) noexcept
   }
   else
   {
-    changePackets(touchOf(tick), s.soft);
+    changeSnapshots(touchOf(tick), s.soft);
   }
   s.softRevision = body.revision;
-  s.softAge_s = period_s(tick) * static_cast<double>(tick.input.tick - body.packet->builtFromTick);
+  s.softAge_s = period_s(tick) * static_cast<double>(tick.input.tick - body.snapshot->builtFromTick);
 }
 
 bool presses(const SoftState& soft) noexcept
@@ -104,7 +104,7 @@ void SoftLead::step(TickContext& tick) noexcept
   }
   if (tick.scene.replaced || tick.input.body->revision != s.softRevision)
   {
-    takePacket(tick);
+    takeSnapshot(tick);
   }
   else
   {
@@ -112,7 +112,7 @@ void SoftLead::step(TickContext& tick) noexcept
   }
   s.softTick = tick.input.tick;
   const double fade_s = tick.input.body->period_s > 0.0 ? tick.input.dt_s : std::numeric_limits<double>::infinity();
-  fadeChange(fade_s, s.soft); // what is at rest in every tick changes by what it is, not by a packet
+  fadeChange(fade_s, s.soft); // what is at rest in every tick changes by what it is, not by a snapshot
 }
 
 void Soft::step(TickContext& tick) noexcept

@@ -11,7 +11,7 @@
 namespace palpate::stage
 {
 
-/// Takes the newest packet of a soft body before contact. The force is continuous under the new one; the offset that
+/// Takes the newest snapshot of a soft body before contact. The force is continuous under the new one; the offset that
 /// this needs fades.
 struct SoftLead
 {
@@ -19,7 +19,7 @@ struct SoftLead
 
   struct Plan
   {
-    double softLate_s = 1.0;  ///< a body is not computed any more when its packet is older: no force
+    double softLate_s = 1.0;  ///< a body is not computed any more when its snapshot is older: no force
     bool softBalances = true; ///< a hand gets back no more energy than it gave to the body
   };
   template<class Visit, class... P>
@@ -38,7 +38,7 @@ struct SoftLead
   {
     SoftState soft;
     EnergyBalance softBalance;
-    std::uint64_t softRevision = 0; ///< of the packet of the last tick; 0: none
+    std::uint64_t softRevision = 0; ///< of the snapshot of the last tick; 0: none
     double softAge_s = 0.0;         ///< of the state at which it was made
     std::uint64_t softTick = 0;     ///< the last one on a body; 0: none
   };

@@ -69,7 +69,7 @@ ToolState held(const TickContext& tick) noexcept
   tool.touching = static_cast<std::int32_t>(set.count);
   tool.hand_W = tick.s.toolHand_W;
   tool.ball_u = set.ball_u;
-  tool.lever_m = set.ball_u > 0.0 ? 0.0 : set.lever_u / tick.p.map.scale_u_per_m;
+  tool.lever_m = set.ball_u > 0.0 ? 0.0 : set.characteristic_u / tick.p.map.scale_u_per_m;
   return tool;
 }
 

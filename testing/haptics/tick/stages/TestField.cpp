@@ -23,16 +23,16 @@ constexpr double coupling_N_per_m = 800.0;
 const GridIndex size{ 33, 33, 33 };
 
 /// 32 cells of a sixteenth of a metre around the origin: numbers that are exact in binary.
-BrickGrid grid()
+FieldBlockGrid grid()
 {
   return { size, Vec3::Constant(0.0625), { Vec3::Constant(-1.0), Quat::Identity() } };
 }
 
 template<class Function>
-Brick scalarIn(const Function& function_W)
+FieldBlock scalarIn(const Function& function_W)
 {
-  return Brick(1, grid(),
-    { { BrickRole::Scalar, "f",
+  return FieldBlock(1, grid(),
+    { { FieldBlockRole::Scalar, "f",
       test::sampledValues(size, [&](const Vec3& i) { return function_W(grid().toWorld(i)); }) } });
 }
 
@@ -47,7 +47,7 @@ protected:
     this->parameters_.field.isosurface = true;
   }
 
-  HapticState tick(const Vec3& p_W, const Brick* brick, const Scene* scene = nullptr)
+  HapticState tick(const Vec3& p_W, const FieldBlock* brick, const Scene* scene = nullptr)
   {
     const HapticEvent told{ 0, EventKind::Engage, 0 };
     TickInput input;
@@ -68,7 +68,7 @@ protected:
 
 TEST_F(Field, AloneHoldsTheHandWithTheStiffnessOfTheCoupling)
 {
-  const Brick brick = scalarIn([](const Vec3& p) { return p.z(); });
+  const FieldBlock brick = scalarIn([](const Vec3& p) { return p.z(); });
   this->parameters_.map.scale_u_per_m = 4.0;
   this->parameters_.map.q_WD = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 2, 2).normalized());
   this->tick({ 0, 0, 0.1 }, &brick);
@@ -82,7 +82,8 @@ TEST_F(Field, AndASurfaceShareTheStiffnessAndAreFeltAsTheirSum)
 {
   test::Random random(test::testSeed(1660));
   const auto floor = test::sceneOf(test::makeSheet({ 2.0, 2.0, 8, 8, 0.2 }, random));
-  const Brick wall = scalarIn([](const Vec3&p) { return p.x(); }), same = scalarIn([](const Vec3&p) { return p.z(); });
+  const FieldBlock wall = scalarIn([](const Vec3&p) { return p.x(); }),
+                   same = scalarIn([](const Vec3&p) { return p.z(); });
   this->tick({ 0.1, 0.05, 0.1 }, &wall, floor.get());
   const HapticState both = this->tick({ -0.004, 0.05, -0.002 }, &wall, floor.get());
   EXPECT_LT((both.force_W - 0.5 * coupling_N_per_m * Vec3(0.004, 0, 0.002)).norm(), 1e-9);
@@ -99,7 +100,7 @@ TEST_F(Field, AndASurfaceThatIsAskewTakeNoWorkOverAClosedWay)
   // to one and from there to the other would have a force with curl.
   test::Random random(test::testSeed(1661));
   const auto floor = test::sceneOf(test::makeSheet({ 2.0, 2.0, 8, 8, 0.2 }, random));
-  const Brick slope = scalarIn([](const Vec3& p) { return p.x() + 0.75 * p.z(); });
+  const FieldBlock slope = scalarIn([](const Vec3& p) { return p.x() + 0.75 * p.z(); });
   this->tick({ 0.1, 0.05, 0.1 }, &slope, floor.get());
   Vec3 before_W, force_W;
   double work_J = 0.0;
@@ -118,7 +119,7 @@ TEST_F(Field, AndASurfaceThatIsAskewTakeNoWorkOverAClosedWay)
 TEST_F(Field, FadesIn30MillisecondsWhereItEnds)
 {
   const auto half = [](const Vec3& p) { return p.x() > 0.5 ? std::nan("") : p.z(); };
-  const Brick brick = scalarIn(half);
+  const FieldBlock brick = scalarIn(half);
   this->tick({ 0.4, 0, 0.1 }, &brick);
   const double pressed_N = this->tick({ 0.4, 0, -0.005 }, &brick).force_W.z();
   ASSERT_NEAR(pressed_N, coupling_N_per_m * 0.005, 1e-9);
@@ -136,7 +137,7 @@ TEST_F(Field, FadesIn30MillisecondsWhereItEnds)
 
 TEST_F(Field, FadesLikewiseWhenItIsTakenAway)
 {
-  const Brick brick = scalarIn([](const Vec3& p) { return p.z(); });
+  const FieldBlock brick = scalarIn([](const Vec3& p) { return p.z(); });
   this->tick({ 0, 0, 0.1 }, &brick);
   const double pressed_N = this->tick({ 0, 0, -0.005 }, &brick).force_W.z();
   EXPECT_NEAR(this->tick({ 0, 0, -0.005 }, nullptr).force_W.z(), pressed_N, 1e-9);
@@ -149,8 +150,8 @@ TEST_F(Field, FadesLikewiseWhenItIsTakenAway)
 
 TEST_F(Field, PushesOnlyWhoIsEngagedAndTellsItsPower)
 {
-  const Brick brick(
-    1, grid(), { { BrickRole::Vector, "v", test::sampledVectors(size, [](const Vec3&) { return Vec3(0, 2, 0); }) } });
+  const FieldBlock brick(1, grid(),
+    { { FieldBlockRole::Vector, "v", test::sampledVectors(size, [](const Vec3&) { return Vec3(0, 2, 0); }) } });
   this->parameters_.field = {};
   this->parameters_.field.push_N = 0.4;
   this->parameters_.safety.engageRamp_s = 0.0;
@@ -169,8 +170,8 @@ TEST_F(Field, PushesOnlyWhoIsEngagedAndTellsItsPower)
 
 TEST_F(Field, BooksWhatANewBrickGivesTheHandAndIsEndedBeyondTheLimitOfTheLatch)
 {
-  const Brick low = scalarIn([](const Vec3& p) { return p.z(); });
-  const Brick high =
+  const FieldBlock low = scalarIn([](const Vec3& p) { return p.z(); });
+  const FieldBlock high =
     scalarIn([](const Vec3& p) { return p.z() - 0.0078125; }); // the surface is an eighth of a cell higher
   const double depth_m = 0.02, raised_m = depth_m + 0.0078125;
   const double given_J = 0.5 * coupling_N_per_m * (raised_m * raised_m - depth_m * depth_m);
@@ -202,8 +203,8 @@ TEST_F(Field, BooksWhatANewBrickGivesTheHandAndIsEndedBeyondTheLimitOfTheLatch)
 
 TEST_F(Field, PushesAsADeclaredSourceThatTheLatchDoesNotTakeForAFault)
 {
-  const Brick brick(
-    1, grid(), { { BrickRole::Vector, "v", test::sampledVectors(size, [](const Vec3&) { return Vec3(1, 0, 0); }) } });
+  const FieldBlock brick(1, grid(),
+    { { FieldBlockRole::Vector, "v", test::sampledVectors(size, [](const Vec3&) { return Vec3(1, 0, 0); }) } });
   this->parameters_.field.isosurface = false;
   this->parameters_.field.push_N = 0.5;
   this->parameters_.safety.hand.excess_J = 1e-3;
@@ -249,7 +250,7 @@ TEST_F(Field, IsRecordedAndWhatCannotBeIsRefused)
 
 TEST_F(Field, BeginsAnewWhereAnotherMapPutsTheHand)
 {
-  const Brick brick = scalarIn([](const Vec3& p) { return p.z(); });
+  const FieldBlock brick = scalarIn([](const Vec3& p) { return p.z(); });
   this->tick({ 0, 0, 0.1 }, &brick);
   this->parameters_.map.offset_W = Vec3(0, 0, -0.3);
   EXPECT_NEAR(this->tick({ 0, 0, -0.2 }, &brick).force_W.norm(), 0.0, 1e-12) << "nothing lay between";
@@ -258,7 +259,7 @@ TEST_F(Field, BeginsAnewWhereAnotherMapPutsTheHand)
 
 TEST_F(Field, AllocatesNothing)
 {
-  const Brick brick = scalarIn([](const Vec3& p) { return p.norm(); });
+  const FieldBlock brick = scalarIn([](const Vec3& p) { return p.norm(); });
   this->parameters_.field.isovalue = 0.5;
   this->parameters_.field.drag_N = 0.2;
   test::Random random(test::testSeed(1662));

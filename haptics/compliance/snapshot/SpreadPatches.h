@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <span>
+
+#include "haptics/compliance/snapshot/SoftSurface.h"
+
+namespace palpate
+{
+
+/// The patches of a surface under contacts of some width: each as wide as its edges ask for, and at least as wide as
+/// `spread_u`. Made when they are asked for. A worker's.
+class SpreadPatches
+{
+public:
+  /// The surface is kept by reference.
+  SpreadPatches(const SoftSurface& surface, double spread_u) : surface_(surface), spread_u_(spread_u) {}
+
+  [[nodiscard]] double radiusOf(std::uint32_t vertex) const;
+  /// Radii of the patches within that of a vertex, each twice the one before, from the one its edges ask for on.
+  [[nodiscard]] std::vector<double> radiiWithin(std::uint32_t vertex) const;
+
+  /// Three columns a vertex, as SurfaceMap has them.
+  [[nodiscard]] SparseColumns columnsOf(std::span<const std::uint32_t> vertices);
+  void addForce(std::uint32_t vertex, const Vec3& force_N, Eigen::VectorXd& ofNodes);
+  /// One column each, along the vertices' normals: radiiWithin() of the first vertex, then those of the next.
+  [[nodiscard]] SparseColumns columnsWithin(std::span<const std::uint32_t> vertices, std::span<const Vec3> normals);
+
+private:
+  [[nodiscard]] std::uint32_t place(std::uint32_t vertex);
+
+  const SoftSurface& surface_;
+  double spread_u_;
+  std::map<std::uint32_t, std::uint32_t> placeOf_; ///< of vertices that were asked for
+  SurfaceMap map_;
+};
+
+} // namespace palpate

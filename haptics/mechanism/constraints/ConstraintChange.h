@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "haptics/mechanism/constraints/ConstraintRows.h"
+
+namespace palpate
+{
+
+/// A law changed for good, or for as long as the needle is in: a recording names it by the tick.
+enum class ConstraintChange : std::uint8_t
+{
+  Punctured,
+  Withdrawn, ///< the tip came out of its hole: the next one is punctured anew
+  Broken,    ///< an attachment that was pulled at with more than its strength
+  TornOut,   ///< a shaft that was pulled across its hole with more than that holds
+};
+
+/// What the rows of one law came to.
+struct ConstraintOutcome
+{
+  Vec3 force_W = Vec3::Zero(); ///< on A [N]
+  Vec3 rest_u = Vec3::Zero();  ///< where its friction would let it rest from now on, as ConstraintState::stuck_u
+  double push_N = 0.0;         ///< of a row that only pushes
+  double across_N = 0.0;       ///< on a shaft
+  bool holds = false;          ///< a row has force
+  bool slips = false;
+};
+
+[[nodiscard]] ConstraintOutcome outcomeOf(
+  const ConstraintScene& scene, const ConstraintRows& rows, const ConstraintForces& forces, int law) noexcept;
+
+/// Whether it is of a kind that holds from the beginning and may be pulled away: what is held begins elsewhere,
+/// perhaps.
+[[nodiscard]] bool mayGiveWay(const PlannedConstraint& law) noexcept;
+
+/// Whether a law of that kind, or a shaft in its hole, gives way to this.
+[[nodiscard]] bool givesWay(const PlannedConstraint& law, const ConstraintOutcome& outcome) noexcept;
+
+/// What that makes of a law, if anything; the state is changed.
+[[nodiscard]] std::optional<ConstraintChange> changeConstraint(
+  const PlannedConstraint& law, const ConstraintOutcome& outcome, ConstraintState& state) noexcept;
+
+} // namespace palpate

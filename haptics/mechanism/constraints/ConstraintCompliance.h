@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/mechanism/constraints/HeldYield.h"
+
+namespace palpate
+{
+
+/// The problem of these rows: W = sum J C J^T over the held body's springs, soft bodies and the laws' own springs.
+/// Real-time safe.
+void assembleConstraints(const ConstraintScene& scene, const ConstraintRows& rows, const MechanismGrip& grip,
+  const HeldYield& held, ConstraintProblem& problem) noexcept;
+
+/// What soft bodies put between the points of law l, B's to A's, under the laws' forces as their states have them [u].
+[[nodiscard]] Vec3 softApart_W(const ConstraintScene& scene, const ConstraintRows& rows, int l) noexcept;
+
+/// The small motion of a body under the forces of the laws, whitened, from where the laws are linearised.
+[[nodiscard]] Vec6 motionOf(const ConstraintScene& scene, const ConstraintRows& rows, const MechanismGrip& grip,
+  const HeldYield& held, const ConstraintForces& forces, int body) noexcept;
+
+/// The laws' forces on a body about its origin, whitened: the moment over the lever [N].
+[[nodiscard]] Vec6 pressOn(
+  const ConstraintScene& scene, const ConstraintRows& rows, const ConstraintForces& forces, int body) noexcept;
+
+} // namespace palpate

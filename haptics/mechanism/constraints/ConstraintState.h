@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/mechanism/MechanismPlan.h"
+
+namespace palpate
+{
+
+/// How far a law has come.
+enum class ConstraintPhase : std::uint8_t
+{
+  Open,   ///< holds nothing now: a contact that is open, a needle that has not met its body
+  Closed, ///< holds
+  Slips,  ///< holds as much as its friction lets it
+  Inside, ///< the shaft is in its hole
+  Gone,   ///< broken: it holds nothing any more
+};
+
+/// What the tick keeps of a law.
+struct ConstraintState
+{
+  ConstraintPhase phase = ConstraintPhase::Open;
+  bool met = false;              ///< Puncture: the tip is at the surface
+  bool seen = false;             ///< it had rows in the tick before
+  bool waits = false;            ///< what is held has not come yet to where it holds without giving way at once
+  bool placed = false;           ///< `stuck_u` has been set
+  SurfacePoint place_A;          ///< where the law is on a soft body
+  SurfacePoint place_B;          ///< likewise
+  Vec3 normal_W = Vec3::UnitZ(); ///< Puncture: of the surface where the tip is
+  Vec3 stuck_u = Vec3::Zero();   ///< friction: from B's point to A's where it would rest; dry: along its axis in x
+  Vec3 force_W = Vec3::Zero();   ///< on A [N]
+  Vec3 offset_W = Vec3::Zero();  ///< of A's point against B's: what changes of snapshots would have moved, fading
+  Vec3 apart_W = Vec3::Zero();   ///< what soft bodies put between the points, without that
+};
+
+} // namespace palpate

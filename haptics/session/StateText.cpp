@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/StateText.h"
+
+#include <cctype>
+
+namespace palpate
+{
+namespace
+{
+
+std::string asText(std::string text)
+{
+  const bool ended = text.empty() || text.back() == '.' || text.back() == '!';
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return ended ? text : text + ".";
+}
+
+const std::string& first(const std::string& one, const std::string& other)
+{
+  return one.empty() ? other : one;
+}
+
+} // namespace
+
+std::string stateText(const SessionGlance& glance)
+{
+  const std::string& stops = first(glance.refusal, glance.fault);
+  if (!stops.empty())
+  {
+    return "No force: " + asText(stops);
+  }
+  if (!glance.touching)
+  {
+    return glance.problem.empty() ? "Press Touch to touch the visible data." : asText(glance.problem);
+  }
+  const std::string& note = first(glance.warning, glance.problem);
+  if (glance.engage == EngageState::Engaged)
+  {
+    return note.empty() ? "Touching." : "Touching. " + asText(note);
+  }
+  return note.empty() ? "Waiting: move the hand out of the data it overlaps, then the force starts."
+                      : "No force: " + asText(note);
+}
+
+} // namespace palpate

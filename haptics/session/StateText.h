@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "haptics/tick/HapticState.h"
+
+namespace palpate
+{
+
+/// What a person sees of a session at one glance.
+struct SessionGlance
+{
+  bool touching = false;
+  EngageState engage = EngageState::Safe;
+  std::string refusal; ///< why nothing of what is shown can be touched, and what to do; "" if something can
+  std::string fault;   ///< why there is no force, and what to do
+  std::string warning; ///< what needs attention
+  std::string problem; ///< the last thing that was refused
+};
+
+/// One line: how it is, why, and what to do. What nothing can be felt without comes first.
+[[nodiscard]] std::string stateText(const SessionGlance& glance);
+
+} // namespace palpate

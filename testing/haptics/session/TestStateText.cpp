@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One line says how it is, why, and what to do.
+#include <gtest/gtest.h>
+
+#include "haptics/session/StateText.h"
+#include "haptics/session/Warning.h"
+
+namespace palpate
+{
+namespace
+{
+
+TEST(StateText, WhatNothingCanBeFeltWithoutComesFirst)
+{
+  SessionGlance glance;
+  EXPECT_EQ(stateText(glance), "Press Touch to touch the visible data.");
+  glance.problem = "the file is gone: choose another";
+  EXPECT_EQ(stateText(glance), "The file is gone: choose another.");
+  glance.touching = true;
+  glance.engage = EngageState::Armed;
+  glance.warning = "the dead-man switch is released: hold its button";
+  EXPECT_EQ(stateText(glance), "No force: The dead-man switch is released: hold its button.");
+  glance.engage = EngageState::Engaged;
+  EXPECT_EQ(stateText(glance), "Touching. The dead-man switch is released: hold its button.");
+  glance.fault = "the device is lost";
+  EXPECT_EQ(stateText(glance), "No force: The device is lost.");
+  glance.refusal = "No data are visible: open a file.";
+  EXPECT_EQ(stateText(glance), "No force: No data are visible: open a file.");
+}
+
+TEST(StateText, WithoutATroubleItSaysWhatToDoNext)
+{
+  SessionGlance glance;
+  glance.touching = true;
+  glance.engage = EngageState::Armed;
+  EXPECT_EQ(stateText(glance), "Waiting: move the hand out of the data it overlaps, then the force starts.");
+  glance.engage = EngageState::Engaged;
+  EXPECT_EQ(stateText(glance), "Touching.");
+}
+
+TEST(StateText, AnotherDeviceThanTheOneThatRunsIsSaid)
+{
+  EXPECT_EQ(otherDeviceText("mouse", "mouse"), "");
+  EXPECT_EQ(otherDeviceText("mouse", "replay"), "mouse still moves the hand: release and touch again to use replay");
+}
+
+} // namespace
+} // namespace palpate
