@@ -32,7 +32,7 @@ struct MechanismBody
   Vec3 load_W = Vec3::Zero();     ///< on a rigid one's centre, its weight say [N]
 };
 
-/// How two bodies are joined (docs/theory.md, "Laws between bodies"). A's motion is counted against B's.
+/// How two bodies are joined (docs/theory.md, "Constraints between bodies"). A's motion is counted against B's.
 enum class ConstraintKind : std::uint8_t
 {
   Contact,     ///< A's point stays on the outer side of the plane through B's point, axis_B its normal

@@ -10,10 +10,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "FunctionImages.h"
 #include "VtkScenes.h"
 #include "testing/support/Polylines.h"
 #include "testing/support/Random.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -32,35 +32,6 @@ namespace
 {
 using Curve = std::vector<Vec3>;
 
-/// An image of these points, its values a function of where they are.
-vtkSmartPointer<vtkImageData> imageOf(
-  std::array<int, 6> extent, const std::function<double(const Vec3&)>& value,
-  const std::function<void(vtkImageData*)>& place = [](vtkImageData*) {}, int type = VTK_DOUBLE, int components = 1)
-{
-  const auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetExtent(extent.data());
-  place(image);
-  image->AllocateScalars(type, components);
-  vtkDataArray* values = image->GetPointData()->GetScalars();
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-  {
-    Vec3 p_W;
-    image->GetPoint(i, p_W.data());
-    for (int component = 0; component < components; ++component)
-    {
-      values->SetComponent(i, component, value(p_W));
-    }
-  }
-  return image;
-}
-
-vtkSmartPointer<vtkImageData> squareImage(
-  int size, const std::function<double(const Vec3&)>& value, int type = VTK_DOUBLE, int components = 1)
-{
-  return imageOf(
-    { 0, size - 1, 0, size - 1, 0, 0 }, value, [](vtkImageData*) {}, type, components);
-}
-
 std::vector<Curve> curvesOf(vtkPolyData* data)
 {
   std::vector<Curve> curves;
@@ -77,14 +48,6 @@ std::vector<Curve> curvesOf(vtkPolyData* data)
     }
   }
   return curves;
-}
-
-vtkSmartPointer<vtkImageCurves> filterOf(vtkImageData* image, int kind = vtkImageCurves::Contour)
-{
-  const auto filter = vtkSmartPointer<vtkImageCurves>::New();
-  filter->SetInputData(image);
-  filter->SetKind(kind);
-  return filter;
 }
 
 vtkSmartPointer<vtkImageCurves> contourAt(vtkImageData* image, double value)
@@ -476,84 +439,4 @@ TEST(ImageCurves, NumbersThatCannotBeAreRefused)
   filter->SetSimplifyBy(vtkImageCurves::ByFeel);
   filter->SetStiffness(0.0);
   expectRefused(filter, "Stiffness");
-}
-
-namespace
-{
-/// Many rings of other values on a ground of zero, broken below their middles.
-vtkSmartPointer<vtkImageData> manyRings()
-{
-  return squareImage(
-    512,
-    [](const Vec3& p_W)
-    {
-      const double x = std::fmod(p_W.x(), 16.0) - 8.0, y = std::fmod(p_W.y(), 16.0) - 8.0;
-      const bool broken = std::abs(x) < 1.0 && y < 0.0;
-      return std::abs(std::hypot(x, y) - 5.0) < 1.3 && !broken ? 1.0 + std::floor(p_W.x() / 16) : 0.0;
-    },
-    VTK_UNSIGNED_CHAR);
-}
-
-vtkSmartPointer<vtkImageCurves> ringsAs(int kind)
-{
-  const auto filter = filterOf(manyRings(), kind);
-  filter->UseMiddleOff();
-  filter->InkIsDarkOff();
-  filter->SetGap(3.0);
-  return filter;
-}
-
-/// What a filter reports while it runs; stopped at the first report of at least `stopAt`.
-std::vector<double> reports(vtkImageCurves* filter, double stopAt)
-{
-  struct Watch
-  {
-    std::vector<double> Shares;
-    double StopAt;
-  } watch{ {}, stopAt };
-  vtkNew<vtkCallbackCommand> report;
-  report->SetClientData(&watch);
-  report->SetCallback(
-    [](vtkObject* caller, unsigned long, void* client, void* share)
-    {
-      auto* told = static_cast<Watch*>(client);
-      told->Shares.push_back(*static_cast<double*>(share));
-      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(told->Shares.back() >= told->StopAt);
-    });
-  filter->AddObserver(vtkCommand::ProgressEvent, report);
-  filter->Update();
-  return watch.Shares;
-}
-} // namespace
-
-TEST(ImageCurves, ProgressRisesInSmallStepsWhateverTheImageIs)
-{
-  for (const int kind : { vtkImageCurves::Contour, vtkImageCurves::Labels, vtkImageCurves::Drawing })
-  {
-    const auto filter = ringsAs(kind);
-    const std::vector<double> shares = reports(filter, 2.0);
-    ASSERT_FALSE(shares.empty());
-    EXPECT_GT(filter->GetOutput()->GetNumberOfLines(), 500) << kind;
-    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end())) << kind;
-    EXPECT_EQ(shares.back(), 1.0) << kind;
-    for (std::size_t i = 1; i < shares.size(); ++i)
-    {
-      ASSERT_LE(shares[i] - shares[i - 1], 0.15) << kind << ": from " << shares[i - 1];
-    }
-  }
-}
-
-TEST(ImageCurves, AnAbortIsHeededAtTheNextReportAndLeavesAnEmptyOutput)
-{
-  for (const int kind : { vtkImageCurves::Contour, vtkImageCurves::Labels, vtkImageCurves::Drawing })
-  {
-    for (const double stopAt : { 0.0, 0.05, 0.2, 0.4, 0.55, 0.62, 0.8 })
-    {
-      const auto filter = ringsAs(kind);
-      const std::vector<double> shares = reports(filter, stopAt);
-      const auto after = [&](double share) { return share >= stopAt && share < 1.0; }; // 1 comes from the pipeline
-      EXPECT_EQ(std::count_if(shares.begin(), shares.end(), after), 1) << kind << " at " << stopAt;
-      EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << kind << " at " << stopAt;
-    }
-  }
 }
