@@ -14,6 +14,7 @@
 #include "VtkScenes.h"
 #include "testing/support/Polylines.h"
 #include "testing/support/Random.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
