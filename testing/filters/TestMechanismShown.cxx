@@ -52,6 +52,16 @@ const std::string knot = R"({ "name": "knot", "kind": "attachment", "a": "needle
 const std::string skin = R"({ "name": "skin", "kind": "puncture", "a": "needle", "b": "tissue", "strength_N": 50,
   "friction": 1 })";
 
+/// Which nodes are fixed: a node halfway is where both ends of its edge are.
+std::vector<bool> fixedNodes(const StrainPoints& points, std::vector<bool> fixed)
+{
+  for (const auto& [a, b] : points.halves)
+  {
+    fixed.push_back(fixed[a] && fixed[b]);
+  }
+  return fixed;
+}
+
 /// The stiffness of a body of Hooke's material, all of it [N/u]; what is fixed holds itself alone.
 Eigen::MatrixXd stiffnessOf(const StrainPoints& points, const std::vector<bool>& fixed)
 {
@@ -193,12 +203,12 @@ protected:
         surface.map.addForce(i, force_N, load);
       }
     }
-    for (std::size_t v = 0; v < made.checked.fixed.size(); ++v)
+    const std::vector<bool> fixed = fixedNodes(made.body->points(), made.checked.fixed);
+    for (std::size_t v = 0; v < fixed.size(); ++v)
     {
-      load.segment<3>(3 * static_cast<Eigen::Index>(v)) *= made.checked.fixed[v] ? 0.0 : 1.0;
+      load.segment<3>(3 * static_cast<Eigen::Index>(v)) *= fixed[v] ? 0.0 : 1.0;
     }
-    const Eigen::VectorXd u =
-      palpate::test::solvedSymmetric(stiffnessOf(made.body->points(), made.checked.fixed), load);
+    const Eigen::VectorXd u = palpate::test::solvedSymmetric(stiffnessOf(made.body->points(), fixed), load);
     std::vector<Gone> all;
     for (std::size_t i = 0; i < surface.vertices.size(); ++i)
     {
