@@ -5,7 +5,6 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "haptics/contact/view/PlanFor.h"
@@ -17,6 +16,7 @@
 #include "vtkHapticCliFaults.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
+#include "vtkHapticJson.h"
 #include "vtkHapticPathData.h"
 
 namespace

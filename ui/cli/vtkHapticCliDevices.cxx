@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "devices/DeviceFactory.h"
 #include "devices/calibration/CalibrationFiles.h"
 #include "devices/common/DeviceNotes.h"
+#include "vtkHapticJson.h"
 
 namespace
 {

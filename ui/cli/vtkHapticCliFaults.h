@@ -2,10 +2,10 @@
 #ifndef vtkHapticCliFaults_h
 #define vtkHapticCliFaults_h
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "haptics/geometry/measure/SurfaceFaults.h"
+#include "vtkHapticJson.h"
 
 /// All of them, by the numbers of the file's points and of its triangles, both from 0 on; polygons and strips count as
 /// the triangles they are cut into.

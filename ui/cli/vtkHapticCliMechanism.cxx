@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mechanisms: bodies and the laws that join them, from a scene file.
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "haptics/session/mechanism/MechanismTouch.h"
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliProblem.h"
+#include "vtkHapticJson.h"
 #include "vtkHapticMechanismData.h"
 
 int vtkHapticCliCheckMechanism(const vtkHapticCliCheckOptions& options)

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "haptics/core/Types.h"
+#include "vtkHapticJson.h"
 
 /// The fault of a file, and its place.
 struct vtkHapticJsonProblem : std::runtime_error

@@ -7,10 +7,10 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "haptics/compliance/material/ElasticLaw.h"
 #include "vtkHapticBodyFile.h"
+#include "vtkHapticJson.h"
 #include "vtkHapticJsonNode.h"
 #include "vtkHapticMechanismBodies.h"
 
