@@ -263,16 +263,17 @@ std::optional<Vec3> FieldBlock::vector(const Vec3& p_W) const noexcept
 std::optional<Vec3> FieldBlock::axis(const Vec3& p_W, const Vec3& like) const noexcept
 {
   std::array<TrilinearCell, 3> cells;
-  std::optional<GridPlace> place;
+  Vec3 t = Vec3::Zero(); // alike for all three
   for (int k = 0; k < 3; ++k)
   {
     const FieldBlockComponent along = this->component(FieldBlockRole::Axis, k);
-    place = along.within(GridPlace::at(this->grid_.toIndex(p_W)));
+    const std::optional<GridPlace> place = along.within(GridPlace::at(this->grid_.toIndex(p_W)));
     cells[k] = along.exists() && place ? along.cell(place->cell) : TrilinearCell{ { NAN } };
     if (!cells[k].valid())
     {
       return {};
     }
+    t = place->t;
   }
   const auto corner = [&cells](std::size_t i)
   { return Vec3(cells[0].corner[i], cells[1].corner[i], cells[2].corner[i]); };
@@ -284,7 +285,7 @@ std::optional<Vec3> FieldBlock::axis(const Vec3& p_W, const Vec3& like) const no
       std::ranges::for_each(cells, [i](TrilinearCell& cell) { cell.corner[i] = -cell.corner[i]; });
     }
   }
-  return Vec3(cells[0].value(place->t), cells[1].value(place->t), cells[2].value(place->t));
+  return Vec3(cells[0].value(t), cells[1].value(t), cells[2].value(t));
 }
 
 } // namespace palpate

@@ -3,35 +3,21 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkGenericCell.h"
-#include "vtkIdTypeArray.h"
+#include "vtkHapticVtkVersions.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace
 {
-/// The least and the largest number, 0 and -1 of none. VTK's own GetRange() keeps what it found with the array, which
-/// is not for two threads.
-template<class Array>
-std::pair<long long, long long> EndsOf(Array* numbers)
-{
-  if (numbers->GetNumberOfValues() == 0)
-  {
-    return { 0, -1 };
-  }
-  const auto* const first = numbers->GetPointer(0);
-  const auto [least, most] = std::minmax_element(first, first + numbers->GetNumberOfValues());
-  return { *least, *most };
-}
-
 std::string CheckCellArray(vtkCellArray* cells, vtkIdType points)
 {
   if (!cells || cells->GetNumberOfCells() == 0)
@@ -42,12 +28,20 @@ std::string CheckCellArray(vtkCellArray* cells, vtkIdType points)
   {
     return "its list of cells is inconsistent";
   }
-  const auto [least, most] =
-    cells->IsStorage64Bit() ? EndsOf(cells->GetConnectivityArray64()) : EndsOf(cells->GetConnectivityArray32());
-  if (least < 0 || most >= points)
+  // VTK's own GetRange() keeps what it found with the array, which is not for two threads.
+  const vtkNew<vtkIdList> copy;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {
-    return "a cell names point " + std::to_string(least < 0 ? least : most) + "; there are " + std::to_string(points) +
-           " points, counted from 0";
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cells->GetCellAtId(cell, size, corners, copy);
+    const auto* const beyond =
+      std::find_if(corners, corners + size, [points](vtkIdType corner) { return corner < 0 || corner >= points; });
+    if (beyond != corners + size)
+    {
+      return "a cell names point " + std::to_string(*beyond) + "; there are " + std::to_string(points) +
+             " points, counted from 0";
+    }
   }
   return "";
 }
@@ -76,7 +70,7 @@ private:
 
 std::string CheckTypes(vtkUnstructuredGrid* grid)
 {
-  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  vtkDataArray* types = vtkHapticCellTypes(grid);
   const vtkIdType cells = grid->GetCells() ? grid->GetCells()->GetNumberOfCells() : 0;
   if ((types ? types->GetNumberOfTuples() : 0) != cells)
   {
@@ -85,7 +79,7 @@ std::string CheckTypes(vtkUnstructuredGrid* grid)
   LeastPoints least;
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {
-    const int type = types->GetValue(cell);
+    const int type = static_cast<int>(types->GetComponent(cell, 0));
     const int points = least.Of(type);
     if (points < 0 || grid->GetCells()->GetCellSize(cell) < points)
     {
@@ -96,43 +90,12 @@ std::string CheckTypes(vtkUnstructuredGrid* grid)
   return "";
 }
 
-/// The faces of polyhedra: [number of faces, {number of points, points...}...] at the place of each.
-bool IsPolyhedronValid(vtkIdTypeArray* faces, vtkIdType at, vtkIdType points)
-{
-  const vtkIdType size = faces->GetNumberOfTuples();
-  if (at < 0 || at >= size)
-  {
-    return false;
-  }
-  vtkIdType next = at + 1;
-  for (vtkIdType left = faces->GetValue(at); left > 0; --left)
-  {
-    const vtkIdType corners = next < size ? faces->GetValue(next) : -1;
-    if (corners < 1 || corners > size - next - 1)
-    {
-      return false;
-    }
-    for (vtkIdType i = next + 1; i <= next + corners; ++i)
-    {
-      if (faces->GetValue(i) < 0 || faces->GetValue(i) >= points)
-      {
-        return false;
-      }
-    }
-    next += corners + 1;
-  }
-  return true;
-}
-
 std::string CheckPolyhedra(vtkUnstructuredGrid* grid)
 {
-  vtkIdTypeArray* faces = grid->GetFaces();
-  vtkIdTypeArray* places = grid->GetFaceLocations();
+  vtkHapticPolyhedra polyhedra(grid);
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    const bool polyhedron = grid->GetCellType(cell) == VTK_POLYHEDRON;
-    if (polyhedron && (!faces || !places || cell >= places->GetNumberOfTuples() ||
-                        !IsPolyhedronValid(faces, places->GetValue(cell), grid->GetNumberOfPoints())))
+    if (grid->GetCellType(cell) == VTK_POLYHEDRON && !polyhedra.IsValid(cell))
     {
       return "the faces of polyhedron " + std::to_string(cell) + " are broken";
     }
