@@ -327,7 +327,8 @@ bool pqHapticEventPlayer::glide(QWidget* widget, const QStringList& arguments)
     const auto along = [&](int from, int to)
     { return (1.0 - t) * arguments[from].toDouble() + t * arguments[to].toDouble(); };
     const QPointF at(along(0, 2) * widget->width(), along(1, 3) * widget->height());
-    QMouseEvent move(QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QMouseEvent move(
+      QEvent::MouseMove, at, widget->mapToGlobal(at.toPoint()), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
     QCoreApplication::sendEvent(widget, &move);
     this->wait(betweenMoves_ms);
   }

@@ -26,9 +26,10 @@ constexpr double largestQuantity = 1e9, largestValue = 1e100;
 /// Three numbers are no wider than one [pixels].
 constexpr int leastShare = 30;
 
-const palpate::Setting& Described(const QString& property)
+/// Of the table of settings, where it stays.
+const palpate::Setting* Described(const QString& property)
 {
-  return palpate::sessionSetting(property.toStdString());
+  return &palpate::sessionSetting(property.toStdString());
 }
 
 QString Text(std::string_view utf8)
@@ -53,12 +54,12 @@ Field* Named(Field* field, const char* name, const char* property)
 
 QString pqHapticTitle(const QString& property)
 {
-  return Text(Described(property).title);
+  return Text(Described(property)->title);
 }
 
 QString pqHapticTip(const QString& property)
 {
-  return Text(Described(property).sentence);
+  return Text(Described(property)->sentence);
 }
 
 QString pqHapticReadoutTip(const QString& property)
@@ -73,7 +74,7 @@ QString pqHapticReadoutTip(const QString& property)
 QDoubleSpinBox* pqHapticNumber(QWidget* parent, const QString& name, const QString& property, int decimals)
 {
   constexpr int leastWidth = 90; // else the widest number a field could hold makes the whole panel wide [pixels]
-  const palpate::Setting& setting = Described(property);
+  const palpate::Setting& setting = *Described(property);
   const bool ofScene = setting.unit == "u" || setting.unit == "u/m" || setting.unit.empty();
   QDoubleSpinBox* const box = ofScene ? new pqHapticQuantityBox(parent) : new QDoubleSpinBox(parent);
   box->setObjectName(name);
@@ -119,7 +120,7 @@ QList<QDoubleSpinBox*> pqHapticVectorRow(QFormLayout* form, const char* name, co
 
 QSpinBox* pqHapticCountRow(QFormLayout* form, const char* name, const char* property)
 {
-  const palpate::Setting& setting = Described(property);
+  const palpate::Setting& setting = *Described(property);
   auto* box = Named(new QSpinBox(form->parentWidget()), name, property);
   box->setRange(static_cast<int>(setting.low), static_cast<int>(std::min(setting.high, largestQuantity)));
   box->setSuffix(SuffixOf(setting));
