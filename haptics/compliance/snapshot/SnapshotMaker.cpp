@@ -296,11 +296,11 @@ BallDepth SnapshotMaker::depthAt(
   return { *this->layer_, ball_u, this->surface_.stiffness[v], this->edgeThatLacks_u(v), rungs };
 }
 
-/// The length of edge that a patch lacks compliance by (LayerCompliance). 0 for a body with nodes halfway its edges,
-/// which makes a patch of 2.5 edges as good as one of many more.
+/// The length of edge that a patch lacks compliance by (LayerCompliance). Nodes halfway the edges halve the distance
+/// between nodes.
 double SnapshotMaker::edgeThatLacks_u(std::uint32_t vertex) const
 {
-  return this->body_.points().halves.empty() ? this->surface_.edge_u[vertex] : 0.0;
+  return (this->body_.points().halves.empty() ? 1.0 : 0.5) * this->surface_.edge_u[vertex];
 }
 
 void SnapshotMaker::prepareSurface(const ComplianceSnapshot& snapshot)
