@@ -6,6 +6,7 @@ import unittest
 
 from paraview import servermanager, simple
 
+from displays import move
 from haptic_proxies import put
 from view_fixture import ViewTest
 from says import unsaid
@@ -125,13 +126,13 @@ class FieldInAView(ViewTest):
         self.show_wavelet("Outline")
         self.assertTrue(self.feel(FieldArray="RTData", FieldIsosurface=1))
         display = simple.GetDisplayProperties(view=self.view)
-        display.Position = [5.0, 0.0, 0.0]
+        move(display, [5.0, 0.0, 0.0])
         simple.Render(self.view)
         self.follow()
         self.assertFalse(self.session.FinishField())
         self.assertIn("Wavelet1 is transformed", self.scene.GetReport())
         self.assertIn("Transform", self.scene.GetReport())
-        display.Position = [0.0, 0.0, 0.0]
+        move(display, [0.0, 0.0, 0.0])
         simple.Render(self.view)
         self.follow()
         self.assertTrue(self.session.FinishField())

@@ -19,6 +19,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
 from palpate.simple import (AddConstraint, BreakConstraint, GetHapticSession, HapticRefusal, HapticState, HoldMechanism, Constraints,  # noqa: E402
                             LetGo, RemoveConstraint, SetHaptics, Touch)
+from displays import move
 from says import unsaid
 
 SCENES = pathlib.Path(os.environ["PALPATE_SOURCE_DIR"]) / "data" / "mechanisms"
@@ -206,11 +207,11 @@ class Mechanism(Held):
     def test_one_that_is_drawn_elsewhere_than_its_file_has_it_is_refused_or_said(self):
         source = self.hold()
         self.assertNotIn("not of the display", HapticState()["MechanismText"])
-        simple.GetDisplayProperties(source, self.view).Position = [100, 0, 0]
+        move(simple.GetDisplayProperties(source, self.view), [100, 0, 0])
         simple.Render(self.view)
         HapticState()
         self.assertEqual(unsaid(HapticState()["MechanismText"], "scene file", "not of the display"), [])
-        simple.GetDisplayProperties(source, self.view).Position = [0, 0, 0]
+        move(simple.GetDisplayProperties(source, self.view), [0, 0, 0])
         HapticState()
         self.assertNotIn("not of the display", HapticState()["MechanismText"])
         moved = simple.Transform(registrationName="Moved", Input=source)

@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
+from displays import move
 from view_fixture import DEPTH, FORCE, SCALE, STIFFNESS, ViewTest
 
 CELLS = 8
@@ -59,7 +60,7 @@ class MotionInAView(ViewTest):
         self.press(WALL - DEPTH, 0.1, 0.1)
         self.assertFalse(self.session.GetSceneMoves())
         for position in (0.001, 0.002, 0.004, -0.002):
-            display.Position = [position, 0.0, 0.0]
+            move(display, [position, 0.0, 0.0])
             simple.Render(self.view)
             self.assertTrue(self.scene.Update())
             self.session.Update()

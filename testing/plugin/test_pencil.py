@@ -7,6 +7,7 @@ import unittest
 
 from paraview import simple
 
+from displays import move
 from haptic_proxies import manager, put
 from palpate.vtkHapticViews import vtkHapticPencil  # noqa: F401  the proxy's object becomes scriptable
 from view_fixture import STIFFNESS, ViewTest
@@ -146,7 +147,7 @@ class Pencil(ViewTest):
         flat = 1.0 - math.cos(math.pi / 127)  # of the radius: how far facets are inside of the ball
         display = self.show(ball)
         for across in (0.0, shift):
-            display.Position = [across, 0.0, 0.0]
+            move(display, [across, 0.0, 0.0])
             self.view.CameraParallelScale = HEIGHT / 2 * PIXEL  # what is shown first is brought into view
             self.look_from([0, 0, 10])
             path = [(50 + 2 * i, 40 + i) for i in range(10)]

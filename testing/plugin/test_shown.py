@@ -8,6 +8,7 @@ from paraview import simple
 from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
+from displays import move
 from haptic_proxies import put
 from view_fixture import DEPTH, FORCE, STIFFNESS, ViewTest
 from says import unsaid
@@ -43,7 +44,7 @@ class Shown(ViewTest):
         self.press(0.5 * 1.0 - DEPTH, 0.1, 0.1)
         self.assertAlmostEqual(self.session.GetForce()[0], FORCE, delta=1e-6)
         put(self.proxy, "Touching", 0)
-        display.Position = [0.0, 0.0, 10.0]
+        move(display, [0.0, 0.0, 10.0])
         simple.Render(self.view)
         self.assertTrue(self.follow())
         self.press(4.0 + 0.5 * 2.0 - DEPTH, 0.1, 10.1)

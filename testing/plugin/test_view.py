@@ -6,6 +6,7 @@ import unittest
 
 from paraview import simple
 
+from displays import move
 from haptic_proxies import put
 from view_fixture import DEPTH, FORCE, ViewTest
 from says import unsaid
@@ -59,7 +60,7 @@ class TouchInAView(ViewTest):
 
     def test_a_moved_scaled_and_mirrored_actor_is_touched_where_it_is_seen(self):
         display = self.show(simple.Box())
-        display.Position = [3.0, 0.0, 0.0]
+        move(display, [3.0, 0.0, 0.0])
         display.Scale = [-2.0, 1.0, 1.0]
         simple.Render(self.view)
         self.follow()

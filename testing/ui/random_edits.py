@@ -13,6 +13,7 @@ import random
 import tempfile
 
 from paraview import servermanager, simple
+from displays import move, place_of
 from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: F401  makes the proxy's object scriptable
 
 MOST_FORCE = 3.0 * (1.0 + 1e-12)  # N; of a device that knows none, and what shortening a force to it rounds
@@ -35,7 +36,7 @@ def inside_box(box, p):
 
 def depth_in(source, display, p):
     """How deep a point is inside of what a source shows [u]."""
-    at = [x - shift for x, shift in zip(p, display.Position)]
+    at = [x - shift for x, shift in zip(p, place_of(display))]
     kind = source.GetXMLName()
     return {"SphereSource": inside_ball, "CubeSource": inside_box}[kind](source, at)
 
@@ -153,7 +154,7 @@ class Edits:
         if display:
             display.Representation = self.random.choice(("Surface",) * 4 + ("Wireframe", "Outline", "Points"))
             display.Opacity = self.random.choice((1.0, 1.0, 1.0, 0.5, 0.0))
-            display.Position = [self.random.uniform(-20.0, 20.0) for _ in range(3)]
+            move(display, [self.random.uniform(-20.0, 20.0) for _ in range(3)])
 
     def add_view(self):
         views = simple.GetRenderViews()

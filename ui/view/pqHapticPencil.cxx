@@ -8,6 +8,7 @@
 #include "vtkSMRenderViewProxy.h"
 
 #include <QCursor>
+#include <QWidget>
 
 pqHapticPencil::pqHapticPencil(QObject* parent) : Superclass(parent)
 {
@@ -40,7 +41,8 @@ void pqHapticPencil::leaveView()
   const bool drawn = this->Pencil->GetLine() != nullptr;
   this->View = nullptr;
   this->Pencil->SetView(nullptr);
-  if (left)
+  // ParaView 5.13 takes the canvas out of a closing view before it says that another view is active.
+  if (left && left->widget()->findChild<QWidget*>())
   {
     left->setCursor(QCursor());
   }

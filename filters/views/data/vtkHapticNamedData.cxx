@@ -27,7 +27,9 @@ bool IsMoved(vtkSMProxy* representation)
     }
     return false;
   };
-  return differs("Position", 0.0) || differs("Orientation", 0.0) || differs("Scale", 1.0);
+  // ParaView 5.13 calls a display's position its translation.
+  return differs("Position", 0.0) || differs("Translation", 0.0) || differs("Orientation", 0.0) ||
+         differs("Scale", 1.0);
 }
 
 bool Visible(vtkSMProxy* representation)
