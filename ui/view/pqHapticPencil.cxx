@@ -41,8 +41,8 @@ void pqHapticPencil::leaveView()
   const bool drawn = this->Pencil->GetLine() != nullptr;
   this->View = nullptr;
   this->Pencil->SetView(nullptr);
-  // ParaView 5.13 takes the canvas out of a closing view before it says that another view is active.
-  if (left && left->widget()->findChild<QWidget*>())
+  // ParaView 5.13 takes the widget out of a closing view before it says that another view is active.
+  if (left && left->widget())
   {
     left->setCursor(QCursor());
   }
