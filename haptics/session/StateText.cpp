@@ -8,7 +8,7 @@ namespace palpate
 namespace
 {
 
-std::string asText(std::string text)
+std::string asSentence(std::string text)
 {
   const bool ended = text.empty() || text.back() == '.' || text.back() == '!';
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -27,19 +27,19 @@ std::string stateText(const SessionGlance& glance)
   const std::string& stops = first(glance.refusal, glance.fault);
   if (!stops.empty())
   {
-    return "No force: " + asText(stops);
+    return "No force: " + asSentence(stops);
   }
   if (!glance.touching)
   {
-    return glance.problem.empty() ? "Press Touch to touch the visible data." : asText(glance.problem);
+    return glance.problem.empty() ? "Press Touch to touch the visible data." : asSentence(glance.problem);
   }
   const std::string& note = first(glance.warning, glance.problem);
   if (glance.engage == EngageState::Engaged)
   {
-    return note.empty() ? "Touching." : "Touching. " + asText(note);
+    return note.empty() ? "Touching." : "Touching. " + asSentence(note);
   }
   return note.empty() ? "Waiting: move the hand out of the data it overlaps, then the force starts."
-                      : "No force: " + asText(note);
+                      : "No force: " + asSentence(note);
 }
 
 } // namespace palpate

@@ -169,7 +169,7 @@ public:
 
   std::string operator()(vtkDataSet* data, const Placement& placement, palpate::TriangleMesh& mesh)
   {
-    const vtkHapticCuts::Part* const known = this->LoadedRegion();
+    const vtkHapticCuts::Part* const known = this->KnownPart();
     vtkHapticCuts::Part& part = this->Parts.emplace_back();
     part.FirstTriangle = mesh.triangles.size();
     part.FirstVertex = static_cast<std::uint32_t>(mesh.vertices_W.size());
@@ -200,7 +200,7 @@ public:
   }
 
 private:
-  [[nodiscard]] const vtkHapticCuts::Part* LoadedRegion() const
+  [[nodiscard]] const vtkHapticCuts::Part* KnownPart() const
   {
     const std::size_t index = this->Parts.size();
     const bool known = this->Known && this->Known->Mesh && index < this->Known->Parts.size();

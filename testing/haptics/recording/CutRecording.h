@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <string>
 #include <variant>
 #include <vector>
@@ -19,12 +17,7 @@ namespace palpate::test
 class CutRecording
 {
 public:
-  explicit CutRecording(const std::string& path)
-  {
-    std::ifstream file(path, std::ios::binary);
-    this->bytes_.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-    this->begins_ = chunkBegins(this->bytes_);
-  }
+  explicit CutRecording(const std::string& path) : bytes_(bytesOf(path)), begins_(chunkBegins(this->bytes_)) {}
 
   [[nodiscard]] std::size_t chunks() const { return this->begins_.size() - 1; }
 

@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,8 +23,7 @@ class FlippedBits
 public:
   explicit FlippedBits(const std::string& path)
   {
-    std::ifstream file(path, std::ios::binary);
-    this->bytes_.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+    this->bytes_ = bytesOf(path);
     EXPECT_EQ(this->problem(), "");
     const std::vector<std::size_t> begins = chunkBegins(this->bytes_);
     for (std::size_t i = 1; i < begins.size(); ++i)

@@ -3,8 +3,6 @@
 
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -46,8 +44,8 @@ inline std::string rawPart(const std::string& name, const std::string& payload)
 
 inline RawRecording takeApart(const std::string& path)
 {
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::vector<char> content = bytesOf(path);
+  const std::string bytes(content.begin(), content.end());
   RawRecording recording;
   std::size_t at = bytes.find("\nend\n") + 5;
   recording.header = bytes.substr(0, at);

@@ -5,12 +5,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace palpate::test
 {
+
+/// Of a file, as they are.
+inline std::vector<char> bytesOf(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+}
 
 /// CRC-32C by its definition, one bit after the other: the remainder of a division by Castagnoli's polynomial.
 inline std::uint32_t plainCrc32c(const char* bytes, std::size_t size)

@@ -63,8 +63,7 @@ TEST(RecordingChecks, AreWrittenAsTheFormatSays)
 {
   const test::TemporaryFolder folder;
   ASSERT_EQ(test::recordPlane(folder.file("a")), "");
-  std::ifstream file(folder.file("a"), std::ios::binary);
-  const std::vector<char> written((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::vector<char> written = test::bytesOf(folder.file("a"));
   std::vector<char> repaired = written;
   test::repairChecks(repaired, test::plainCrc32c);
   EXPECT_EQ(written, repaired);

@@ -12,6 +12,7 @@
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/LoopReport.h"
+#include "testing/haptics/recording/RecordingChecks.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/TemporaryFolder.h"
 
@@ -89,12 +90,6 @@ void expectBitForBit(const ReplayResult& result, int ticks)
   EXPECT_EQ(result.problem, "");
   EXPECT_EQ(result.difference, "");
   EXPECT_EQ(result.ticks, static_cast<std::uint64_t>(ticks));
-}
-
-std::vector<char> bytesOf(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
 }
 
 std::string problemOf(const std::vector<char>& bytes)
@@ -361,7 +356,7 @@ TEST(Recording, EveryPlaceWhereAFileMayBeCutGivesOneSentence)
 {
   const TemporaryFile file;
   record(file.path, 20, 0.0);
-  const std::vector<char> whole = bytesOf(file.path);
+  const std::vector<char> whole = test::bytesOf(file.path);
   ASSERT_EQ(problemOf(whole), "");
   for (std::size_t length = 0; length < whole.size(); length += 1 + whole.size() / 997)
   {
@@ -375,7 +370,7 @@ TEST(Recording, AnyDamagedByteIsSurvived)
 {
   const TemporaryFile file;
   record(file.path, 20, 0.0);
-  const std::vector<char> whole = bytesOf(file.path);
+  const std::vector<char> whole = test::bytesOf(file.path);
   for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 1499)
   {
     std::vector<char> damaged = whole;
