@@ -429,19 +429,6 @@ private:
 
 } // namespace
 
-void ConstraintProblem::resize(int rows, int freeWays) noexcept
-{
-  this->count = rows;
-  this->ways = freeWays;
-  this->compliance.resize(rows, rows);
-  this->free.resize(rows);
-  this->lowest.resize(rows);
-  this->highest.resize(rows);
-  this->along.resize(rows, freeWays);
-  this->load.resize(freeWays);
-  this->turns.setZero(freeWays, freeWays);
-}
-
 void solveConstraints(const ConstraintProblem& problem, ConstraintScratch& room, ConstraintForces& forces,
   std::uint32_t budget, ConstraintStart start) noexcept
 {
