@@ -404,7 +404,8 @@ bool pqHapticEventPlayer::check(const QStringList& range)
   vtkHapticSession* session = this->Controller->session();
   if (!inside && session)
   {
-    qCritical() << "hapticCheck" << range << ": force" << session->GetForceMagnitude() << "N, depth"
+    const auto quantity = QuantityOf(range.value(0));
+    qCritical() << "hapticCheck" << range << ": it is" << (quantity ? quantity(*session) : qQNaN()) << "; force" << session->GetForceMagnitude() << "N, depth"
                 << session->GetDepth() << "u, contacts" << session->GetContacts() << ", ticks" << session->GetTicks()
                 << "; state" << session->GetStateText() << session->GetFaultText() << session->GetProblem() << ";"
                 << this->Controller->follower()->report() << session->GetSceneReport();

@@ -72,7 +72,8 @@ bool pqHapticHasTabOrder(QObject* object, const QStringList& names)
   QStringList reached;
   for (const QWidget* at = first; at && (reached.isEmpty() || at != first); at = at->nextInFocusChain())
   {
-    if (names.contains(at->objectName()) && (at->focusPolicy() & Qt::TabFocus))
+    const bool within = object->findChildren<const QWidget*>(at->objectName()).contains(at); // names repeat in ParaView
+    if (within && names.contains(at->objectName()) && (at->focusPolicy() & Qt::TabFocus))
     {
       reached << at->objectName();
     }

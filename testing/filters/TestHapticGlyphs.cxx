@@ -9,7 +9,7 @@
 #include "testing/support/Random.h"
 #include "vtkActor.h"
 #include "vtkBitArray.h"
-#include "vtkCompositePolyDataMapper2.h"
+#include "vtkCompositePolyDataMapper.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkDoubleArray.h"
@@ -186,7 +186,7 @@ TEST(HapticGlyphs, LieWhereVTKDrawsThemWhateverTheMapperIsToldToDo)
     const auto mapper = someMapper(random, i % 3 == 2);
     const vtkHapticShape shape = vtkHapticGlyphsOf(mapper);
     ASSERT_EQ(shape.Problem, "") << i;
-    vtkNew<vtkCompositePolyDataMapper2> copies;
+    vtkNew<vtkCompositePolyDataMapper> copies;
     copies->SetInputDataObject(shape.Data);
     copies->ScalarVisibilityOff();
     const std::vector<float> drawn = depthsOf(mapper), felt = depthsOf(copies);

@@ -121,10 +121,10 @@ def connected(ranks=1, plugin=True, delay_s=0.0):
         port, process = stack.enter_context(server(environment, [], ranks))
         if delay_s > 0.0:
             port = stack.enter_context(slow_link(port, delay_s))
-        simple.Connect("localhost", port)
+        stack.callback(simple.Connect)  # as ParaView has it without a server
+        assert simple.Connect("localhost", port), "no connection"
+        stack.callback(simple.Disconnect)
         yield process
-        simple.Disconnect()
-        simple.Connect()  # as ParaView has it without a server
 
 
 class SurfaceOnAServer(unittest.TestCase):

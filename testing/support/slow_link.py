@@ -25,7 +25,7 @@ async def _serve(port, delay_s):
         there_reader, there_writer = await asyncio.open_connection("localhost", port)
         await asyncio.gather(_carry(reader, there_writer, delay_s), _carry(there_reader, writer, delay_s))
 
-    server = await asyncio.start_server(meet, "localhost", 0)
+    server = await asyncio.start_server(meet, "127.0.0.1", 0)
     print(server.sockets[0].getsockname()[1], flush=True)
     await server.serve_forever()
 

@@ -105,7 +105,7 @@ private:
   {
     while (!this->passive_.empty())
     {
-      const Eigen::MatrixXd columns = this->e_(Eigen::all, this->passive_);
+      const Eigen::MatrixXd columns = this->e_(Eigen::placeholders::all, this->passive_);
       const Eigen::VectorXd s = columns.colPivHouseholderQr().solve(this->f_);
       double step = 1.0;
       for (int k = 0; k < s.size(); ++k)
