@@ -19,5 +19,11 @@ endforeach ()
 list(TRANSFORM palpate_vtk_components REPLACE "^VTK::" "")
 list(REMOVE_DUPLICATES palpate_vtk_components)
 list(JOIN palpate_vtk_components " " palpate_vtk_components)
+
+# Where ParaView's VTK is on a machine like this, and the name by which its libraries are known from another VTK's.
+string(REGEX REPLACE "^/usr/lib/[^/]+/" "/usr/lib/*/" palpate_vtk_pattern "${VTK_DIR}")
+get_target_property(palpate_vtk_library VTK::CommonCore LOCATION)
+get_filename_component(palpate_vtk_library "${palpate_vtk_library}" NAME)
+string(REGEX REPLACE "\\.so.*" "" palpate_vtk_library "${palpate_vtk_library}")
 configure_file("${CMAKE_CURRENT_LIST_DIR}/PalpateVTKModules.cmake.in" "${CMAKE_CURRENT_BINARY_DIR}/PalpateVTKModules.cmake" @ONLY)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/PalpateVTKModules.cmake" DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Palpate")
