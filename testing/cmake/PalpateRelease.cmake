@@ -31,7 +31,7 @@ string(REGEX REPLACE ".*_VERSION_MAJOR\" \"([0-9]+)\".*_VERSION_MINOR\" \"([0-9]
 if (said MATCHES "QT_MAJOR_VERSION \"([0-9]+)\"")
   set(PALPATE_PARAVIEW_QT "${CMAKE_MATCH_1}")
 endif ()
-set(tested 5.11)
+set(tested 5.11 5.13 6.1)
 if (NOT PALPATE_PARAVIEW IN_LIST tested)
   message(WARNING "Palpate is tested with ParaView ${tested} alone, and this is ${PALPATE_PARAVIEW}")
 endif ()
