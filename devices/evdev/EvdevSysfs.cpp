@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <set>
+
+#include "devices/common/AttributeFile.h"
 
 namespace palpate
 {
@@ -75,12 +75,6 @@ bool holdsOneOf(const std::set<std::string>& devices, const fs::path& process)
 }
 
 } // namespace
-
-std::string contentOf(const fs::path& file)
-{
-  std::ifstream stream(file, std::ios::binary);
-  return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
-}
 
 std::vector<std::size_t> bitsOf(std::string_view line)
 {

@@ -30,7 +30,4 @@ namespace palpate
 [[nodiscard]] std::string hidrawHolder(
   const std::vector<std::filesystem::path>& folders, const std::filesystem::path& processes = "/proc");
 
-/// A whole file; empty where it cannot be read.
-[[nodiscard]] std::string contentOf(const std::filesystem::path& file);
-
 } // namespace palpate

@@ -10,6 +10,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "devices/common/AttributeFile.h"
 #include "devices/evdev/EvdevSysfs.h"
 #include "devices/hid/HidapiBus.h"
 

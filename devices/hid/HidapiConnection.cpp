@@ -6,8 +6,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -15,6 +13,8 @@
 #include <fcntl.h>
 #include <hidapi/hidapi.h>
 #include <unistd.h>
+
+#include "devices/common/AttributeFile.h"
 
 namespace palpate
 {
@@ -117,9 +117,9 @@ public:
   {
     const std::string node = entry.path.substr(entry.path.rfind('/') + 1);
     const std::string file = this->sysfs_ + "/" + node + "/device/report_descriptor";
-    std::ifstream stream(file, std::ios::binary);
+    const std::string bytes = contentOf(file);
     Descriptor read;
-    read.value.assign(std::istreambuf_iterator<char>(stream), {});
+    read.value.assign(bytes.begin(), bytes.end());
     if (read.value.empty())
     {
       read.problem = file + " cannot be read";

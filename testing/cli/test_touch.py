@@ -103,7 +103,7 @@ class OnAPlane(CommandLineTest):
         for group, option in (("Input", "--path"), ("Contact", "--radius"), ("Material", "--mu-static"), ("Material", "--friction-array"),
                               ("Field", "--snap-reach"), ("Field", "--mode"), ("Tool", "--lever"), ("Soft body", "--poisson"),
                               ("Mechanism", "--torque-stiffness"), ("Output", "--csv")):
-            self.assertIn("\n  " + option, options[group], group)
+            self.assertRegex(options[group], rf"\n +{re.escape(option)}\b", group)
 
     def test_every_setting_of_the_page_is_an_option_with_that_default_and_is_felt(self):
         # The page is written from the table of settings, and held to the table by plugin.properties.

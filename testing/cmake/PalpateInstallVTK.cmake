@@ -26,4 +26,5 @@ get_target_property(palpate_vtk_library VTK::CommonCore LOCATION)
 get_filename_component(palpate_vtk_library "${palpate_vtk_library}" NAME)
 string(REGEX REPLACE "\\.so.*" "" palpate_vtk_library "${palpate_vtk_library}")
 configure_file("${CMAKE_CURRENT_LIST_DIR}/PalpateVTKModules.cmake.in" "${CMAKE_CURRENT_BINARY_DIR}/PalpateVTKModules.cmake" @ONLY)
-install(FILES "${CMAKE_CURRENT_BINARY_DIR}/PalpateVTKModules.cmake" DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Palpate")
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/PalpateVTKModules.cmake" "${CMAKE_CURRENT_LIST_DIR}/PalpatePythonTargets.cmake"
+  DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Palpate")

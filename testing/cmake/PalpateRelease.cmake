@@ -36,17 +36,5 @@ if (NOT PALPATE_PARAVIEW IN_LIST tested)
   message(WARNING "Palpate is tested with ParaView ${tested} alone, and this is ${PALPATE_PARAVIEW}")
 endif ()
 
-# Debian 13 names Python's modules with the interpreter's suffix, ParaView's list of targets names them without, and CMake
-# refuses a target whose file is missing. Nothing is linked to these modules. CMake does not look for the file of a target
-# that has a folder here.
-file(GLOB lists "${ParaView_DIR}/*Python*-targets-*.cmake" "${ParaView_DIR}/vtk/*Python*-targets-*.cmake")
-foreach (list IN LISTS lists)
-  file(STRINGS "${list}" checks REGEX "_cmake_import_check_files_for_")
-  foreach (check IN LISTS checks)
-    string(REGEX REPLACE ".*_cmake_import_check_files_for_([^ ]+) .*" "\\1" target "${check}")
-    string(REGEX REPLACE ".*{_IMPORT_PREFIX}/([^\"]+)\".*" "/usr/\\1" file "${check}")
-    if (NOT EXISTS "${file}")
-      set("_cmake_import_check_xcframework_for_${target}" "${ParaView_DIR}")
-    endif ()
-  endforeach ()
-endforeach ()
+include("${CMAKE_CURRENT_LIST_DIR}/PalpatePythonTargets.cmake")
+palpate_leave_out_python_targets("${ParaView_DIR}")
