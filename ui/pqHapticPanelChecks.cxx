@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticPanelChecks.h"
 
+#include "pqCoreUtilities.h"
+
 #include <QAbstractButton>
+#include <QAction>
 #include <QApplication>
 #include <QImage>
 #include <QKeySequence>
 #include <QLabel>
+#include <QMainWindow>
+#include <QMenuBar>
 #include <QPalette>
 #include <QPixmap>
+#include <QSet>
 #include <QStringList>
 #include <QWidget>
 #include <QtDebug>
@@ -58,6 +64,22 @@ bool Shows(const QWidget& widget)
   return !PlainText(widget).isEmpty() || (label && !label->text().isEmpty()) || widget.inherits("pqHapticStrip");
 }
 
+/// Of the menus in its bar, and of the buttons of its Properties panel, which a person presses after every change.
+QSet<QString> MnemonicsOfParaView()
+{
+  const auto* window = qobject_cast<const QMainWindow*>(pqCoreUtilities::mainWidget());
+  QSet<QString> keys;
+  for (const QAction* menu : window->menuBar()->actions())
+  {
+    keys << QKeySequence::mnemonic(menu->text()).toString();
+  }
+  for (const QAbstractButton* button : window->findChild<QWidget*>("propertiesDock")->findChildren<QAbstractButton*>())
+  {
+    keys << QKeySequence::mnemonic(button->text()).toString();
+  }
+  return keys - QSet<QString>{ QString() };
+}
+
 bool Fits(const QWidget& widget)
 {
   QString text = PlainText(widget);
@@ -99,9 +121,11 @@ bool pqHapticHasMnemonics(QObject* object)
     footnotes << (title.contains("(&") ? QStringList(title) : QStringList());
   }
   const int twice = keys.removeDuplicates();
-  if (twice > 0 || !footnotes.isEmpty() || keys.isEmpty())
+  const QStringList clash = QSet<QString>(keys.begin(), keys.end()).intersect(MnemonicsOfParaView()).values();
+  if (twice > 0 || !footnotes.isEmpty() || !clash.isEmpty() || keys.isEmpty())
   {
-    qCritical() << "hapticMnemonics:" << twice << "stand twice, and these read as footnotes:" << footnotes;
+    qCritical() << "hapticMnemonics:" << twice << "stand twice, these read as footnotes:" << footnotes
+                << ", these are ParaView's:" << clash;
     return false;
   }
   return true;

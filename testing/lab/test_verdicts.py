@@ -13,10 +13,12 @@ from charts import CHARTS
 from lab_runs import LabTest
 from turns import in_turn
 
-# 10 s or more each at default sizes; each third takes about 105 s.
+# 10 s or more each at default sizes.
 LONG = (
-    {"tunnelling", "queries", "deforming", "image-curves"},
-    {"stability-atlas", "solver", "transparency", "speed-accuracy", "tick-cost", "recorded-touch"},
+    {"tunnelling", "queries"},
+    {"deforming", "image-curves"},
+    {"stability-atlas", "solver", "transparency"},
+    {"speed-accuracy", "tick-cost", "recorded-touch"},
     {"blind-solver"},
 )
 

@@ -7,7 +7,7 @@ import pathlib
 import subprocess
 
 HERE = pathlib.Path(__file__).resolve().parent
-TURNS = 5  # three thirds of the long experiments, then each sanitizer: a commit has time for one
+TURNS = 7  # five shares of the long experiments, then each sanitizer: a commit has time for one
 
 
 def git(*words):

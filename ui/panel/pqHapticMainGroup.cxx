@@ -52,9 +52,9 @@ void pqHapticMainGroup::addButtons(QFormLayout* form)
     pqHapticButton(this, "touch", pqHapticTitle("Touching"), tr("Touch every visible surface of the active view"));
   this->Touch->setCheckable(true);
   this->Release =
-    pqHapticButton(this, "release", tr("&Let Go"), tr("Reduce the force to zero within 50 ms and stop touching"));
+    pqHapticButton(this, "release", tr("Let &Go"), tr("Reduce the force to zero within 50 ms and stop touching"));
   this->Fit = pqHapticButton(
-    this, "fit", tr("&Fit"), tr("Set scale and offset so that the device's workspace contains all visible data"));
+    this, "fit", tr("Fit"), tr("Set scale and offset so that the device's workspace contains all visible data"));
   auto* buttons = new QHBoxLayout;
   for (QPushButton* button : { this->Touch, this->Release, this->Fit })
   {

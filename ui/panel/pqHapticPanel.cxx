@@ -295,7 +295,7 @@ void pqHapticPanel::build()
   this->Widgets->addContact(column);
   // What is set once, or never.
   this->Widgets->Advanced =
-    new pqHapticFold(column, "advanced", tr("Ad&vanced"), tr("All other settings and measurements"));
+    new pqHapticFold(column, "advanced", tr("Adva&nced"), tr("All other settings and measurements"));
   this->Widgets->fillRest(this->Widgets->Advanced->rows());
   this->connect(this->Widgets->Advanced, &QToolButton::toggled, this, &pqHapticPanel::refresh);
   column->addStretch(1);

@@ -26,7 +26,7 @@ QString AskForFile(const char* name, const QString& title, pqFileDialog::FileMod
 
 pqHapticRecordings::pqHapticRecordings(QObject* parent) : Superclass(parent), RecordAction(new QAction(this))
 {
-  this->RecordAction->setText(tr("&Record"));
+  this->RecordAction->setText(tr("Record"));
   this->RecordAction->setObjectName("hapticRecordAction");
   this->RecordAction->setCheckable(true);
   this->RecordAction->setEnabled(false);
