@@ -25,8 +25,10 @@ file(GLOB client_server "${root}/lib/libvtkHaptic*CS.a")
 file(REMOVE ${client_server})
 file(REMOVE_RECURSE "${root}/lib/paraview-${CPACK_PALPATE_PARAVIEW}/plugins/Palpate/vtk")
 
-# ParaView, pvpython, pvbatch and pvserver read this list of plugins beside their own program.
+# ParaView, pvpython, pvbatch and pvserver read this list of plugins beside their own program up to 5.12, where there is no list of
+# Debian's, and the other one after that.
 configure_file("${CPACK_PALPATE_PACKAGE_DIR}/paraview.conf" "${root}/bin/paraview.conf" @ONLY)
+configure_file("${CPACK_PALPATE_PACKAGE_DIR}/plugins.xml" "${root}/share/paraview/plugins" @ONLY)
 
 file(MAKE_DIRECTORY "${doc}" "${root}/share/man/man1" "${root}/share/lintian/overrides")
 configure_file("${CPACK_PALPATE_PACKAGE_DIR}/copyright" "${doc}/copyright" COPYONLY)

@@ -63,6 +63,9 @@ class Package(unittest.TestCase):
         (plugin,) = ElementTree.parse(listed).getroot()
         self.assertEqual((plugin.get("name"), plugin.get("auto_load")), ("Palpate", "1"))
         self.assertTrue((listed.parent / "Palpate/Palpate.so").is_file())
+        (later,) = ElementTree.parse(self.usr / "share/paraview/plugins").getroot()  # as ParaView reads it since 5.13
+        self.assertEqual((later.get("name"), later.get("auto_load")), ("Palpate", "1"))
+        self.assertTrue((self.root / later.get("filename").lstrip("/")).is_file())
 
     def test_the_program_and_the_regression_test_of_the_guide_run_from_there(self):
         self.assertEqual(run_command(self.usr / "bin/palpate", "--version").split("\n")[0], palpate.__version__)
