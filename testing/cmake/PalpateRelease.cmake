@@ -5,7 +5,7 @@
 
 set(PALPATE_PARAVIEW "none")
 set(PALPATE_PARAVIEW_QT 5)
-if (PALPATE_VTK STREQUAL "none")
+if (PALPATE_VTK MATCHES "^(none|system)$")
   return()
 endif ()
 

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The two modules that need neither ParaView nor Qt, against ParaView's VTK (the default search path has another one).
+# The two modules that need neither ParaView nor Qt: against ParaView's VTK, or against the system's for programs of VTK's own Python.
 
-set(palpate_vtk_dirs "${ParaView_DIR}/vtk")
-find_package(VTK REQUIRED PATHS ${palpate_vtk_dirs} NO_DEFAULT_PATH)
+if (PALPATE_VTK STREQUAL "system")
+  find_package(VTK REQUIRED)
+else ()
+  find_package(VTK REQUIRED PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH)
+endif ()
 set(BUILD_SHARED_LIBS ON)
 
 vtk_module_scan(
