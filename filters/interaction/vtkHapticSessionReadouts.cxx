@@ -57,6 +57,8 @@ const std::map<std::string_view, double (*)(I&)> Numbers = {
   { "FieldPushPower", [](I& s) { return 1e3 * s.State.field.pushPower_W; } },
   { "FieldTicksBeyond", [](I& s) { return static_cast<double>(s.State.field.beyondTicks); } },
   { "FieldValue", [](I& s) { return ValueOfField(s); } },
+  { "ForceLimited", [](I& s) // a torque may be what is cut
+    { return static_cast<double>(s.State.clamped && s.State.force_D.norm() > 0.999 * s.Core.parameters().safety.maxForce_N); } },
   { "ForceMagnitude", [](I& s) { return s.State.force_W.norm(); } },
   { "ForceResidual", [](I& s) { return s.Report.forceResidual_N; } },
   { "FrictionKineticUsed", [](I& s) { return s.Asked.asked().contact.friction.kinetic; } },

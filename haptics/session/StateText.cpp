@@ -3,6 +3,8 @@
 
 #include <cctype>
 
+#include "haptics/session/settings/Setting.h"
+
 namespace palpate
 {
 namespace
@@ -36,7 +38,9 @@ std::string stateText(const SessionGlance& glance)
   const std::string& note = first(glance.warning, glance.problem);
   if (glance.engage == EngageState::Engaged)
   {
-    return note.empty() ? "Touching." : "Touching. " + asSentence(note);
+    const std::string touching =
+      glance.limitedTo_N > 0.0 ? "Touching, force limited to " + quantity(glance.limitedTo_N, "N") + "." : "Touching.";
+    return note.empty() ? touching : touching + " " + asSentence(note);
   }
   return note.empty() ? "Waiting: move the hand out of the data it overlaps, then the force starts."
                       : "No force: " + asSentence(note);

@@ -17,6 +17,7 @@ struct SessionGlance
   std::string fault;   ///< why there is no force, and what to do
   std::string warning; ///< what needs attention
   std::string problem; ///< the last thing that was refused
+  double limitedTo_N = 0.0; ///< the largest force that is given, while the contact asks for more; otherwise 0
 };
 
 /// One line: how it is, why, and what to do. What nothing can be felt without comes first.

@@ -1,16 +1,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The two modules that need neither ParaView nor Qt: against ParaView's VTK, or against the system's for programs of VTK's own Python.
 
+set(modules "${CMAKE_CURRENT_SOURCE_DIR}/filters/pipeline/vtk.module" "${CMAKE_CURRENT_SOURCE_DIR}/filters/interaction/vtk.module")
 if (PALPATE_VTK STREQUAL "system")
-  find_package(VTK REQUIRED)
+  # Only what the modules name: the whole of it needs Qt, MPI and more.
+  set(components WrappingPythonCore)
+  foreach (module IN LISTS modules)
+    file(STRINGS "${module}" names REGEX "^ +VTK::")
+    list(APPEND components ${names})
+  endforeach ()
+  list(TRANSFORM components STRIP)
+  list(TRANSFORM components REPLACE "^VTK::" "")
+  list(REMOVE_DUPLICATES components)
+  find_package(VTK REQUIRED COMPONENTS ${components})
 else ()
   find_package(VTK REQUIRED PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH)
 endif ()
 set(BUILD_SHARED_LIBS ON)
 
 vtk_module_scan(
-  MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/filters/pipeline/vtk.module"
-               "${CMAKE_CURRENT_SOURCE_DIR}/filters/interaction/vtk.module"
+  MODULE_FILES ${modules}
   PROVIDES_MODULES palpate_modules
   WANT_BY_DEFAULT ON
   ENABLE_TESTS OFF)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -98,6 +99,28 @@ TEST_F(HapticSessionStability, TheStiffnessIsCutToWhatTheDeviceCanHoldUnlessTold
   this->session_->Step(1);
   EXPECT_EQ(this->session_->GetStiffnessUsed(), stiffness);
   EXPECT_FALSE(this->session_->GetStiffnessLimited());
+}
+
+TEST_F(HapticSessionStability, AForceBeyondTheLargestThatIsGivenIsCutAndSaid)
+{
+  constexpr double stiff = 2000.0, scale = 1000.0, shallow = 1.0, deep = 2.0; // N/m, u/m, u, u
+  constexpr double most = 3.0;                                                // N, without a device that has a limit
+  this->session_->SetSetting("DeviceName", "fed");
+  this->session_->SetSetting("Scale", scale);
+  this->session_->SetSetting("Stiffness", stiff);
+  this->session_->SetSetting("LimitStiffness", false);
+  this->session_->SetHandPosition(0.0, 0.0, 10.0);
+  this->startTouching();
+  this->session_->Step(ticksInFreeAir);
+  for (const double depth : { shallow, deep, shallow })
+  {
+    this->session_->SetHandPosition(0.0, 0.0, -depth);
+    this->session_->Step(300);
+    const double asked = stiff * depth / scale;
+    EXPECT_NEAR(this->session_->GetForceMagnitude(), std::min(asked, most), 1e-9) << depth;
+    EXPECT_EQ(this->session_->GetForceLimited(), asked > most) << depth;
+  }
+  this->session_->TouchingOff();
 }
 
 TEST_F(HapticSessionStability, HowStiffTheDeviceCanBeIsKnownBeforeItRunsAndFollowsTheSettings)

@@ -125,6 +125,7 @@ QString pqHapticMainGroup::statusOf(vtkHapticSession* session) const
     glance.fault = session->GetFaultText();
     glance.warning = session->GetWarning();
     glance.problem = session->GetProblem();
+    glance.limitedTo_N = session->GetForceLimited() ? session->GetForceMagnitude() : 0.0;
   }
   return QString::fromStdString(palpate::stateText(glance));
 }

@@ -21,6 +21,7 @@
   vtkHapticNumbersMacro(ProxyPosition, 3) \
   vtkHapticNumbersMacro(Force, 3) \
   vtkHapticReadoutMacro(ForceMagnitude, double) \
+  vtkHapticReadoutMacro(ForceLimited, bool) \
   vtkHapticReadoutMacro(PeakForce, double) \
   vtkHapticReadoutMacro(Depth, double) \
   vtkHapticReadoutMacro(StiffnessUsed, double) \

@@ -28,6 +28,7 @@ const Readout readouts[] = {
   { "ProxyPosition", Number, "u", "", "Proxy position (world frame)", 3 },
   { "Force", Number, "N", "", "Force on the hand (world frame)", 3 },
   { "ForceMagnitude", Number, "N", "Force", "Magnitude of the current force on the hand" },
+  { "ForceLimited", Flag, "", "Force", "1 if the contact asks for more force than the largest that is given" },
   { "PeakForce", Number, "N", "Force", "Largest force so far" },
   { "Depth", Number, "u", "", "Distance from the hand to the proxy" },
   { "StiffnessUsed", Number, "N/m", "Stiffness", "Current stiffness of the spring, after all limits" },

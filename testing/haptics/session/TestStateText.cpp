@@ -38,6 +38,17 @@ TEST(StateText, WithoutATroubleItSaysWhatToDoNext)
   EXPECT_EQ(stateText(glance), "Touching.");
 }
 
+TEST(StateText, AForceThatIsCutIsSaidWithItsSizeBeforeWhatElseThereIs)
+{
+  SessionGlance glance;
+  glance.touching = true;
+  glance.engage = EngageState::Engaged;
+  glance.limitedTo_N = 3.0;
+  EXPECT_EQ(stateText(glance), "Touching, force limited to 3 N.");
+  glance.problem = "the file is gone: choose another";
+  EXPECT_EQ(stateText(glance), "Touching, force limited to 3 N. The file is gone: choose another.");
+}
+
 TEST(StateText, AnotherDeviceThanTheOneThatRunsIsSaid)
 {
   EXPECT_EQ(otherDeviceText("mouse", "mouse"), "");
