@@ -195,7 +195,7 @@ std::size_t vtkHapticHeldMechanism::HeldBody() const
   return found != bodies.rend() ? static_cast<std::size_t>(bodies.rend() - found) - 1 : bodies.size();
 }
 
-std::string vtkHapticHeldMechanism::Refusal(const std::string& laws, const palpate::HapticSession& core)
+std::string vtkHapticHeldMechanism::RefusalOf(const std::string& laws, const palpate::HapticSession& core)
 {
   if (!this->Inputs || laws.empty()) // those of its scene file are taken as they are
   {

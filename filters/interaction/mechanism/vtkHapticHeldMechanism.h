@@ -29,7 +29,7 @@ public:
   /// The same data by other laws.
   std::string TakeAgain();
   /// Why a list of laws would end what is held without a fault now; "": it would not.
-  std::string Refusal(const std::string& laws, const palpate::HapticSession& core);
+  std::string RefusalOf(const std::string& laws, const palpate::HapticSession& core);
   /// The list of constraints with another one, as an object of a scene file, or with one less; "" with a problem.
   std::string With(const std::string& law, std::string& problem) const;
   std::string Without(const std::string& name, std::string& problem) const;

@@ -35,7 +35,7 @@ std::string vtkHapticTouchedMechanism::GetConstraintsWith(const char* law)
 {
   std::string problem;
   const std::string laws = this->Behind().Mechanism.With(law ? law : "", problem);
-  problem = laws.empty() ? problem : this->Behind().Mechanism.Refusal(laws, this->Behind().Core);
+  problem = laws.empty() ? problem : this->Behind().Mechanism.RefusalOf(laws, this->Behind().Core);
   this->Behind().Refuse(problem);
   return problem.empty() ? laws : "";
 }

@@ -9,21 +9,61 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkUniformGrid.h"
+#include "vtkUniformGridAMR.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+#include "vtkCellTypeUtilities.h"
+
 /// The type of each cell; null without cells.
 inline vtkDataArray* vtkHapticCellTypes(vtkUnstructuredGrid* grid)
 {
   return grid->GetCellTypes();
 }
+
+/// 0 to 3; -1: VTK has no such type.
+inline int vtkHapticCellDimension(unsigned char type)
+{
+  return vtkCellTypeUtilities::GetDimension(type);
+}
+
+inline unsigned vtkHapticNumberOfGrids(vtkUniformGridAMR& levels, unsigned level)
+{
+  return levels.GetNumberOfBlocks(level);
+}
+
+/// Null where a level has a hole.
+inline vtkDataObject* vtkHapticGridOf(vtkUniformGridAMR& levels, unsigned level, unsigned grid)
+{
+  return levels.GetDataSetAsImageData(level, grid);
+}
 #else
+#include "vtkCellTypes.h"
+
 /// The type of each cell; null without cells.
 inline vtkDataArray* vtkHapticCellTypes(vtkUnstructuredGrid* grid)
 {
   return grid->GetCellTypesArray();
+}
+
+/// 0 to 3; -1: VTK has no such type.
+inline int vtkHapticCellDimension(unsigned char type)
+{
+  return vtkCellTypes::GetDimension(type);
+}
+
+inline unsigned vtkHapticNumberOfGrids(vtkUniformGridAMR& levels, unsigned level)
+{
+  return levels.GetNumberOfDataSets(level);
+}
+
+/// Null where a level has a hole.
+inline vtkDataObject* vtkHapticGridOf(vtkUniformGridAMR& levels, unsigned level, unsigned grid)
+{
+  return levels.GetDataSet(level, grid);
 }
 #endif
 

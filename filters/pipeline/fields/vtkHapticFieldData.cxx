@@ -16,6 +16,7 @@
 #include "vtkHapticImageField.h"
 #include "vtkHapticResampledField.h"
 #include "vtkHapticSnapPlaces.h"
+#include "vtkHapticVtkVersions.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -155,9 +156,9 @@ vtkSmartPointer<vtkMultiBlockDataSet> FinestLast(vtkUniformGridAMR& levels)
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   for (unsigned level = 0; level < levels.GetNumberOfLevels(); ++level)
   {
-    for (unsigned i = 0; i < levels.GetNumberOfDataSets(level); ++i)
+    for (unsigned i = 0; i < vtkHapticNumberOfGrids(levels, level); ++i)
     {
-      if (vtkUniformGrid* const grid = levels.GetDataSet(level, i))
+      if (vtkDataObject* const grid = vtkHapticGridOf(levels, level, i))
       {
         blocks->SetBlock(blocks->GetNumberOfBlocks(), grid);
       }

@@ -9,11 +9,11 @@
 
 #include "vtkCellDataToPointData.h"
 #include "vtkCellType.h"
-#include "vtkCellTypes.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkHapticImageField.h"
+#include "vtkHapticVtkVersions.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -52,7 +52,7 @@ const std::array<int, 8>* CornersOfType(int type)
 
 bool FillsSpace(int type)
 {
-  return vtkCellTypes::GetDimension(static_cast<unsigned char>(type)) == 3;
+  return vtkHapticCellDimension(static_cast<unsigned char>(type)) == 3;
 }
 
 /// With its values at points.

@@ -12,7 +12,6 @@
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
-#include "vtkCellTypes.h"
 #include "vtkCompositeDataProbeFilter.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -22,6 +21,7 @@
 #include "vtkHapticImageField.h"
 #include "vtkHapticLevelScan.h"
 #include "vtkHapticTetraField.h"
+#include "vtkHapticVtkVersions.h"
 #include "vtkImageData.h"
 #include "vtkLinearKernel.h"
 #include "vtkNew.h"
@@ -51,7 +51,7 @@ struct Extent
     for (vtkIdType i = 0; i < part.GetNumberOfCells(); ++i)
     {
       const int type = part.GetCellType(i);
-      const int dimension = vtkCellTypes::GetDimension(static_cast<unsigned char>(type));
+      const int dimension = vtkHapticCellDimension(static_cast<unsigned char>(type));
       this->Solid += dimension == 3 || type == VTK_EMPTY_CELL; // as a blanked one of a curvilinear grid says it is
       this->Flat += dimension == 1 || dimension == 2;
     }

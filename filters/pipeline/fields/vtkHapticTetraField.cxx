@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "vtkCellArray.h"
-#include "vtkCellTypes.h"
 #include "vtkDataArray.h"
 #include "vtkHapticFieldError.h"
 #include "vtkHapticFinerField.h"
 #include "vtkHapticImageField.h"
+#include "vtkHapticVtkVersions.h"
 #include "vtkPointData.h"
 
 using palpate::Vec3;
@@ -18,7 +18,7 @@ namespace
 {
 bool FillsSpace(unsigned char type)
 {
-  return vtkCellTypes::GetDimension(type) == 3;
+  return vtkHapticCellDimension(type) == 3;
 }
 } // namespace
 
