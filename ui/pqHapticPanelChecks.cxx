@@ -90,12 +90,12 @@ bool Fits(const QWidget& widget)
 
 bool pqHapticHasTabOrder(QObject* object, const QStringList& names)
 {
-  const auto* first = object->findChild<QWidget*>(names.value(0));
+  const auto* body = qobject_cast<const QWidget*>(object); // outside, ParaView has widgets of the same names
+  const auto* first = body ? body->findChild<QWidget*>(names.value(0)) : nullptr;
   QStringList reached;
   for (const QWidget* at = first; at && (reached.isEmpty() || at != first); at = at->nextInFocusChain())
   {
-    const bool within = object->findChildren<const QWidget*>(at->objectName()).contains(at); // names repeat in ParaView
-    if (within && names.contains(at->objectName()) && (at->focusPolicy() & Qt::TabFocus))
+    if (body->isAncestorOf(at) && names.contains(at->objectName()) && (at->focusPolicy() & Qt::TabFocus))
     {
       reached << at->objectName();
     }

@@ -12,21 +12,12 @@ import unittest
 from paraview import servermanager, simple
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
+from blocks import of_first_rank
 from palpate.vtkHapticPipeline import vtkImageCurves
 
 RADIUS = 50.0  # u
 DEPTH = 2.0  # u
 FACETS = RADIUS * (1 - math.cos(math.pi / 40))  # how far the middle of a facet may lie inside, in each of two directions
-
-
-def of_first_rank(source):
-    """Its blocks of the first rank, by name. Fetched, the blocks of several ranks are a block a rank, or since ParaView 6 one list with
-    the name of the rank before that of the block."""
-    fetched, first = servermanager.Fetch(source), "Block 0_"
-    inner = fetched.GetBlock(0)
-    inner, first = (inner, "") if inner.IsA("vtkMultiBlockDataSet") else (fetched, first)
-    named = {inner.GetMetaData(i).Get(inner.NAME()): inner.GetBlock(i) for i in range(inner.GetNumberOfBlocks())}
-    return {name.removeprefix(first): block for name, block in named.items() if name.startswith(first)}
 
 
 class OnRanks(unittest.TestCase):

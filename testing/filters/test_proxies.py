@@ -13,6 +13,7 @@ import unittest
 import paraview.simple as pv
 from paraview import servermanager
 
+from blocks import of_first_rank
 import palpate.vtkHapticInteraction  # noqa: F401 (before the first session: gives its client-side object methods)
 
 pv.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns={})
@@ -167,12 +168,10 @@ class Filters(unittest.TestCase):
 class Measuring(unittest.TestCase):
     def test_a_surface_is_checked_and_what_is_wrong_are_blocks_by_name(self):
         checked = pv.CheckSurface(Input=pv.Plane(XResolution=1, YResolution=1))
-        blocks = servermanager.Fetch(checked)
-        # Since ParaView 6 it comes with the name of its rank before that of the block.
-        names = [blocks.GetMetaData(i).Get(blocks.NAME()).removeprefix("Block 0_") for i in range(blocks.GetNumberOfBlocks())]
-        self.assertEqual(names, ["Surface", "Holes", "Flipped", "Thin"])
-        self.assertEqual(blocks.GetBlock(1).GetNumberOfLines(), 4)
-        self.assertAlmostEqual(blocks.GetBlock(1).GetCellData().GetArray("Length").GetValue(0), 4.0)
+        blocks = of_first_rank(checked)
+        self.assertEqual(list(blocks), ["Surface", "Holes", "Flipped", "Thin"])
+        self.assertEqual(blocks["Holes"].GetNumberOfLines(), 4)
+        self.assertAlmostEqual(blocks["Holes"].GetCellData().GetArray("Length").GetValue(0), 4.0)
 
     def test_a_surface_is_compared_with_a_closed_one(self):
         box = pv.Box(XLength=2.0, YLength=2.0, ZLength=2.0)

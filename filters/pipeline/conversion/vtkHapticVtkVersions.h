@@ -17,55 +17,48 @@
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 #include "vtkCellTypeUtilities.h"
-
-/// The type of each cell; null without cells.
-inline vtkDataArray* vtkHapticCellTypes(vtkUnstructuredGrid* grid)
-{
-  return grid->GetCellTypes();
-}
-
-/// 0 to 3; -1: VTK has no such type.
-inline int vtkHapticCellDimension(unsigned char type)
-{
-  return vtkCellTypeUtilities::GetDimension(type);
-}
-
-inline unsigned vtkHapticNumberOfGrids(vtkUniformGridAMR& levels, unsigned level)
-{
-  return levels.GetNumberOfBlocks(level);
-}
-
-/// Null where a level has a hole.
-inline vtkDataObject* vtkHapticGridOf(vtkUniformGridAMR& levels, unsigned level, unsigned grid)
-{
-  return levels.GetDataSetAsImageData(level, grid);
-}
 #else
 #include "vtkCellTypes.h"
+#endif
 
 /// The type of each cell; null without cells.
 inline vtkDataArray* vtkHapticCellTypes(vtkUnstructuredGrid* grid)
 {
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return grid->GetCellTypes();
+#else
   return grid->GetCellTypesArray();
+#endif
 }
 
 /// 0 to 3; -1: VTK has no such type.
 inline int vtkHapticCellDimension(unsigned char type)
 {
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return vtkCellTypeUtilities::GetDimension(type);
+#else
   return vtkCellTypes::GetDimension(type);
+#endif
 }
 
 inline unsigned vtkHapticNumberOfGrids(vtkUniformGridAMR& levels, unsigned level)
 {
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return levels.GetNumberOfBlocks(level);
+#else
   return levels.GetNumberOfDataSets(level);
+#endif
 }
 
 /// Null where a level has a hole.
 inline vtkDataObject* vtkHapticGridOf(vtkUniformGridAMR& levels, unsigned level, unsigned grid)
 {
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return levels.GetDataSetAsImageData(level, grid);
+#else
   return levels.GetDataSet(level, grid);
-}
 #endif
+}
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240617)
 /// The faces of the polyhedra of a grid, which may be broken: cells of one array, named by those of another one.
