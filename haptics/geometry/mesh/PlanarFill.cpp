@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -71,18 +72,49 @@ std::vector<Edge> bordersOf(const PlanarPolygon& polygon)
   return oddOnes(std::move(edges));
 }
 
+/// Corners in units of the power of two next to the largest coordinate, which changes no predicate; a coordinate that is
+/// subnormal even then becomes zero. Reason: cpp_float of CGAL 5.6 to 6.2 takes subnormal numbers for larger ones.
+class InUnitsOfSize
+{
+public:
+  explicit InUnitsOfSize(const std::vector<PlanarPolygon::Point>& points)
+  {
+    double largest = 0.0;
+    for (const auto& p : points)
+    {
+      largest = std::max({ largest, std::abs(p.u), std::abs(p.v) });
+    }
+    this->exponent_ = largest > 0.0 ? std::ilogb(largest) : 0;
+  }
+
+  [[nodiscard]] Kernel::Point_2 operator()(const PlanarPolygon::Point& p) const
+  {
+    return { this->scaled(p.u), this->scaled(p.v) };
+  }
+
+private:
+  [[nodiscard]] double scaled(double coordinate) const
+  {
+    const double x = std::scalbn(coordinate, -this->exponent_);
+    return std::isnormal(x) ? x : 0.0;
+  }
+
+  int exponent_ = 0;
+};
+
 class Fill
 {
 public:
   /// False where corners hide each other or are all on a line.
   bool place(const PlanarPolygon& polygon)
   {
+    const InUnitsOfSize seen(polygon.points);
     std::vector<std::pair<Kernel::Point_2, std::uint32_t>> points;
     for (std::uint32_t i = 0; i < polygon.points.size(); ++i)
     {
       if (polygon.place[i] == i)
       {
-        points.emplace_back(Kernel::Point_2(polygon.points[i].u, polygon.points[i].v), i);
+        points.emplace_back(seen(polygon.points[i]), i);
       }
     }
     this->cdt_.insert(points.begin(), points.end());

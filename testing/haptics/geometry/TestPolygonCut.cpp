@@ -383,6 +383,37 @@ TEST(PolygonCut, SizesNearTheLimitsOfDoublesAreCutAsAnyOther)
   }
 }
 
+TEST(PolygonCut, APolygonOfSubnormalCornersIsCutAsTheSameInWholeNumbers)
+{
+  Random random(testSeed(76));
+  for (std::size_t i = 0; i < testCount(100); ++i)
+  {
+    const Loop loop = makeSimple(5 + random.below(20), random);
+    Loop tiny = loop;
+    for (Vec3& p : tiny)
+    {
+      p *= std::numeric_limits<double>::denorm_min();
+    }
+    EXPECT_EQ(cut(tiny).mesh.triangles, cut(loop).mesh.triangles) << "case " << i;
+  }
+}
+
+TEST(PolygonCut, CornersOfAllSizesAtOnceAreClosed)
+{
+  Random random(testSeed(77));
+  for (std::size_t i = 0; i < testCount(500); ++i)
+  {
+    Loop loop;
+    for (std::size_t n = 4 + random.below(8); n > 0; --n)
+    {
+      const Vec3 p = random.inCube(1.0);
+      const auto sized = [&](double x) { return std::scalbn(x, static_cast<int>(random.below(2000)) - 1073); };
+      loop.emplace_back(sized(p.x()), sized(p.y()), sized(p.z()));
+    }
+    EXPECT_EQ(openEdges(loop, cut(loop).mesh), 0u) << "case " << i;
+  }
+}
+
 TEST(PolygonCut, TheShorterDiagonalOfAConvexQuadrilateral)
 {
   const Triangles across = { { 0, 1, 2 }, { 0, 2, 3 } }, along = { { 1, 2, 3 }, { 1, 3, 0 } };
