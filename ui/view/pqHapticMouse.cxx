@@ -87,9 +87,11 @@ void pqHapticMouse::showStatus()
   if (this->Active)
   {
     const vtkHapticSession* session = this->Mouse->GetSession();
-    const QString how = session->GetPlaneWorld()
-                          ? tr("The hand follows the pointer in the plane; keys: see the panel.")
-                          : tr("Shift + left button presses, the wheel presses deeper; keys: see the panel.");
+    const QString how =
+      session->GetPlaneWorld() ? tr("The hand follows the pointer in the plane; keys: see the panel.")
+      : this->Mouse->GetAdvances()
+        ? tr("The pointer aims, Shift + left button advances, Shift + wheel by steps; keys: see the panel.")
+        : tr("Shift + left button presses, the wheel presses deeper; keys: see the panel.");
     text = tr("%1 N: %2").arg(session->GetForceMagnitude(), 0, 'f', 2).arg(how);
   }
   if (text != this->Status)
@@ -111,6 +113,12 @@ QString pqHapticMouse::help() const
     return tr("Move the pointer over the view: the hand follows the pointer in the plane of the lines, and walls stop "
               "the hand. Arrow keys also move the hand, Ctrl+Shift+P reduces its motion, Ctrl+Shift+C keeps it in "
               "place. All other input moves the camera.");
+  }
+  if (this->Mouse->GetAdvances())
+  {
+    return tr("Move the pointer over the view to aim. Shift + left button advances until it is released, Shift + wheel "
+              "by 2 mm of the hand. Keys: arrows aim, Page Down advances, Page Up draws back, Home draws back to the "
+              "beginning. All other input moves the camera.");
   }
   QString text =
     tr("Move the pointer over the view. Shift + left button presses, the wheel presses deeper. Keys: arrows move, Page "

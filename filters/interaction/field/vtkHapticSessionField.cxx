@@ -75,7 +75,8 @@ bool vtkHapticSession::FinishField()
 palpate::BuiltScene vtkHapticSession::Internals::Fittable() const
 {
   palpate::BuiltScene fittable = this->Scene.built();
-  fittable.bounds = fittable.scene ? fittable.bounds : this->FieldBounds;
+  const bool surfaces = fittable.scene && !fittable.scene->empty();
+  fittable.bounds = surfaces || !this->FeltField.hasSource() ? fittable.bounds : this->FieldBounds;
   return fittable;
 }
 

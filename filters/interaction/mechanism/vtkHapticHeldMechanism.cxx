@@ -81,6 +81,20 @@ std::vector<Way> WaysOf(const palpate::MechanismInputs& inputs, std::span<const 
   return ways;
 }
 
+/// One a body, of the points that name that body.
+std::vector<vtkBoundingBox> BoundsOfBodies(vtkDataSet* shapes)
+{
+  std::vector<vtkBoundingBox> bounds;
+  vtkDataArray* const bodies = shapes ? shapes->GetPointData()->GetArray(vtkHapticMechanismArray::Body) : nullptr;
+  for (vtkIdType point = 0; bodies && point < shapes->GetNumberOfPoints(); ++point)
+  {
+    const auto body = static_cast<std::size_t>(std::max(bodies->GetComponent(point, 0), 0.0));
+    bounds.resize(std::max(bounds.size(), body + 1));
+    bounds[body].AddPoint(shapes->GetPoint(point));
+  }
+  return bounds;
+}
+
 /// What a law is set to, as a person reads it: "1.5 N, drags 0.4 N".
 std::string NumbersOf(const palpate::MechanismConstraint& law, double unit_m)
 {
@@ -148,6 +162,7 @@ std::string vtkHapticHeldMechanism::Convert(vtkDataObject* data, const std::stri
   this->Seen = {};
   auto* const shapes = vtkDataSet::SafeDownCast(data);
   this->Bounds = shapes ? vtkBoundingBox(shapes->GetBounds()) : vtkBoundingBox();
+  this->BodyBounds = BoundsOfBodies(shapes);
   this->OfServer = data && vtkHapticIsOfServer(*data);
   this->Problem = data && this->File.empty() ? this->Name + " is not a mechanism: choose the output of Haptic Mechanism"
                   : !reason.empty()          ? this->Name + " cannot be held: " + reason
@@ -193,6 +208,29 @@ std::size_t vtkHapticHeldMechanism::HeldBody() const
   const auto isHeld = [](const auto& body) { return body.kind == palpate::MechanismBodyKind::Held; };
   const auto found = std::find_if(bodies.rbegin(), bodies.rend(), isHeld);
   return found != bodies.rend() ? static_cast<std::size_t>(bodies.rend() - found) - 1 : bodies.size();
+}
+
+std::optional<vtkHapticHeldAxis> vtkHapticHeldMechanism::Axis() const
+{
+  if (!this->Inputs || this->HeldBody() == this->Inputs->mechanism.bodies.size())
+  {
+    return std::nullopt;
+  }
+  const palpate::MechanismBody& rod = this->Inputs->mechanism.bodies[this->HeldBody()];
+  return vtkHapticHeldAxis{ rod.length_u * palpate::Vec3::UnitZ(), palpate::Vec3::UnitZ(), rod.pose_W.q };
+}
+
+vtkBoundingBox vtkHapticHeldMechanism::MetBounds() const
+{
+  vtkBoundingBox met;
+  for (std::size_t body = 0; this->Inputs && body < this->BodyBounds.size(); ++body)
+  {
+    if (body != this->HeldBody())
+    {
+      met.AddBox(this->BodyBounds[body]);
+    }
+  }
+  return met;
 }
 
 std::string vtkHapticHeldMechanism::RefusalOf(const std::string& laws, const palpate::HapticSession& core)

@@ -6,10 +6,13 @@
 #include "haptics/tick/HapticState.h"
 #include "vtkBoundingBox.h"
 #include "vtkHapticFeltSource.h"
+#include "vtkHapticHeldAxis.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <optional>
 #include <string>
+#include <vector>
 
 class vtkTable;
 
@@ -42,6 +45,10 @@ public:
   bool Move(vtkPolyData& shapes) const;
   /// The held body, in its own frame; null: none.
   vtkPolyData* HeldShape() const { return this->Seen.Held ? this->Held.Get() : nullptr; }
+  /// The held rod: from the hand to its tip; nothing: no mechanism is held.
+  std::optional<vtkHapticHeldAxis> Axis() const;
+  /// The box of the bodies that the held one can meet, as they are at first [u].
+  vtkBoundingBox MetBounds() const;
   /// Where the hand was when its soft bodies were computed last; null: they are not held, or there are none.
   const palpate::Vec3* SoftHand_W() const;
   /// A row a law: Constraint, Kind, A, B, Numbers, Phase, Force [N], Inside [u].
@@ -68,6 +75,7 @@ private:
   std::string FeltText(bool runs) const;
   std::size_t HeldBody() const;
 
+  std::vector<vtkBoundingBox> BodyBounds; ///< one a body
   std::string File, Folder; ///< text of the scene file, and where that lies
   bool OfServer = false;
   std::shared_ptr<const palpate::MechanismInputs> Inputs;

@@ -2,6 +2,8 @@
 #include "vtkHapticSight.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "haptics/contact/planes/FeatureGeometry.h"
 #include "haptics/contact/sweep/Sweep.h"
@@ -49,6 +51,28 @@ bool Meets(const SceneView& scene, const palpate::SweepQuery& query, Vec3& x_W, 
     n_W = NormalAt(scene, hit, query, x_W);
   }
   return hit.hit;
+}
+/// Whether the servo has what is held, turned as the hand: else it will begin as its data has it.
+template<class Behind>
+bool IsInHand(const Behind& impl)
+{
+  return impl.Core.running() && (impl.State.tool.held || impl.State.mechanism.held);
+}
+
+template<class Behind>
+std::optional<vtkHapticHeldAxis> HeldBy(const Behind& impl)
+{
+  const auto ofMechanism = impl.Mechanism.Axis();
+  return ofMechanism ? ofMechanism : impl.Tool.Axis();
+}
+
+/// How what is held is turned where a program holds the hand: it follows the turns of the hand from a beginning of its
+/// own.
+template<class Behind>
+palpate::Quat HeldTurn(const Behind& impl, const vtkHapticHeldAxis& held)
+{
+  const auto& now_W = impl.State.mechanism.held ? impl.State.mechanism.hand_W.q : impl.State.tool.hand_W.q;
+  return IsInHand(impl) ? palpate::Quat(impl.HandTurn_W * impl.State.device_W.q.conjugate() * now_W) : held.Begin_WB;
 }
 } // namespace
 
@@ -159,18 +183,71 @@ void vtkHapticSight::GetToolShape(vtkPolyData* shape) const
 
 double vtkHapticSight::GetToolReach(const double direction_W[3]) const
 {
-  const auto& tool = this->Behind().Tool.Choice().tool;
-  const palpate::Quat turn_W = this->Behind().State.tool.hand_W.q;
-  const palpate::Vec3 direction = turn_W.conjugate() * palpate::Vec3(direction_W);
-  double reach_u = 0.0;
-  if (tool)
+  const vtkHapticTool& tool = this->Behind().Tool;
+  const std::optional<vtkHapticHeldAxis> held = tool.Axis();
+  if (!held)
   {
-    for (const palpate::Vec3& v : tool->shape_B->mesh().vertices_W)
-    {
-      reach_u = std::max(reach_u, -direction.dot(v));
-    }
+    return 0.0;
+  }
+  const Vec3 direction_B = HeldTurn(this->Behind(), *held).conjugate() * Vec3(direction_W);
+  double reach_u = -std::numeric_limits<double>::infinity();
+  for (const Vec3& v : tool.Choice().tool->shape_B->mesh().vertices_W)
+  {
+    reach_u = std::max(reach_u, direction_B.dot(held->Tip_B - v));
   }
   return reach_u;
+}
+
+bool vtkHapticSight::GetHoldsMechanism() const
+{
+  return this->Behind().Mechanism.Axis().has_value();
+}
+
+double vtkHapticSight::GetLargestDepth() const
+{
+  return this->Behind().Core.parameters().safety.maxForce_N / this->Behind().FeltStiffness();
+}
+
+bool vtkHapticSight::GetFeelsField() const
+{
+  return this->Behind().FeltField.hasSource();
+}
+
+bool vtkHapticSight::GetHeldAxis(double tip_W[3], double axis_W[3]) const
+{
+  const auto& impl = this->Behind();
+  const std::optional<vtkHapticHeldAxis> held = HeldBy(impl);
+  if (held)
+  {
+    const palpate::Quat turn_W = HeldTurn(impl, *held);
+    Eigen::Map<Vec3>{ tip_W } = turn_W * held->Tip_B;
+    Eigen::Map<Vec3>{ axis_W } = turn_W * held->Along_B;
+  }
+  return held.has_value();
+}
+
+void vtkHapticSight::TurnHeldAxis(const double direction_W[3])
+{
+  Vec3 tip_W;
+  Vec3 axis_W;
+  auto& impl = this->Behind();
+  if (IsInHand(impl) && this->GetHeldAxis(tip_W.data(), axis_W.data()))
+  {
+    impl.HandTurn_W = (palpate::Quat::FromTwoVectors(axis_W, Vec3(direction_W)) * impl.HandTurn_W).normalized();
+    impl.Feed();
+  }
+}
+
+bool vtkHapticSight::GetMetBounds(double bounds[6]) const
+{
+  const auto& impl = this->Behind();
+  vtkBoundingBox met = impl.Mechanism.MetBounds();
+  if (impl.IsFittable())
+  {
+    met.AddBounds(impl.Fittable().bounds.data());
+  }
+  met.GetBounds(bounds);
+  return met.IsValid();
 }
 
 void vtkHapticSight::FollowCamera(vtkCamera* camera)

@@ -51,8 +51,20 @@ public:
   /// The field at the proxy: patch, streamline, level, the place that is snapped to [u].
   void GetFieldShape(vtkPolyData* shape) const;
   void GetToolShape(vtkPolyData* shape) const;
-  /// How far the tool reaches from the hand against a direction, turned as it is [u]; 0: none is held.
+  /// How far the tool reaches from its tip against a direction, turned as it is [u]; 0: none is held.
   double GetToolReach(const double direction_W[3]) const;
+  /// The held tool or mechanism as it is turned now: from the hand to its tip [u], and its axis, a unit vector. The tip
+  /// of a tool without handle is its middle. False, and both unchanged: none is held.
+  bool GetHeldAxis(double tip_W[3], double axis_W[3]) const;
+  /// Turns the hand by the least rotation that has the held axis point there.
+  void TurnHeldAxis(const double direction_W[3]);
+  /// The displacement of the hand at which the spring pushes with the largest force [m].
+  double GetLargestDepth() const;
+  /// Whether a mechanism is held, and whether a field is felt.
+  bool GetHoldsMechanism() const;
+  bool GetFeelsField() const;
+  /// The box of what the hand meets: surfaces, field, bodies of the mechanism other than the held one [u]; false: none.
+  bool GetMetBounds(double bounds[6]) const;
 
 private:
   explicit vtkHapticSight(vtkHapticSession& session) : vtkHapticSessionPart(session) {}

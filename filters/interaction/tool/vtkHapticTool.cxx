@@ -84,6 +84,29 @@ void vtkHapticTool::GetShape(vtkPolyData* shape) const
   this->Shape ? shape->ShallowCopy(this->Shape) : shape->Initialize();
 }
 
+std::optional<vtkHapticHeldAxis> vtkHapticTool::Axis() const
+{
+  constexpr double inTheHand = 0.05; // of the diagonal: the middle is as good as the hand
+  if (!this->Choice_.tool)
+  {
+    return std::nullopt;
+  }
+  const bool hasTip = this->Handle == vtkHapticToolHandle::Handle && this->TipPoint_T != this->HandlePoint_T;
+  Eigen::AlignedBox3d box;
+  for (const palpate::Vec3& v : this->Choice_.tool->shape_B->mesh().vertices_W)
+  {
+    box.extend(v);
+  }
+  const palpate::Vec3 tip_B = hasTip ? palpate::Vec3(this->TipPoint_T - this->HandlePoint_T) : box.center();
+  if (tip_B.norm() > inTheHand * this->Choice_.tool->diagonal_u)
+  {
+    return vtkHapticHeldAxis{ tip_B, tip_B.normalized() };
+  }
+  Eigen::Index longest = 0;
+  box.sizes().maxCoeff(&longest);
+  return vtkHapticHeldAxis{ tip_B, -palpate::Vec3::Unit(longest) };
+}
+
 void vtkHapticPutPose(const palpate::Pose& from, double pose[7])
 {
   Eigen::Map<palpate::Vec3>{ pose } = from.p;

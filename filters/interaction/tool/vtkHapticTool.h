@@ -5,10 +5,12 @@
 #include "haptics/session/tool/ToolWorker.h"
 #include "haptics/tick/HapticState.h"
 #include "vtkHapticFeltSource.h"
+#include "vtkHapticHeldAxis.h"
 #include "vtkHapticToolHandle.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <optional>
 #include <string>
 
 /// A pose as a place and a turn (w, x, y, z).
@@ -33,6 +35,9 @@ public:
   std::string TakeLever();
   const palpate::ToolChoice& Choice() const { return this->Choice_; }
   void GetShape(vtkPolyData* shape) const;
+  /// From the handle to the tip; without a handle from the hand to the middle of the tool, or where that is in the
+  /// hand, down the longest side of its box. Nothing: no tool is held.
+  std::optional<vtkHapticHeldAxis> Axis() const;
 
   std::string Contacts;
   double Pose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };

@@ -5,145 +5,29 @@
 #include <cmath>
 #include <limits>
 
-#include "haptics/core/Types.h"
 #include "haptics/session/settings/SessionSettings.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
-#include "vtkHapticSession.h"
+#include "vtkHapticMouseInternals.h"
 #include "vtkHapticSight.h"
 #include "vtkObjectFactory.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
-#include "vtkWeakPointer.h"
 
 vtkStandardNewMacro(vtkHapticMouse);
 
+using palpate::Vec3;
+using Ray = vtkHapticRay;
+
 namespace
 {
-using palpate::Vec3;
-
-/// The hand hovers so far in front of what is under the pointer [m of the hand].
-constexpr double hover_m = 0.005;
 /// Of the scene's diagonal: presses and hovers no further, whatever the scale.
 constexpr double largestShare = 0.05;
-
-/// From the near to the far plane of a camera.
-struct Ray
-{
-  Vec3 Near;
-  Vec3 Far;
-
-  Vec3 along() const { return (this->Far - this->Near).normalized(); }
-};
-
-/// What the pointer means.
-struct Aim
-{
-  Vec3 Hover;
-  Vec3 Press;
-};
-
-/// On the screen, from the lower left corner of the window.
-using Pixels = Eigen::Vector2d;
+/// A notch of the wheel advances so far [m of the hand].
+constexpr double notch_m = 0.002;
 } // namespace
 
-class vtkHapticMouse::Internals
-{
-public:
-  /// The hand strokes, or on its way to where it cannot go straight it rises and goes across in front of everything.
-  enum class Travel
-  {
-    Strokes,
-    Rises,
-    Crosses,
-  };
-
-  vtkWeakPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkHapticSession> Session;
-  unsigned long StartObserver = 0;
-  Pixels Pointer = Pixels::Zero();
-  Pixels Led = Pixels::Zero(); ///< the hand is under it: the pointer, but for what clutch and precision held back
-  bool Inside = false;
-  bool Pressing = false;
-  Travel Way = Travel::Rises;
-  Vec3 Hover_W = Vec3::Zero(); ///< the last free place it was led to
-
-  bool Sees() const { return this->Renderer && this->Renderer->GetRenderWindow(); }
-  Ray RayAt(double x, double y) const;
-  Ray RayOfPointer() const;
-  Ray RayThrough(const Vec3& p_W) const;
-  Vec3 EyeOn(const Vec3& p_W) const;
-  double DepthOf(const Vec3& p_W) const;
-  Vec3 AtDepth(const Ray& ray, double depth) const;
-  double Reach(double length_m) const;
-  double ShareOfWay() const;
-  void PointAt(const Pixels& pointer);
-  bool MeetsPlane(const Ray& ray, Vec3& hand_W) const;
-  Vec3 Lifted(const Ray& ray) const;
-  Aim AimAt(const Ray& ray) const;
-  bool IsFree(const Vec3& to_W) const;
-  bool IsAt(const Vec3& p_W) const;
-  Vec3 Next(const Ray& ray);
-  void PlaceBeforeStart();
-};
-
-// Geometry of the view
+// Lengths and places
 // -------------------------------------------------------------------------------------------------
-
-Ray vtkHapticMouse::Internals::RayAt(double x, double y) const
-{
-  const auto unproject = [this, x, y](double z)
-  {
-    double p[4];
-    this->Renderer->SetDisplayPoint(x, y, z);
-    this->Renderer->DisplayToWorld();
-    this->Renderer->GetWorldPoint(p);
-    return Vec3(Vec3(p) / p[3]);
-  };
-  return { unproject(0.0), unproject(1.0) };
-}
-
-/// Without a pointer in the view, through its middle.
-Ray vtkHapticMouse::Internals::RayOfPointer() const
-{
-  const double* middle = this->Renderer->GetCenter();
-  return this->Inside ? this->RayAt(this->Led.x(), this->Led.y()) : this->RayAt(middle[0], middle[1]);
-}
-
-Ray vtkHapticMouse::Internals::RayThrough(const Vec3& p_W) const
-{
-  double display[3];
-  this->Renderer->SetWorldPoint(p_W.x(), p_W.y(), p_W.z(), 1.0);
-  this->Renderer->WorldToDisplay();
-  this->Renderer->GetDisplayPoint(display);
-  return this->RayAt(display[0], display[1]);
-}
-
-/// From where a point is seen. Without perspective that is infinitely far away: so far that little comes behind it.
-Vec3 vtkHapticMouse::Internals::EyeOn(const Vec3& p_W) const
-{
-  constexpr double farAway = 10.0;
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  const Vec3 eye_W(camera->GetPosition());
-  const double distance = (p_W - eye_W).norm() + 2.0 * camera->GetParallelScale();
-  return camera->GetParallelProjection() ? Vec3(p_W - farAway * distance * Vec3(camera->GetDirectionOfProjection()))
-                                         : eye_W;
-}
-
-/// Along the direction of projection, from the eye [u].
-double vtkHapticMouse::Internals::DepthOf(const Vec3& p_W) const
-{
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  return (p_W - Vec3(camera->GetPosition())).dot(Vec3(camera->GetDirectionOfProjection()));
-}
-
-Vec3 vtkHapticMouse::Internals::AtDepth(const Ray& ray, double depth) const
-{
-  const double nearest = this->DepthOf(ray.Near);
-  return ray.Near + (depth - nearest) / (this->DepthOf(ray.Far) - nearest) * (ray.Far - ray.Near);
-}
 
 /// A length of the hand in the scene [u], never much of it.
 double vtkHapticMouse::Internals::Reach(double length_m) const
@@ -153,6 +37,13 @@ double vtkHapticMouse::Internals::Reach(double length_m) const
   return this->Session->GetSceneBounds(b)
            ? std::min(length, largestShare * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]))
            : length;
+}
+
+/// Without a pointer in the view, through its middle.
+Ray vtkHapticMouse::Internals::RayOfPointer() const
+{
+  const double* middle = this->Rays.Renderer->GetCenter();
+  return this->Inside ? this->Rays.At(this->Led.x(), this->Led.y()) : this->Rays.At(middle[0], middle[1]);
 }
 
 /// Whether a plane world is touched; if so, where the ray meets its plane, or the proxy where it does not. Walls across
@@ -178,23 +69,23 @@ Vec3 vtkHapticMouse::Internals::Lifted(const Ray& ray) const
 {
   vtkBoundingBox box;
   double b[6];
-  this->Renderer->ComputeVisiblePropBounds(b);
+  this->Rays.Renderer->ComputeVisiblePropBounds(b);
   box.AddBounds(b);
   if (this->Session->GetSceneBounds(b))
   {
     box.AddBounds(b);
   }
   double depth =
-    box.IsValid() ? std::numeric_limits<double>::infinity() : this->Renderer->GetActiveCamera()->GetDistance();
+    box.IsValid() ? std::numeric_limits<double>::infinity() : this->Rays.Renderer->GetActiveCamera()->GetDistance();
   for (int corner = 0; box.IsValid() && corner < 8; ++corner)
   {
     Vec3 p_W;
     box.GetCorner(corner, p_W.data());
-    depth = std::min(depth, this->DepthOf(p_W));
+    depth = std::min(depth, this->Rays.DepthOf(p_W));
   }
   const Vec3 towardsEye = -ray.along();
-  const double room = this->Reach(hover_m) + this->Session->GetSight()->GetToolReach(towardsEye.data());
-  return this->AtDepth(ray, std::max(depth - room, this->DepthOf(ray.Near)));
+  const double room = this->Reach(vtkHapticHover_m) + this->Session->GetSight()->GetToolReach(towardsEye.data());
+  return this->Rays.AtDepth(ray, std::max(depth - room, this->Rays.DepthOf(ray.Near)));
 }
 
 // The pointer
@@ -204,16 +95,20 @@ Vec3 vtkHapticMouse::Internals::Lifted(const Ray& ray) const
 /// another widget, and would never get far from the edge of the view.
 double vtkHapticMouse::Internals::ShareOfWay() const
 {
-  const bool feels = this->Pressing || this->Session->GetPlaneWorld();
+  const bool feels = this->Pressing || this->Session->GetPlaneWorld() || this->AdvancesHeld();
   const double precise =
     this->Session->IsOn("Precision") && feels ? 1.0 / this->Session->GetSetting("PrecisionFactor") : 1.0;
   return this->Session->IsOn("Clutch") ? 0.0 : precise;
 }
 
-void vtkHapticMouse::Internals::PointAt(const Pixels& pointer)
+void vtkHapticMouse::Internals::PointAt(const vtkHapticPixels& pointer)
 {
   const bool goesOn = this->Inside && this->Session;
-  this->Led = goesOn ? Pixels(this->Led + this->ShareOfWay() * (pointer - this->Pointer)) : pointer;
+  const bool keeps =
+    !this->Inside && this->AdvancesHeld() && this->Depth.GetAlong() > 0.0; // what is inside stays there
+  this->Led = goesOn  ? vtkHapticPixels(this->Led + this->ShareOfWay() * (pointer - this->Pointer))
+              : keeps ? this->Led
+                      : pointer;
   this->Pointer = pointer;
   this->Inside = true;
 }
@@ -221,17 +116,17 @@ void vtkHapticMouse::Internals::PointAt(const Pixels& pointer)
 // The hand
 // -------------------------------------------------------------------------------------------------------------
 
-Aim vtkHapticMouse::Internals::AimAt(const Ray& ray) const
+vtkHapticAim vtkHapticMouse::Internals::AimAt(const Ray& ray) const
 {
   Vec3 ball_W;
   Vec3 n_W;
   if (!this->Session->GetSight()->PickSurface(ray.Near.data(), ray.Far.data(), ball_W.data(), n_W.data()))
   {
-    const Vec3 inPlane_W = this->AtDepth(ray, this->DepthOf(Vec3(this->Session->GetProxyPosition())));
+    const Vec3 inPlane_W = this->Rays.AtDepth(ray, this->Rays.DepthOf(this->Now.Proxy));
     return { inPlane_W, inPlane_W };
   }
   ball_W += this->Session->GetSight()->GetToolReach(n_W.data()) * n_W;
-  const double clearance = std::min(this->Reach(hover_m), (ball_W - ray.Near).norm());
+  const double clearance = std::min(this->Reach(vtkHapticHover_m), (ball_W - ray.Near).norm());
   return { ball_W - clearance * ray.along(), ball_W - this->Reach(this->Session->GetSetting("PressDepth")) * n_W };
 }
 
@@ -245,7 +140,7 @@ bool vtkHapticMouse::Internals::IsFree(const Vec3& to_W) const
 /// Near enough to turn: the hand is always a little behind.
 bool vtkHapticMouse::Internals::IsAt(const Vec3& p_W) const
 {
-  return (Vec3(this->Session->GetHandPosition()) - p_W).norm() <= this->Reach(hover_m);
+  return (this->Now.Hand - p_W).norm() <= this->Reach(vtkHapticHover_m);
 }
 
 Vec3 vtkHapticMouse::Internals::Next(const Ray& ray)
@@ -254,14 +149,19 @@ Vec3 vtkHapticMouse::Internals::Next(const Ray& ray)
   {
     return this->Hover_W = this->Inside ? hand_W : Vec3(this->Session->GetProxyPosition());
   }
-  const Aim aim = this->AimAt(ray);
+  if (this->Advances(ray))
+  {
+    return this->NextAdvanced(ray);
+  }
+  this->TurnToSurface(ray);
+  const vtkHapticAim aim = this->AimAt(ray);
   if (!this->Inside || (this->Way == Travel::Strokes && !this->IsFree(aim.Hover)))
   {
     this->Way = Travel::Rises;
   }
   if (this->Way == Travel::Rises)
   {
-    const Vec3 up_W = this->Lifted(this->RayThrough(this->Hover_W));
+    const Vec3 up_W = this->Lifted(this->Rays.Through(this->Hover_W));
     this->Way = this->Inside && this->IsAt(up_W) ? Travel::Crosses : Travel::Rises;
     return up_W;
   }
@@ -276,18 +176,31 @@ Vec3 vtkHapticMouse::Internals::Next(const Ray& ray)
   return this->Pressing && felt ? aim.Press : aim.Hover;
 }
 
+void vtkHapticMouse::Internals::LeadTo(const Vec3& tip_W) const
+{
+  const Vec3 hand_W = tip_W - this->Tip_W;
+  this->Session->SetHandPosition(hand_W.data());
+}
+
 /// A hand that began inside of something could never leave it.
 void vtkHapticMouse::Internals::PlaceBeforeStart()
 {
   if (this->Session->GetFollowsMouse() && this->Sees())
   {
     const Ray ray = this->RayOfPointer();
-    if (!this->MeetsPlane(ray, this->Hover_W))
+    this->FollowHeld();
+    this->Depth.Forget();
+    if (this->AdvancesHeld())
+    {
+      this->PlaceDepth();
+      this->Hover_W = this->Depth.Middle();
+    }
+    else if (!this->MeetsPlane(ray, this->Hover_W))
     {
       this->Hover_W = this->Lifted(ray);
     }
     this->Way = Travel::Rises;
-    this->Session->SetHandPosition(this->Hover_W.data());
+    this->LeadTo(this->Hover_W);
   }
 }
 
@@ -313,7 +226,7 @@ void vtkHapticMouse::PrintSelf(ostream& os, vtkIndent indent)
 void vtkHapticMouse::SetRenderer(vtkRenderer* renderer)
 {
   this->Leave();
-  this->Impl->Renderer = renderer;
+  this->Impl->Rays.Renderer = renderer;
 }
 
 void vtkHapticMouse::SetSession(vtkHapticSession* session)
@@ -344,7 +257,7 @@ bool vtkHapticMouse::GetLeads() const
 void vtkHapticMouse::SetPointer(double x, double y)
 {
   Internals& impl = *this->Impl;
-  if (!impl.Sees() || !impl.Renderer->IsInViewport(static_cast<int>(x), static_cast<int>(y)))
+  if (!impl.Sees() || !impl.Rays.Renderer->IsInViewport(static_cast<int>(x), static_cast<int>(y)))
   {
     this->Leave();
     return;
@@ -357,7 +270,7 @@ void vtkHapticMouse::MovePointer(double dx, double dy)
   Internals& impl = *this->Impl;
   if (impl.Sees())
   {
-    const double* middle = impl.Renderer->GetCenter();
+    const double* middle = impl.Rays.Renderer->GetCenter();
     this->SetPointer(
       (impl.Inside ? impl.Pointer.x() : middle[0]) + dx, (impl.Inside ? impl.Pointer.y() : middle[1]) + dy);
   }
@@ -371,7 +284,8 @@ void vtkHapticMouse::Leave()
 
 void vtkHapticMouse::SetPressing(bool on)
 {
-  this->Impl->Led = this->Impl->Pressing && !on ? this->Impl->Pointer : this->Impl->Led;
+  const bool stays = this->Impl->AdvancesHeld(); // a tip in something does not go across to the pointer
+  this->Impl->Led = this->Impl->Pressing && !on && !stays ? this->Impl->Pointer : this->Impl->Led;
   this->Impl->Pressing = on;
 }
 
@@ -389,6 +303,26 @@ void vtkHapticMouse::Deepen(double factor)
     session->SetSetting("PressDepth", std::clamp(session->GetSetting("PressDepth") * factor, depth.low, depth.high));
     this->InvokeEvent(vtkCommand::InteractionEvent);
   }
+}
+
+bool vtkHapticMouse::GetAdvances() const
+{
+  return this->GetLeads() && this->Impl->Advances(this->Impl->RayOfPointer());
+}
+
+void vtkHapticMouse::Advance(double notches)
+{
+  if (this->Impl->Session)
+  {
+    this->Impl->Depth.Advance(notches * this->Impl->Reach(notch_m));
+  }
+}
+
+void vtkHapticMouse::Lift()
+{
+  this->Impl->Pressing = false;
+  this->Impl->Way = Internals::Travel::Rises;
+  this->Impl->Depth.Retract();
 }
 
 double vtkHapticMouse::GetUsedDepth() const
@@ -412,8 +346,10 @@ void vtkHapticMouse::Update()
 {
   if (this->GetLeads() && !this->Impl->Session->IsOn("Clutch"))
   {
-    this->Impl->Session->GetSight()->SetEye(this->Impl->EyeOn(Vec3(this->Impl->Session->GetProxyPosition())).data());
-    const Vec3 hand_W = this->Impl->Next(this->Impl->RayOfPointer());
-    this->Impl->Session->SetHandPosition(hand_W.data());
+    this->Impl->Session->GetSight()->SetEye(
+      this->Impl->Rays.EyeOn(Vec3(this->Impl->Session->GetProxyPosition())).data());
+    this->Impl->FollowHeld();
+    this->Impl->LookAround();
+    this->Impl->LeadTo(this->Impl->Next(this->Impl->RayOfPointer()));
   }
 }

@@ -11,6 +11,12 @@
  * while the session is engaged. In a plane world the hand is where the ray meets the plane, and walls push by how far
  * they keep the proxy from there; when the pointer leaves it rests at the proxy.
  *
+ * What is held is led by its tip: the handle's tip, the end of a rod, the middle of another tool. A mechanism, and a
+ * tool for which HoldAlong says so, is aimed across its axis by the pointer and advanced along its axis, by pressing or
+ * by Advance(), from where it meets nothing. In a field without a surface under the pointer the same holds along the
+ * direction of view, from the middle of the data. An advancing hand goes at 0.15 m/s at most, PressDepth beyond its
+ * proxy, and while it presses as far as the largest force. When the pointer leaves it stays where its proxy is.
+ *
  * While the session is precise, and the hand presses or is in a plane world, a way of the pointer is PrecisionFactor
  * times less of the hand; while its clutch is held the hand stays. Both go on from there: the hand is under the pointer
  * again once it was lifted, or the pointer has left.
@@ -67,6 +73,17 @@ public:
 
   /// Multiplies the session's PressDepth by `factor` > 0, within 0.05 mm and 50 mm; InteractionEvent tells of it.
   void Deepen(double factor);
+
+  ///@{
+  /// Whether the hand advances along an axis: a mechanism or a tool that is held along one, or a hand in a field where
+  /// no surface stands before it. Advance() moves the plane in which the pointer leads the hand along that axis, by
+  /// notches of 2 mm of the hand, no more than a twentieth of the scene's diagonal each. Pressing goes on along it.
+  bool GetAdvances() const;
+  void Advance(double notches);
+  ///@}
+
+  /// Ends pressing, and has a hand that advanced go back to where it began.
+  void Lift();
 
   /// How deep it presses now [u]: PressDepth, no more than a twentieth of the scene's diagonal.
   double GetUsedDepth() const;

@@ -35,7 +35,8 @@ public:
   /// True: nobody else is to hear of it.
   bool Heard(vtkObject*, unsigned long event, void*);
   bool Take(unsigned long event);
-  bool TakeWheel(double factor);
+  bool TakeWheel(bool on);
+  void GoDeeper(bool on);
   bool TakeKey(const std::string& key);
   /// In a plane world there is nothing to press.
   bool Presses() const { return !this->Mouse->GetSession()->GetPlaneWorld(); }
@@ -70,9 +71,9 @@ bool vtkHapticMouseInput::Internals::Take(unsigned long event)
       this->Mouse->SetPressing(this->Mouse->GetPressing() && !this->ButtonTaken);
       return std::exchange(this->ButtonTaken, false);
     case vtkCommand::MouseWheelForwardEvent:
-      return this->TakeWheel(deeper);
+      return this->TakeWheel(true);
     case vtkCommand::MouseWheelBackwardEvent:
-      return this->TakeWheel(1.0 / deeper);
+      return this->TakeWheel(false);
     case vtkCommand::KeyPressEvent:
       return this->TakeKey(this->Interactor->GetKeySym() ? this->Interactor->GetKeySym() : "");
     default: // it enters or moves
@@ -81,12 +82,18 @@ bool vtkHapticMouseInput::Internals::Take(unsigned long event)
   }
 }
 
-bool vtkHapticMouseInput::Internals::TakeWheel(double factor)
+/// A hand that advances goes on by a notch.
+void vtkHapticMouseInput::Internals::GoDeeper(bool on)
+{
+  this->Mouse->GetAdvances() ? this->Mouse->Advance(on ? 1.0 : -1.0) : this->Mouse->Deepen(on ? deeper : 1.0 / deeper);
+}
+
+bool vtkHapticMouseInput::Internals::TakeWheel(bool on)
 {
   const bool taken = this->Presses() && (this->Mouse->GetPressing() || this->Interactor->GetShiftKey());
   if (taken)
   {
-    this->Mouse->Deepen(factor);
+    this->GoDeeper(on);
   }
   return taken;
 }
@@ -108,14 +115,18 @@ bool vtkHapticMouseInput::Internals::TakeKey(const std::string& key)
   }
   else if (key == "Next" || key == "Prior")
   {
-    const bool pressed = this->Mouse->GetPressing();
+    const bool pressed = this->Mouse->GetPressing(), on = key == "Next";
     this->Mouse->MovePointer(0.0, 0.0);
-    this->Mouse->Deepen(key == "Prior" ? 1.0 / deeper : pressed ? deeper : 1.0);
-    this->Mouse->SetPressing(pressed || key == "Next");
+    const bool advances = this->Mouse->GetAdvances();
+    if (advances || pressed || !on) // the first press is as deep as the last one
+    {
+      this->GoDeeper(on);
+    }
+    this->Mouse->SetPressing(!advances && (pressed || on));
   }
   else if (key == "Home")
   {
-    this->Mouse->SetPressing(false);
+    this->Mouse->Lift();
   }
   else
   {

@@ -5,7 +5,8 @@
  *
  * The hand follows the pointer. Shift and the left button press; while they do the wheel goes deeper and less deep, as
  * it does with Shift alone. Arrow keys move the hand by ten pixels, with Shift by one; Page Down presses, and again
- * goes deeper; Page Up goes less deep; Home lifts; in a plane world nothing presses. Everything else, and all of it
+ * goes deeper; Page Up goes less deep; Home lifts; in a plane world nothing presses. A hand that advances
+ * (vtkHapticMouse) goes on by a notch where another one would go deeper. Everything else, and all of it
  * while the mouse leads no hand, is left to the window's own style.
  */
 #ifndef vtkHapticMouseInput_h

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <mutex>
+
 // Functions of the system's BLAS and LAPACK for dense blocks: column by column, `ld` numbers from one to the next.
 // NOLINTBEGIN(readability-identifier-naming) the names of BLAS
 extern "C"
@@ -21,6 +23,11 @@ extern "C"
 
 namespace palpate::blas
 {
+
+/// Held during each call: OpenBLAS without threads of its own, as Debian builds it since version 0.3.29, gives wrong
+/// numbers where two threads of a program call it at a time. A soft body has one thread, which then waits for nobody.
+inline std::mutex oneCallAtATime;
+using Turn = std::lock_guard<std::mutex>;
 
 struct ConstBlock
 {
@@ -44,6 +51,7 @@ enum class Transposed : char
 inline void multiply(
   int m, int n, int k, double scale, ConstBlock a, ConstBlock b, Transposed ofB, double keep, Block c) noexcept
 {
+  const Turn turn(oneCallAtATime);
   const char no = 'N';
   const char trans = static_cast<char>(ofB);
   if (m > 1)
@@ -61,6 +69,7 @@ inline void multiply(
 /// X (m x n) <- X L^-1, or X L^-T; `l`: lower triangle of n columns.
 inline void solveRight(int m, int n, ConstBlock l, Transposed ofL, Block x) noexcept
 {
+  const Turn turn(oneCallAtATime);
   const char right = 'R', lower = 'L', plain = 'N';
   const char trans = static_cast<char>(ofL);
   const double one = 1.0;
@@ -76,6 +85,7 @@ inline void solveRight(int m, int n, ConstBlock l, Transposed ofL, Block x) noex
 /// Lower triangle of C (n x n) <- A A^T; `a`: n x k.
 inline void multiplyByItself(int n, int k, ConstBlock a, Block c) noexcept
 {
+  const Turn turn(oneCallAtATime);
   const char lower = 'L', no = 'N';
   const double one = 1.0, none = 0.0;
   dsyrk_(&lower, &no, &n, &k, &one, a.values, &a.ld, &none, c.values, &c.ld);
@@ -84,6 +94,7 @@ inline void multiplyByItself(int n, int k, ConstBlock a, Block c) noexcept
 /// Lower triangle of A (n x n) <- L with L L^T = A; false if A is not positive definite.
 [[nodiscard]] inline bool factorLower(int n, Block a) noexcept
 {
+  const Turn turn(oneCallAtATime);
   const char lower = 'L';
   int failed = 0;
   dpotrf_(&lower, &n, a.values, &a.ld, &failed);

@@ -72,8 +72,8 @@ std::vector<Edge> bordersOf(const PlanarPolygon& polygon)
   return oddOnes(std::move(edges));
 }
 
-/// Corners in units of the power of two next to the largest coordinate, which changes no predicate; a coordinate that is
-/// subnormal even then becomes zero. Reason: cpp_float of CGAL 5.6 to 6.2 takes subnormal numbers for larger ones.
+/// Corners in units of the power of two next to the largest coordinate, which changes no predicate; a coordinate that
+/// is subnormal even then becomes zero. Reason: cpp_float of CGAL 5.6 to 6.2 takes subnormal numbers for larger ones.
 class InUnitsOfSize
 {
 public:

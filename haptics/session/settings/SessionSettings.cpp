@@ -101,6 +101,12 @@ const Setting settings[] = {
       "Force flows only while the grip is held, or the safety switch of a joystick that reports one", false)),
   { "PressDepth", Number, "m", "Mouse goes in by",
     "Depth to which the mouse in the view presses, as displacement of the hand", NextFrame, { 0.002 }, {}, 5e-5, 0.05 },
+  at({ .group = "tool" },
+    choice("HoldAlong", "Mouse advances",
+      "Axis along which the mouse advances a held tool or mechanism. Automatic: a tool goes against the surface under "
+      "the pointer and is not turned, a mechanism along its own axis. Surface normal and view also turn it so that its "
+      "axis points there",
+      0, { "Automatic", "Own axis", "Surface normal", "View" }, NextFrame)),
   along(1000.0, at({ .field = "stiffness.stiffness_N_per_m", .group = "main", .option = "stiffness" },
                   amount("Stiffness", "N/m", "St&iffness", "Stiffness of the spring between hand and proxy", 500.0))),
   at({ .field = "coupling.damping_Ns_per_m" },
