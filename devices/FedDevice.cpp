@@ -19,7 +19,9 @@ std::unique_ptr<FedDevice> FedDevice::mouse()
 {
   constexpr double threeFrames_s = 0.05; // of a slow screen; a pointer that rested longer starts anew
   constexpr double briskHand_m_per_s = 0.5;
-  return std::unique_ptr<FedDevice>(new FedDevice("mouse", { threeFrames_s, briskHand_m_per_s }));
+  std::unique_ptr<FedDevice> mouse(new FedDevice("mouse", { threeFrames_s, briskHand_m_per_s }));
+  mouse->info_.heldTurning_N_m_per_rad = 1.0; // a rod of 50 mm is as stiff at its end as a spring of 400 N/m
+  return mouse;
 }
 
 void FedDevice::feed(const DeviceSample& sample, std::uint64_t places) noexcept

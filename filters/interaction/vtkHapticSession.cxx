@@ -273,6 +273,18 @@ void vtkHapticSession::Update()
   this->Impl->FollowCheck();
   this->Impl->FollowContact();
   this->Impl->FollowHand();
+  this->Impl->ForgetSettled();
+}
+
+/// A refusal is gone with its reason.
+void vtkHapticSession::Internals::ForgetSettled()
+{
+  const bool settled = (this->ProblemOf == "mark" && this->State.contacts > 0) ||
+                       (this->ProblemOf == "FitWorkspace" && this->IsFittable());
+  if (settled)
+  {
+    this->Follow(std::string(this->ProblemOf), "");
+  }
 }
 
 // Parts -------------------------------------------------------------------------------------------------------------

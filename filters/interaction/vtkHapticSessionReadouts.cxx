@@ -47,6 +47,7 @@ const std::map<std::string_view, double (*)(I&)> Numbers = {
   { "ContactThickness", [](I& s) { return ValueOf(s, "Thickness"); } },
   { "Contacts", [](I& s) { return static_cast<double>(s.State.contacts); } },
   { "CostP50", [](I& s) { return s.Report.cost.p50_us; } },
+  { "ContactIsNow", [](I& s) { return static_cast<double>(s.State.contacts > 0); } },
   { "CostP99", [](I& s) { return s.Report.cost.p99_us; } },
   { "CostP999", [](I& s) { return s.Report.cost.p999_us; } },
   { "DeliveredEnergy", [](I& s) { return s.State.energy.delivered_J; } },
@@ -57,8 +58,12 @@ const std::map<std::string_view, double (*)(I&)> Numbers = {
   { "FieldPushPower", [](I& s) { return 1e3 * s.State.field.pushPower_W; } },
   { "FieldTicksBeyond", [](I& s) { return static_cast<double>(s.State.field.beyondTicks); } },
   { "FieldValue", [](I& s) { return ValueOfField(s); } },
-  { "ForceLimited", [](I& s) // a torque may be what is cut
-    { return static_cast<double>(s.State.clamped && s.State.force_D.norm() > 0.999 * s.Core.parameters().safety.maxForce_N); } },
+  { "ForceLimited",
+    [](I& s) // a torque may be what is cut
+    {
+      return static_cast<double>(
+        s.State.clamped && s.State.force_D.norm() > 0.999 * s.Core.parameters().safety.maxForce_N);
+    } },
   { "ForceMagnitude", [](I& s) { return s.State.force_W.norm(); } },
   { "ForceResidual", [](I& s) { return s.Report.forceResidual_N; } },
   { "FrictionKineticUsed", [](I& s) { return s.Asked.asked().contact.friction.kinetic; } },
@@ -99,6 +104,7 @@ const std::map<std::string_view, const char* (*)(I&)> Texts = {
   { "DeviceNotes", [](I& s) { return s.SayDeviceNotes(); } },
   { "FaultText", [](I& s) { return s.SayFaultText(); } },
   { "FieldText", [](I& s) { return s.SayFieldText(); } },
+  { "MaterialText", [](I& s) { return s.SayMaterialText(); } },
   { "FrictionText", [](I& s) { return s.SayFrictionText(); } },
   { "LinkText", [](I& s) { return s.SayLinkText(); } },
   { "MarksNote", [](I& s) { return s.Contact.MarksNote.c_str(); } },

@@ -40,6 +40,7 @@ void vtkHapticSession::Internals::FollowCommit()
   if (this->CommitSeen != this->Surfaces.Commits())
   {
     this->CommitSeen = this->Surfaces.Commits();
+    this->ForgetContact();
     this->JudgeMarks();
     this->MissingArrays = this->Surfaces.MissingArrays();
   }
@@ -75,9 +76,17 @@ void vtkHapticSession::Internals::TakeOutSqueezed()
 
 void vtkHapticSession::Internals::FollowCameAround()
 {
-  if (this->Scene.cameAround() && this->Session.GetFollowsMouse())
+  if (this->Scene.cameAround())
   {
-    this->Session.InvokeEvent(vtkCommand::StartEvent); // the hand begins anew
+    this->LeadMouseAnew();
+  }
+}
+
+void vtkHapticSession::Internals::LeadMouseAnew()
+{
+  if (this->Session.GetFollowsMouse())
+  {
+    this->Session.InvokeEvent(vtkCommand::StartEvent);
     this->Feed(true);
   }
 }

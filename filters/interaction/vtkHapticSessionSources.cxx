@@ -94,8 +94,14 @@ void vtkHapticSession::Internals::FollowSource(vtkHapticFeltSource& felt, const 
 bool vtkHapticSession::Internals::AddFelt(
   vtkHapticFeltSource& felt, const char* name, vtkDataObject* data, const char* reason)
 {
+  const auto isInHand = [this] { return this->Mechanism.Axis().has_value() || this->Tool.Axis().has_value(); };
+  const bool before = isInHand();
   const std::string problem = felt.Take(NameOf(name), data, NameOf(reason));
   this->Feel(felt, problem);
+  if (this->Core.running() && !before && isInHand()) // what comes into the hand must not begin inside of something
+  {
+    this->LeadMouseAnew();
+  }
   return problem.empty();
 }
 

@@ -78,7 +78,10 @@ struct DeviceInfo
   Pacing pacing = Pacing::Timer;
   bool rendersForce = true;   ///< false: forces go nowhere (poses fed by a program, a replay, a SpaceMouse)
   bool rendersTorque = false; ///< it turns the hand; otherwise torques of commands are ignored
-  bool simulated = false;     ///< lateness is counted, never a fault
+  /// Without torque: the stiffness at least with which the hand's rotation is held, for no wrist gives way; 0: it is
+  /// free.
+  double heldTurning_N_m_per_rad = 0.0;
+  bool simulated = false; ///< lateness is counted, never a fault
   DeviceAbilities abilities;
   bool offersWalls = false; ///< so it says; with viscosity
   HeldProof heldProof = HeldProof::Unfelt;

@@ -53,7 +53,10 @@ struct JudgedLoop
   {
     parameters.velocity.resolution_m = device.resolution_m.value;
   }
-  parameters.mechanismTurning_N_m_per_rad = device.rendersTorque ? parameters.mechanismTurning_N_m_per_rad : 0.0;
+  parameters.mechanismTurning_N_m_per_rad =
+    device.rendersTorque || device.heldTurning_N_m_per_rad > 0.0
+      ? std::max(parameters.mechanismTurning_N_m_per_rad, device.heldTurning_N_m_per_rad)
+      : 0.0;
   parameters.turnResolution_rad = device.turnResolution_rad.value;
   parameters.stiffnessLimit_N_per_m = parameters.limitStiffness ? limits.largest_N_per_m : StabilityLimits::unlimited;
   parameters.walls.hold = parameters.walls.hold && device.closesWalls();

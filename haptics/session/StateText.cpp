@@ -3,6 +3,7 @@
 
 #include <cctype>
 
+#include "haptics/core/Fault.h"
 #include "haptics/session/settings/Setting.h"
 
 namespace palpate
@@ -26,6 +27,11 @@ const std::string& first(const std::string& one, const std::string& other)
 
 std::string stateText(const SessionGlance& glance)
 {
+  const bool waits = glance.preparing && glance.touching && glance.engage != EngageState::Engaged;
+  if (waits && (glance.fault.empty() || glance.fault == describe(Fault::SceneRefused)))
+  {
+    return "Preparing the visible data: the force starts when they are ready.";
+  }
   const std::string& stops = first(glance.refusal, glance.fault);
   if (!stops.empty())
   {

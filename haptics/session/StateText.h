@@ -13,10 +13,11 @@ struct SessionGlance
 {
   bool touching = false;
   EngageState engage = EngageState::Safe;
-  std::string refusal; ///< why nothing of what is shown can be touched, and what to do; "" if something can
-  std::string fault;   ///< why there is no force, and what to do
-  std::string warning; ///< what needs attention
-  std::string problem; ///< the last thing that was refused
+  bool preparing = false;   ///< what is shown is being read and built
+  std::string refusal;      ///< why nothing of what is shown can be touched, and what to do; "" if something can
+  std::string fault;        ///< why there is no force, and what to do
+  std::string warning;      ///< what needs attention
+  std::string problem;      ///< the last thing that was refused
   double limitedTo_N = 0.0; ///< the largest force that is given, while the contact asks for more; otherwise 0
 };
 

@@ -254,7 +254,8 @@ TEST_F(Drawings, ABrokenOneIsRefusedWithTheFileTheElementAndThePlace)
       Case{ "<line x2='9' transform='spin(3)'/>", "expected matrix" },
       Case{ "<line x2='9' transform='scale'/>", "expected '('" },
       Case{ "<line x2='9' transform='scale(1'/>", "expected a number" },
-      Case{ "<path d='M0 0 C1e60 0 0 1e60 5 5'/>", "out of range" }, Case{ "<path id='start' d=''/>", "without size" } })
+      Case{ "<path d='M0 0 C1e60 0 0 1e60 5 5'/>", "out of range" },
+      Case{ "<path id='start' d=''/>", "without size" } })
   {
     const vtkHapticReadResult result = this->readElements("<line x2='3'/>" + elements);
     EXPECT_FALSE(result.Surface) << elements;

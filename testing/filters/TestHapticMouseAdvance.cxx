@@ -112,6 +112,20 @@ TEST_F(HapticMouseAdvance, PressingANeedlePuncturesTheWallAtItsStrengthAndGoesOn
   EXPECT_NEAR(this->force().norm(), drag_N, 0.1 * drag_N) << "the shaft is dragged";
 }
 
+TEST_F(HapticMouseAdvance, ANeedleBesideTheMiddleIsHeldFirmlyAndPuncturesToo)
+{
+  this->holdNeedle();
+  const auto [x_px, y_px] = pixelOf(this->eye_W_, true, Vec3(7.0, 0.0, 0.0));
+  this->mouse_->SetPointer(x_px, y_px);
+  this->rest(framesToArrive);
+  this->mouse_->SetPressing(true);
+  for (int i = 0; i < 1500 && this->phase() != "inside"; ++i)
+  {
+    this->rest(1);
+  }
+  EXPECT_EQ(this->phase(), "inside");
+}
+
 TEST_F(HapticMouseAdvance, TheWheelAdvancesANeedleByNotchesAndNoFurtherThanTheDepthBeyondIt)
 {
   this->holdNeedle();

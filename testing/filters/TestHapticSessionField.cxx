@@ -71,6 +71,25 @@ TEST_F(HapticSessionField, AloneIsWhatTheHandIsFittedTo)
   EXPECT_NEAR(this->session_->GetSetting("Scale"), 2.0 * fitted, 1e-9 * fitted);
 }
 
+// A view hands over what it shows a moment after the touch, here no surface and one field.
+TEST_F(HapticSessionField, AloneItIsFittedAsByHandAlsoWhenItComesAfterTheTouch)
+{
+  this->session_->SetSetting("FieldArray", "distance");
+  this->session_->SetSetting("FitOnTouch", true);
+  this->session_->TouchingOn();
+  this->session_->Step(10);
+  this->session_->ClearSurfaces();
+  this->session_->CommitScene();
+  this->session_->FinishScene();
+  ASSERT_TRUE(this->session_->AddField("ball", distances(41, 1.0)));
+  ASSERT_TRUE(this->session_->FinishField());
+  const double atOnce = this->session_->GetSetting("Scale");
+  EXPECT_NE(atOnce, scale);
+  this->session_->FitWorkspace();
+  EXPECT_STREQ(this->session_->GetProblem(), "");
+  EXPECT_NEAR(this->session_->GetSetting("Scale"), atOnce, 1e-9 * atOnce);
+}
+
 /// (-y, x, 0) on the points of an image.
 void addVortex(vtkImageData& image)
 {

@@ -151,14 +151,26 @@ TEST_F(HapticSessionInspection, FindsTheCellsOfAPlacedBlockByTheIdsItCameFrom)
   EXPECT_TRUE(this->session_->GetContactCell() == 555 || this->session_->GetContactCell() == 777);
 }
 
-TEST_F(HapticSessionInspection, SaysNothingWithoutAContact)
+// A hand that leaves the view to press a button in the panel leaves the surface too.
+TEST_F(HapticSessionInspection, KeepsTheLastContactUntilAnotherSceneIsThere)
 {
   this->show(planeWithArrays());
+  EXPECT_FALSE(this->session_->InspectContact()) << "nothing was touched yet";
   this->session_->SetSetting("Inspect", true);
   this->pressPlane(1.0, 2.0);
   EXPECT_STREQ(this->session_->GetContactSource(), "surface") << "with Inspect every Update() looks";
   this->session_->SetHandPosition(1.0, 2.0, 5.0);
   this->session_->Step(100);
+  EXPECT_FALSE(this->session_->GetContactIsNow());
+  ASSERT_TRUE(this->session_->InspectContact());
+  EXPECT_LT((Vec3(this->session_->GetContactPosition()) - Vec3(1.0, 2.0, 0.0)).norm(), 1e-9);
+  ASSERT_TRUE(this->session_->AddMark());
+  vtkNew<vtkPolyData> marks;
+  this->session_->GetInspection()->GetMarks(marks);
+  ASSERT_EQ(marks->GetNumberOfPoints(), 1);
+  EXPECT_LT((Vec3(marks->GetPoint(0)) - Vec3(1.0, 2.0, 0.0)).norm(), 1e-5);
+  this->show(planeWithArrays());
+  this->session_->Step(1);
   EXPECT_FALSE(this->session_->InspectContact());
   EXPECT_STREQ(this->session_->GetContactText(), "");
   EXPECT_EQ(this->session_->GetContactCell(), -1);
@@ -171,8 +183,8 @@ TEST_F(HapticSessionInspection, AMarkIsKeptAsPointTableTextAndFile)
   EXPECT_THAT(this->session_->GetProblem(), HasSubstr("a mark needs a contact"));
   this->show(planeWithArrays());
   this->pressPlane(20.0, -30.0);
+  EXPECT_STREQ(this->session_->GetProblem(), "") << "a refusal is gone with its reason";
   ASSERT_TRUE(this->session_->AddMark());
-  EXPECT_STREQ(this->session_->GetProblem(), "");
   this->session_->SetHandPosition(40.0, 10.0, -depth);
   this->session_->Step(300);
   ASSERT_TRUE(this->session_->AddMark());

@@ -56,6 +56,17 @@ protected:
 };
 } // namespace
 
+// The spring of the session is the stiffest that data can feel like.
+TEST_F(HapticSessionMaterials, StiffnessThatTheSpringCutsIsSaid)
+{
+  this->session_->SetSetting("StiffnessFeltRange", 100.0, 2.0 * stiffness);
+  EXPECT_STREQ(this->session_->GetMaterialText(), "") << "no array gives it";
+  this->session_->SetSetting("StiffnessArray", "hardness");
+  EXPECT_TRUE(test::says(this->session_->GetMaterialText(), { "1000 N/m", "the spring of 500 N/m" }));
+  this->session_->SetSetting("StiffnessFeltRange", 100.0, stiffness);
+  EXPECT_STREQ(this->session_->GetMaterialText(), "");
+}
+
 TEST_F(HapticSessionMaterials, AnArrayIsFeltAndTheReportSaysHow)
 {
   this->session_->SetSetting("StiffnessArray", "x");

@@ -187,6 +187,8 @@ TEST_F(HapticSessionTool, WhoseHandleIsFarAwayIsRefusedInWords)
 
 TEST_F(HapticSessionTool, WithoutItsSourceOrWithDataThatCannotBeHeldSaysSoAndTheBallTouches)
 {
+  EXPECT_STREQ(this->session_->GetToolText(), "Cube1 is chosen; press Touch") << "nobody has looked for it yet";
+  static_cast<void>(this->session_->AddTool("Cube1", nullptr));
   EXPECT_THAT(this->session_->GetToolText(), HasSubstr("Cube1 does not exist"));
   vtkNew<vtkPolyData> nothing;
   const auto refused = [this](const std::function<void()>& change) { return errorsOf(this->session_, change).size(); };

@@ -421,11 +421,7 @@ TEST(MaterialArrays, RangesThatCannotBeAreNamed)
   };
   EXPECT_EQ(vtkHapticMaterialSettings().Check(), "");
   refused([](auto& m) { m.Stiffness.FeltRange = { -1.0, 100.0 }; }, "stiffness [N/m]");
-  refused(
-    [](auto& m) {
-      m.Friction.FeltRange = { 0.0, 10.5 };
-    },
-    "friction must be two finite numbers from 0 to 10");
+  refused([](auto& m) { m.Friction.FeltRange = { 0.0, 10.5 }; }, "friction must be two finite numbers from 0 to 10");
   refused([](auto& m) { m.Friction.FeltRange = { notANumber, 1.0 }; }, "friction");
   refused([](auto& m) { m.Texture.FeltRange = { 0.0, std::numeric_limits<double>::infinity() }; }, "texture");
   refused([](auto& m) { m.Texture.DataRange = { notANumber, 1.0 }; }, "data range for the texture");

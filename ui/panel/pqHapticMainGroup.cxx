@@ -121,6 +121,7 @@ QString pqHapticMainGroup::statusOf(vtkHapticSession* session) const
   if (session)
   {
     glance.touching = session->GetTouching();
+    glance.preparing = session->GetSceneProgress() < 1.0;
     glance.engage = static_cast<palpate::EngageState>(session->GetEngageState());
     glance.fault = session->GetFaultText();
     glance.warning = session->GetWarning();

@@ -3,7 +3,9 @@
 
 #include "pqHapticArrayChoice.h"
 #include "pqHapticFields.h"
+#include "pqHapticLabel.h"
 #include "pqPropertyLinks.h"
+#include "vtkHapticSession.h"
 #include "vtkSMProxy.h"
 
 #include <QDoubleSpinBox>
@@ -44,6 +46,14 @@ pqHapticMaterialGroup::pqHapticMaterialGroup(QWidget* parent) : Superclass(tr("M
   this->add({ "Stiffness", "stiffness", 1 });
   this->add({ "Friction", "friction", 3 });
   this->add({ "Texture", "texture", 6 });
+  this->Cut = this->addText("materialText", pqHapticReadoutTip("MaterialText"));
+}
+
+void pqHapticMaterialGroup::refresh(vtkHapticSession* session)
+{
+  QString text = session ? QString::fromUtf8(session->GetMaterialText()) : QString();
+  text.replace(0, 1, text.left(1).toUpper());
+  pqHapticSay(this->Cut, text.isEmpty() ? text : text + ".");
 }
 
 void pqHapticMaterialGroup::add(const Looks& looks)

@@ -23,6 +23,7 @@ public:
 
   void setArrayNames(const QStringList& names);
   void link(pqPropertyLinks& links, vtkSMProxy* proxy) override;
+  void refresh(vtkHapticSession* session) override;
   QList<QWidget*> fields() const override;
 
 private:
@@ -46,6 +47,7 @@ private:
   void addDetails(QWidget* parent, const Looks& looks, Transfer& transfer);
 
   std::vector<Transfer> Transfers;
+  QLabel* Cut; ///< that the spring cuts stiffness
 };
 
 #endif

@@ -11,6 +11,9 @@
 #include <QAction>
 #include <QStringList>
 
+#include <cstring>
+#include <utility>
+
 namespace
 {
 /// "" when the person thinks better of it.
@@ -40,13 +43,30 @@ pqHapticRecordings::~pqHapticRecordings() = default;
 void pqHapticRecordings::setProxy(vtkSMProxy* proxy)
 {
   this->Proxy = proxy;
+  this->Before.clear();
+  this->Awaited = false;
   this->follow();
 }
 
 void pqHapticRecordings::follow()
 {
   this->RecordAction->setEnabled(this->Proxy != nullptr);
-  this->RecordAction->setChecked(this->Proxy && vtkSMPropertyHelper(this->Proxy, "Recording").GetAsInt() != 0);
+  const bool records = this->Proxy && vtkSMPropertyHelper(this->Proxy, "Recording").GetAsInt() != 0;
+  this->RecordAction->setChecked(records);
+  if (this->Proxy && this->Awaited && !records)
+  {
+    this->Awaited = false;
+    this->play();
+  }
+  else if (!this->Before.isEmpty() && vtkSMPropertyHelper(this->Proxy, "Touching").GetAsInt() == 0)
+  {
+    const QString before = std::exchange(this->Before, QString());
+    const bool replays = std::strcmp(vtkSMPropertyHelper(this->Proxy, "DeviceName").GetAsString(), "replay") == 0;
+    if (replays) // else another one was chosen meanwhile
+    {
+      pqHapticCommand(this->Proxy, "DeviceName", before);
+    }
+  }
 }
 
 void pqHapticRecordings::record(bool on)
@@ -78,14 +98,26 @@ void pqHapticRecordings::open()
 
 void pqHapticRecordings::replay()
 {
-  if (this->Proxy)
+  if (!this->Proxy)
   {
-    vtkSMPropertyHelper(this->Proxy, "Touching").Set(0);
-    this->Proxy->UpdateVTKObjects();
-    pqHapticCommand(this->Proxy, "DeviceName", "replay");
-    vtkSMPropertyHelper(this->Proxy, "Touching").Set(1);
-    this->Proxy->UpdateVTKObjects();
+    return;
   }
+  this->Awaited = vtkSMPropertyHelper(this->Proxy, "Recording").GetAsInt() != 0;
+  vtkSMPropertyHelper(this->Proxy, "Touching").Set(0); // ends a recording too, once its file is whole
+  this->Proxy->UpdateVTKObjects();
+  if (!this->Awaited)
+  {
+    this->play();
+  }
+}
+
+void pqHapticRecordings::play()
+{
+  const QString device = vtkSMPropertyHelper(this->Proxy, "DeviceName").GetAsString();
+  pqHapticCommand(this->Proxy, "DeviceName", "replay");
+  vtkSMPropertyHelper(this->Proxy, "Touching").Set(1);
+  this->Proxy->UpdateVTKObjects();
+  this->Before = device != "replay" ? device : this->Before;
 }
 
 void pqHapticRecordings::showWay()

@@ -35,15 +35,19 @@ public Q_SLOTS:
   void save();
   /// Asks which recording is to be played.
   void open();
-  /// The device `replay` plays from its beginning.
+  /// The device `replay` plays from its beginning, a recording that is running once it has ended; when touching ends
+  /// the device of before is chosen again.
   void replay();
   /// Opens the path of the recording in the pipeline.
   void showWay();
 
 private:
   void record(bool on);
+  void play();
 
   vtkSmartPointer<vtkSMProxy> Proxy;
+  QString Before;       ///< the device that played before a replay; "": no replay of ours
+  bool Awaited = false; ///< the recording that is to be played has not ended yet
   QAction* RecordAction;
 };
 

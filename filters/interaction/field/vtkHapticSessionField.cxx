@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "haptics/session/plan/FittedMap.h"
 #include "vtkHapticFieldShape.h"
 #include "vtkHapticHandPace.h"
 #include "vtkHapticPathData.h"
@@ -38,6 +39,7 @@ bool vtkHapticSession::Internals::FeelField(const std::string& name, const vtkHa
   this->FeltField.setSource(made.Source);
   this->FieldEnds = made.Ends;
   this->FieldIsNew = made.Source != nullptr;
+  this->FieldAdded_s = this->Now();
   this->FieldBounds = made.Bounds;
   this->Refuse(this->FieldProblem);
   this->Follow("field", this->FieldProblem);
@@ -51,6 +53,13 @@ void vtkHapticSession::Internals::TakeField(bool wait)
     const palpate::MadeFieldBlock& made = this->FeltField.made();
     const bool first = made.brick && std::exchange(this->FieldIsNew, false);
     palpate::FieldPlan plan = this->Asked.asked().field;
+    if (first && this->Core.running() && palpate::isOfTouch(this->FieldAdded_s, this->Begun_s) && this->FitsNow() &&
+        !this->HasSurfaces())
+    {
+      this->Fit();
+      this->LeadMouseAnew();
+      plan = this->Asked.asked().field;
+    }
     const palpate::DetentPlan before = plan.detent;
     palpate::takeFromData(plan, made, first);
     if (plan.detent.slope_per_u != before.slope_per_u || plan.detent.bounds != before.bounds)
@@ -71,12 +80,16 @@ bool vtkHapticSession::FinishField()
   return this->Impl->Core.brick() != nullptr;
 }
 
+bool vtkHapticSession::Internals::HasSurfaces() const
+{
+  return this->Scene.built().scene && !this->Scene.built().scene->empty();
+}
+
 /// Surfaces, or where there are none the field: what a hand is fitted to.
 palpate::BuiltScene vtkHapticSession::Internals::Fittable() const
 {
   palpate::BuiltScene fittable = this->Scene.built();
-  const bool surfaces = fittable.scene && !fittable.scene->empty();
-  fittable.bounds = surfaces || !this->FeltField.hasSource() ? fittable.bounds : this->FieldBounds;
+  fittable.bounds = this->HasSurfaces() || !this->FeltField.hasSource() ? fittable.bounds : this->FieldBounds;
   return fittable;
 }
 

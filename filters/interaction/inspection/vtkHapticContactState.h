@@ -2,6 +2,7 @@
 #ifndef vtkHapticContactState_h
 #define vtkHapticContactState_h
 
+#include "haptics/tick/HapticState.h"
 #include "vtkHapticMarkRecords.h"
 #include "vtkHapticSourceProbe.h"
 
@@ -13,7 +14,9 @@
 /// The data of the last look-up at the contact, and the marks.
 struct vtkHapticContactState
 {
-  std::optional<vtkHapticMarkRecord> Found;
+  std::optional<palpate::HapticState>
+    Last; ///< with the last contact in this scene, of the present touch or the last one
+  std::optional<vtkHapticMarkRecord> Found; ///< what was looked up at it
   std::string Text;
   std::string Arrays;
   double Position[3] = { 0.0, 0.0, 0.0 };

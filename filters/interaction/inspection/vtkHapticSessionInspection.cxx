@@ -91,11 +91,12 @@ std::string ArraysOf(const vtkHapticMarkRecord& contact)
 std::optional<vtkHapticMarkRecord> vtkHapticSession::Internals::LookAtContact()
 {
   const auto& scene = this->Scene.built().scene;
-  if (this->State.contacts == 0 || !scene)
+  if (!this->Contact.Last || !scene)
   {
     return std::nullopt;
   }
-  const auto place = this->PlaceOfContact();
+  const palpate::HapticState& touched = *this->Contact.Last;
+  const auto place = this->PlaceOfContact(touched);
   if (!place)
   {
     return std::nullopt;
@@ -103,8 +104,8 @@ std::optional<vtkHapticMarkRecord> vtkHapticSession::Internals::LookAtContact()
   const auto origin = this->Surfaces.OriginOf(place->surface);
   vtkHapticMarkRecord record{ origin ? origin->Name : place->surface, {} };
   AddPlace(record, *place);
-  record.Numbers.emplace_back("Depth", (this->State.proxy_W.p - this->State.device_W.p).norm());
-  record.Numbers.emplace_back("Force", this->State.force_W.norm());
+  record.Numbers.emplace_back("Depth", (touched.proxy_W.p - touched.device_W.p).norm());
+  record.Numbers.emplace_back("Force", touched.force_W.norm());
   if (origin)
   {
     const vtkHapticProbed probed = this->Contact.Probe.Look(origin->Data, origin->W_from_D.inverse() * place->p_W);
@@ -137,8 +138,19 @@ bool vtkHapticSession::InspectContact()
   return this->Impl->Contact.Found.has_value();
 }
 
+/// What was touched is not there any more, or stands elsewhere.
+void vtkHapticSession::Internals::ForgetContact()
+{
+  this->Contact.Last.reset();
+  this->ShowContact(std::nullopt);
+}
+
 void vtkHapticSession::Internals::FollowContact()
 {
+  if (this->State.contacts > 0)
+  {
+    this->Contact.Last = this->State;
+  }
   const std::uint32_t down = this->State.buttons;
   const std::uint32_t wentDown = down & ~std::exchange(this->Contact.MarkButtons, down);
   const int button = this->Settings.whole("MarkButton");
@@ -146,7 +158,7 @@ void vtkHapticSession::Internals::FollowContact()
   {
     this->Session.AddMark();
   }
-  else if (this->Settings.isOn("Inspect") || this->State.contacts == 0)
+  else if (this->Settings.isOn("Inspect") && this->State.contacts > 0)
   {
     this->Session.InspectContact();
   }

@@ -61,7 +61,7 @@ std::string vtkHapticRecordings::FileOfTouch() const
 
 void vtkHapticRecordings::FollowTouch()
 {
-  this->Begun_s = this->Seconds = 0.0;
+  this->Begun_s = 0.0;
   if (this->Behind.Settings.isOn("Recording") != this->Behind.Core.recording())
   {
     this->Behind.Settings.put("Recording", this->Behind.Core.recording() ? 1.0 : 0.0);

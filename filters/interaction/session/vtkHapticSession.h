@@ -185,8 +185,9 @@ public:
   void ClearStrokePoints();
   void AddStrokePoint(double x, double y, double z);
   int GetNumberOfStrokePoints() const;
-  /// The data at the contact (vtkHapticInspection): looked up as of the last Update(), which does so by itself with
-  /// Inspect; false without a contact. AddMark() does the same, stores the data and marks the recording.
+  /// The data at the contact (vtkHapticInspection), as of the last Update(), which looks them up by itself with Inspect;
+  /// without a contact those at the last one, which is kept until another scene is there. False before the first contact.
+  /// AddMark() does the same, stores the data and marks the recording.
   bool InspectContact();
   bool AddMark();
   void ClearMarks();

@@ -34,6 +34,7 @@
   vtkHapticReadoutMacro(StabiliserForce, double) \
   vtkHapticReadoutMacro(PeakStabiliserForce, double) \
   vtkHapticReadoutMacro(ForceResidual, double) \
+  vtkHapticTextMacro(MaterialText) \
   vtkHapticTextMacro(FrictionText) \
   vtkHapticReadoutMacro(FrictionKineticUsed, double) \
   vtkHapticReadoutMacro(Contacts, int) \
@@ -52,6 +53,7 @@
   vtkHapticNumbersMacro(ToolTip, 3) \
   vtkHapticNumbersMacro(ToolTorque, 3) \
   vtkHapticNumbersMacro(Torque, 3) \
+  vtkHapticReadoutMacro(ContactIsNow, bool) \
   vtkHapticTextMacro(ContactText) \
   vtkHapticTextMacro(ContactSource) \
   vtkHapticReadoutMacro(ContactCell, vtkIdType) \

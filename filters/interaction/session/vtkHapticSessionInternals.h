@@ -67,6 +67,7 @@ public:
   palpate::FieldEnds FieldEnds{ 1.0, 0.0 };
   palpate::FeltField FeltField;
   bool FieldIsNew = false;  ///< no brick has come of it yet
+  double FieldAdded_s = 0.0; ///< when it was added, as Now() has it
   std::string FieldProblem; ///< why the data that was added is not felt
   std::string FieldText;
   std::string FieldGone;               ///< that the touched data are gone
@@ -75,6 +76,7 @@ public:
   palpate::Quat HandTurn_W = palpate::Quat::Identity(); ///< where a program holds it
   bool Raises = false;                                  ///< lines, as the surfaces were told
   std::string PlanText;
+  std::string MaterialText;
 
   std::string CalibrationFolder;
   std::optional<palpate::Calibration> Felt; ///< calibration of a device without serial number, walls included
@@ -143,6 +145,7 @@ public:
   void Refuse(const std::string& problem);
   /// Stores a refusal, or without a problem clears the earlier refusal, because the request succeeded now.
   void Follow(const std::string& what, const std::string& problem);
+  void ForgetSettled();
 
   /// A new value by name: takes it, or says why not.
   void Put(const char* name, const palpate::SettingValue& value);
@@ -215,6 +218,8 @@ public:
   void TakeScene(bool wait = false);
   void TakeOutSqueezed();
   void FollowCameAround();
+  /// The mouse's hand begins anew, where it is put without a way.
+  void LeadMouseAnew();
   /// Applies clutch, precision and view to the map.
   void FollowHand();
   void FollowMouseClutch();
@@ -232,6 +237,7 @@ public:
   /// Bounds of the data for a fit of the hand, and whether there are data.
   palpate::BuiltScene Fittable() const;
   bool IsFittable() const;
+  bool HasSurfaces() const;
   void Fit();
   void FitTo(const palpate::BuiltScene& scene);
   /// Whether touching that begins now, or began with this scene, fits the hand.
@@ -265,6 +271,7 @@ public:
   const char* SayFaultText();
   const char* SayFieldText();
   const char* SayFrictionText();
+  const char* SayMaterialText();
   const char* SayLinkText();
   const char* SayPlanText();
   const char* SayToolContacts();
@@ -279,9 +286,10 @@ public:
   void FollowFelt();
   /// The styles of sources have changed.
   void FollowSources();
-  /// Where the ball touches, or the tool most; nothing where neither does.
-  std::optional<palpate::ContactPlace> PlaceOfContact() const;
-  /// The data at the contact; nothing without one.
+  /// Where the ball touched then, or the tool most; nothing where neither did.
+  std::optional<palpate::ContactPlace> PlaceOfContact(const palpate::HapticState& touched) const;
+  void ForgetContact();
+  /// The data at the last contact; nothing without one.
   std::optional<vtkHapticMarkRecord> LookAtContact();
   /// Looks at it if that is wanted, and sets a mark if its button was pressed.
   void FollowContact();

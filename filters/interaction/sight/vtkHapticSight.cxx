@@ -213,6 +213,14 @@ bool vtkHapticSight::GetFeelsField() const
   return this->Behind().FeltField.hasSource();
 }
 
+bool vtkHapticSight::GetFieldIsReady(const double p_W[3]) const
+{
+  const auto& impl = this->Behind();
+  const auto& brick = impl.Core.brick();
+  const bool inside = vtkBoundingBox(impl.FieldBounds.data()).ContainsPoint(p_W[0], p_W[1], p_W[2]) != 0;
+  return brick && (!inside || brick->grid().roomAt_u(Vec3(p_W)) > 0.0);
+}
+
 bool vtkHapticSight::GetHeldAxis(double tip_W[3], double axis_W[3]) const
 {
   const auto& impl = this->Behind();

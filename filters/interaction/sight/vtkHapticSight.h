@@ -63,6 +63,8 @@ public:
   /// Whether a mechanism is held, and whether a field is felt.
   bool GetHoldsMechanism() const;
   bool GetFeelsField() const;
+  /// Whether the hand would feel the field at a place: its values there have been read, or there are none.
+  bool GetFieldIsReady(const double p_W[3]) const;
   /// The box of what the hand meets: surfaces, field, bodies of the mechanism other than the held one [u]; false: none.
   bool GetMetBounds(double bounds[6]) const;
 

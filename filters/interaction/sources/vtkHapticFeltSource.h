@@ -8,7 +8,7 @@ namespace palpate
 {
 class HapticSession;
 struct HapticState;
-}
+} // namespace palpate
 
 class vtkDataObject;
 
@@ -45,6 +45,7 @@ public:
     this->Text = this->Source.empty()     ? ""
                  : !this->Problem.empty() ? this->Problem
                  : this->IsMade()         ? this->Sentence(core, state)
+                 : this->Name.empty()     ? this->Source + this->Chosen(core)
                                           : this->Source + this->Absent();
   }
 
@@ -54,6 +55,8 @@ protected:
   virtual void Look(palpate::HapticSession& core, const palpate::HapticState& state, double now_s) = 0;
   /// Of what is made.
   virtual std::string Sentence(palpate::HapticSession& core, const palpate::HapticState& state) const = 0;
+  /// Of a source that was chosen, which nobody has looked for yet.
+  static const char* Chosen(const palpate::HapticSession& core);
   virtual const char* Absent() const = 0; ///< what to do, after the name of a source that is not there
 
   std::string Name;

@@ -40,13 +40,14 @@ void vtkHapticSession::SetHandTurn(double w, double x, double y, double z)
   this->Impl->Feed();
 }
 
-std::optional<palpate::ContactPlace> vtkHapticSession::Internals::PlaceOfContact() const
+std::optional<palpate::ContactPlace> vtkHapticSession::Internals::PlaceOfContact(
+  const palpate::HapticState& touched) const
 {
-  const palpate::ToolState& tool = this->State.tool;
+  const palpate::ToolState& tool = touched.tool;
   const palpate::Scene& scene = *this->Scene.built().scene;
   if (!tool.held)
   {
-    return palpate::placeOf(scene, this->State.proxy_W.p, this->State.device_W.p);
+    return palpate::placeOf(scene, touched.proxy_W.p, touched.device_W.p);
   }
   const auto* const end = tool.presses.begin() + tool.active;
   const auto* const most = std::max_element(

@@ -24,6 +24,15 @@ namespace
 constexpr double largestShare = 0.05;
 /// A notch of the wheel advances so far [m of the hand].
 constexpr double notch_m = 0.002;
+
+/// A file with a vertex that is not finite has such bounds, and is drawn.
+void AddFinite(const double bounds[6], vtkBoundingBox& box)
+{
+  if (std::all_of(bounds, bounds + 6, [](double b) { return std::isfinite(b); }))
+  {
+    box.AddBounds(bounds);
+  }
+}
 } // namespace
 
 // Lengths and places
@@ -70,10 +79,10 @@ Vec3 vtkHapticMouse::Internals::Lifted(const Ray& ray) const
   vtkBoundingBox box;
   double b[6];
   this->Rays.Renderer->ComputeVisiblePropBounds(b);
-  box.AddBounds(b);
+  AddFinite(b, box);
   if (this->Session->GetSceneBounds(b))
   {
-    box.AddBounds(b);
+    AddFinite(b, box);
   }
   double depth =
     box.IsValid() ? std::numeric_limits<double>::infinity() : this->Rays.Renderer->GetActiveCamera()->GetDistance();
@@ -179,7 +188,10 @@ Vec3 vtkHapticMouse::Internals::Next(const Ray& ray)
 void vtkHapticMouse::Internals::LeadTo(const Vec3& tip_W) const
 {
   const Vec3 hand_W = tip_W - this->Tip_W;
-  this->Session->SetHandPosition(hand_W.data());
+  if (hand_W.allFinite()) // a camera that was reset to data that are not has no place for the hand
+  {
+    this->Session->SetHandPosition(hand_W.data());
+  }
 }
 
 /// A hand that began inside of something could never leave it.

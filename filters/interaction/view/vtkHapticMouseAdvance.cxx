@@ -131,6 +131,14 @@ void vtkHapticMouse::Internals::PlaceDepth()
   this->Depth.Place(middle_W - (this->AdvancesHeld() ? before : 0.0) * this->Now.Axis, this->Now.Axis);
 }
 
+/// Walls of a field that is not felt yet would not hold the hand back.
+bool vtkHapticMouse::Internals::MayGoTo(const Vec3& tip_W) const
+{
+  const auto sight = this->Session->GetSight();
+  const bool felt = this->Session->GetEngageState() == vtkHapticSession::Engaged;
+  return !sight->GetFeelsField() || (felt && sight->GetFieldIsReady(tip_W.data()));
+}
+
 Vec3 vtkHapticMouse::Internals::NextAdvanced(const vtkHapticRay& ray)
 {
   if (!this->Depth.IsPlaced())
@@ -144,5 +152,7 @@ Vec3 vtkHapticMouse::Internals::NextAdvanced(const vtkHapticRay& ray)
     this->Way = Travel::Strokes;
   }
   const Vec3 aimed_W = this->Rays.AtDepth(ray, this->Rays.DepthOf(this->Depth.Middle()));
-  return this->Hover_W = this->Inside ? this->Depth.Next(aimed_W, this->Now) : this->Depth.Rest(this->Now);
+  const Vec3 next_W = this->Inside ? this->Depth.Next(aimed_W, this->Now) : this->Depth.Rest(this->Now);
+  this->Hover_W = this->MayGoTo(next_W) ? next_W : this->Hover_W;
+  return this->Hover_W;
 }

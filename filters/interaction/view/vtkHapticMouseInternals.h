@@ -77,6 +77,7 @@ public:
   void LookAround();
   double ReachOfHeld() const;
   void PlaceDepth();
+  bool MayGoTo(const palpate::Vec3& tip_W) const;
   palpate::Vec3 Next(const vtkHapticRay& ray);
   palpate::Vec3 NextAdvanced(const vtkHapticRay& ray);
   void PlaceBeforeStart();

@@ -186,8 +186,8 @@ const Setting settings[] = {
     NextScene),
   anyAlongPath(at({ .field = "mechanism.turning_N_m_per_rad", .group = "mechanism", .option = "torque-stiffness" },
     { "MechanismTurning", Number, "N m/rad", "Turned with",
-      "Rotational stiffness between hand and held body. 0, or a device without torque output: the body "
-      "rotates freely",
+      "Rotational stiffness between hand and held body; with the mouse 1 N m/rad or more. 0, or a device without "
+      "torque output: the body rotates freely",
       NextTick, { 0.0 }, {}, 0.0, 1000.0 })),
   at({ .group = "soft" }, flag("ShowSoftHand", "Show its hand",
                             "Draw a grey ball at the hand position used by the last soft-body solve, next to the hand "

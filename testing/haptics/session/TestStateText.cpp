@@ -2,6 +2,7 @@
 // One line says how it is, why, and what to do.
 #include <gtest/gtest.h>
 
+#include "haptics/core/Fault.h"
 #include "haptics/session/StateText.h"
 #include "haptics/session/Warning.h"
 
@@ -38,6 +39,19 @@ TEST(StateText, WithoutATroubleItSaysWhatToDoNext)
   EXPECT_EQ(stateText(glance), "Touching.");
 }
 
+TEST(StateText, DataThatAreBeingPreparedAreNotSaidToBeMissingAndADeviceThatIsLostIsSaid)
+{
+  SessionGlance glance;
+  glance.touching = glance.preparing = true;
+  glance.fault = describe(Fault::SceneRefused);
+  EXPECT_EQ(stateText(glance), "Preparing the visible data: the force starts when they are ready.");
+  glance.refusal = "No data are visible: open a file.";
+  EXPECT_EQ(stateText(glance), "Preparing the visible data: the force starts when they are ready.");
+  glance.fault = describe(Fault::DeviceLost);
+  glance.refusal = "";
+  EXPECT_EQ(stateText(glance), "No force: The device stopped answering: plug the device in again, then engage again.");
+}
+
 TEST(StateText, AForceThatIsCutIsSaidWithItsSizeBeforeWhatElseThereIs)
 {
   SessionGlance glance;
@@ -45,6 +59,9 @@ TEST(StateText, AForceThatIsCutIsSaidWithItsSizeBeforeWhatElseThereIs)
   glance.engage = EngageState::Engaged;
   glance.limitedTo_N = 3.0;
   EXPECT_EQ(stateText(glance), "Touching, force limited to 3 N.");
+  glance.preparing = true;
+  EXPECT_EQ(stateText(glance), "Touching, force limited to 3 N.") << "other data are prepared while these are felt";
+  glance.preparing = false;
   glance.problem = "the file is gone: choose another";
   EXPECT_EQ(stateText(glance), "Touching, force limited to 3 N. The file is gone: choose another.");
 }

@@ -43,7 +43,7 @@ pqHapticContactGroup::pqHapticContactGroup(QWidget* parent) : Superclass(parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   this->None = pqHapticLabel(this, "contactNone", tr("Show the data at the contact while a surface is touched"));
-  this->None->setText(tr("There is no contact."));
+  this->None->setText(tr("Nothing has been touched yet."));
   this->Found = new QWidget(this);
   this->Found->setObjectName("contactFound");
   column->addWidget(this->None);
@@ -83,7 +83,8 @@ void pqHapticContactGroup::refresh(vtkHapticSession* session)
 
 void pqHapticContactGroup::showContact(vtkHapticSession& session)
 {
-  this->Source->setText(QString::fromUtf8(session.GetContactSource()));
+  const QString source = QString::fromUtf8(session.GetContactSource());
+  this->Source->setText(session.GetContactIsNow() ? source : tr("%1 (last contact)").arg(source));
   this->Ids->setText(QString("%1, %2").arg(session.GetContactCell()).arg(session.GetContactPoint()));
   this->Position->setText(Vector(session.GetContactPosition()) + " u");
   this->Normal->setText(Vector(session.GetContactNormal()));

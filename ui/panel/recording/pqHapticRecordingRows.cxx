@@ -79,7 +79,7 @@ void pqHapticRecordingRows::refresh(vtkHapticSession* session)
   const bool plays = session && std::strcmp(session->GetSettingText("DeviceName"), "replay") == 0;
   const bool hasFile = session && *session->GetSettingText("ReplayFile") != '\0';
   this->Save->setEnabled(session && !session->IsOn("Recording") && *session->GetRecordedFile() != '\0');
-  this->Replay->setEnabled(hasFile);
+  this->Replay->setEnabled(hasFile || (session && session->IsOn("Recording") && session->GetTouching()));
   this->Way->setEnabled(hasFile);
   this->Played->setVisible(plays);
   pqHapticSay(this->Text, session ? QString::fromUtf8(session->GetRecordingText()) : QString());
