@@ -12,6 +12,7 @@
 #include "pqHapticPencil.h"
 #include "pqHapticRecordings.h"
 #include "pqHapticScript.h"
+#include "pqHapticTouchKinds.h"
 #include "pqHapticViewFollower.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
@@ -81,7 +82,7 @@ pqHapticController* pqHapticController::instance()
 pqHapticController::pqHapticController(QObject* parent)
   : Superclass(parent), Follower(new pqHapticViewFollower(this)), Frames(new pqHapticFrames(this)),
     Mouse(new pqHapticMouse(this)), Pencil(new pqHapticPencil(this)), Recordings(new pqHapticRecordings(this)),
-    Keys(new pqHapticHandKeys(this)), Script(new pqHapticScript(this))
+    Keys(new pqHapticHandKeys(this)), Script(new pqHapticScript(this)), Kinds(new pqHapticTouchKinds(this))
 {
   this->makeActions();
   this->connectApplication();
@@ -180,6 +181,7 @@ void pqHapticController::setTouching(bool on)
 {
   if (this->Proxy && on != this->touching())
   {
+    this->Kinds->prepare(on);
     vtkSMPropertyHelper(this->Proxy, "Touching").Set(on ? 1 : 0);
     this->Proxy->UpdateVTKObjects();
   }

@@ -17,6 +17,7 @@ class pqHapticPencil;
 class pqHapticRecordings;
 class pqHapticScript;
 class pqHapticViewFollower;
+class pqHapticTouchKinds;
 class pqServer;
 class vtkHapticSession;
 class vtkSMProxy;
@@ -43,6 +44,7 @@ public:
   vtkHapticSession* session() const;
   pqHapticViewFollower* follower() const { return this->Follower; }
   pqHapticMouse* mouse() const { return this->Mouse; }
+  pqHapticTouchKinds* kinds() const { return this->Kinds; }
   pqHapticRecordings* recordings() const { return this->Recordings; }
 
   QAction* touchAction() const { return this->TouchAction; }
@@ -100,6 +102,7 @@ private:
   pqHapticRecordings* Recordings;
   pqHapticHandKeys* Keys;
   pqHapticScript* Script;
+  pqHapticTouchKinds* Kinds;
   QAction* TouchAction;
   QAction* ReleaseAction;
   QAction* MarkAction;

@@ -8,7 +8,7 @@
 
 class vtkSMSourceProxy;
 
-/// The ways in which a source of the pipeline can be touched.
+/// The kinds of things that a source of the pipeline can be touched as.
 enum class vtkHapticTouchKind
 {
   Surface,
@@ -34,7 +34,7 @@ struct vtkHapticSourceParts
 /// Of data on a server only the type is known: poly data may then be faces or lines.
 [[nodiscard]] VTKHAPTICVIEWS_EXPORT vtkHapticSourceParts vtkHapticPartsOf(vtkSMSourceProxy* source);
 
-/// Reason why such parts cannot be touched in that way, and the remedy, after the name of the source; "": they can, or
+/// Reason why such parts cannot be touched as that kind, and the remedy, after the name of the source; "": they can, or
 /// nothing is known of them yet.
 [[nodiscard]] VTKHAPTICVIEWS_EXPORT std::string vtkHapticMisfit(
   const vtkHapticSourceParts& parts, vtkHapticTouchKind kind);

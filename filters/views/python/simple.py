@@ -22,10 +22,10 @@ from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkTable
 
 from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: F401  the proxy's object becomes scriptable
-from palpate.vtkHapticViews import vtkHapticViewScene
+from palpate.vtkHapticViews import vtkHapticTouchAs, vtkHapticViewScene
 
 __all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "TakeColorRange", "LetGo", "FitHand", "HapticUpdate",
-           "HapticState", "Mark", "GetMarks", "ClearMarks", "SaveMarks", "SetSource", "HoldTool", "PressBody", "SoftText",
+           "HapticState", "Mark", "GetMarks", "ClearMarks", "SaveMarks", "SetSource", "TouchAs", "HoldTool", "PressBody", "SoftText",
            "HoldMechanism", "Constraints", "AddConstraint", "RemoveConstraint", "BreakConstraint"]
 
 
@@ -274,6 +274,22 @@ def SetSource(source, touched=None, stiffness=None, friction=None):
         taken = session.SetSourceMaterial(name, own_stiffness, *(material[1:] if friction is None else friction))
         if taken and touched is not None:
             session.SetSourceTouched(name, touched)
+
+
+def TouchAs(source, kind=None, view=None):
+    """Touches a source (a proxy, or its name in the pipeline browser) as "surface", "lines", "field", "tool", "tissue",
+    "mechanism" or "not at all"; None: as the kind that is most likely for its data. Returns a sentence with the
+    settings that were chosen. The source is shown or hidden in the view (default: the active view) as the kind needs."""
+    proxy = simple.FindSource(_source_name(source)).SMProxy
+    view = view or simple.GetActiveView()
+    touch = vtkHapticTouchAs()
+    touch.SetSession(_proxy())
+    touch.SetView(view.SMProxy if view else None)
+    with _Refusals():
+        if not touch.Touch(proxy, kind or touch.GetLikely(proxy)):
+            raise HapticRefusal(touch.GetText())
+        HapticUpdate()
+    return touch.GetText()
 
 
 def HoldTool(source=None, view=None):
