@@ -12,6 +12,7 @@
 class QAction;
 class pqHapticFrames;
 class pqHapticHandKeys;
+class pqHapticMarks;
 class pqHapticMouse;
 class pqHapticPencil;
 class pqHapticRecordings;
@@ -44,6 +45,7 @@ public:
   vtkHapticSession* session() const;
   pqHapticViewFollower* follower() const { return this->Follower; }
   pqHapticMouse* mouse() const { return this->Mouse; }
+  pqHapticMarks* marks() const { return this->Marks; }
   pqHapticTouchKinds* kinds() const { return this->Kinds; }
   pqHapticRecordings* recordings() const { return this->Recordings; }
 
@@ -103,6 +105,7 @@ private:
   pqHapticHandKeys* Keys;
   pqHapticScript* Script;
   pqHapticTouchKinds* Kinds;
+  pqHapticMarks* Marks;
   QAction* TouchAction;
   QAction* ReleaseAction;
   QAction* MarkAction;

@@ -25,7 +25,8 @@ from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: F401  the pro
 from palpate.vtkHapticViews import vtkHapticTouchAs, vtkHapticViewScene
 
 __all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "TakeColorRange", "LetGo", "FitHand", "HapticUpdate",
-           "HapticState", "Mark", "GetMarks", "ClearMarks", "SaveMarks", "SetSource", "TouchAs", "HoldTool", "PressBody", "SoftText",
+           "HapticState", "Mark", "GetMarks", "Marks", "AddMark", "RemoveMark", "RenameMark", "ClearMarks", "SaveMarks",
+           "LoadMarks", "SetSource", "TouchAs", "HoldTool", "PressBody", "SoftText",
            "HoldMechanism", "Constraints", "AddConstraint", "RemoveConstraint", "BreakConstraint"]
 
 
@@ -242,6 +243,51 @@ def GetMarks():
 def _rows(table):
     columns = [table.GetColumn(column) for column in range(table.GetNumberOfColumns())]
     return [{column.GetName(): column.GetValue(row) for column in columns} for row in range(table.GetNumberOfRows())]
+
+
+def Marks():
+    """Returns the marks in order, each as (name, (x, y, z)); "" for a mark without a name."""
+    return [(mark["Name"], (mark["X"], mark["Y"], mark["Z"])) for mark in GetMarks()]
+
+
+def AddMark(name="", position=None):
+    """Sets a mark at a position of the scene, or at the contact, and gives it a name. Returns the mark as Marks() does."""
+    if position is not None and not (len(position) == 3 and all(map(_is_number, position))):
+        raise HapticRefusal(f"A position is three numbers, not {position!r}.")
+    if position is None:
+        Mark()
+        if name:
+            RenameMark(len(GetMarks()), name)
+    else:
+        with _Refusals() as session:
+            session.GetInspection().AddMarkAt(name, *position)
+    return Marks()[-1]
+
+
+def _mark_index(mark):
+    """Of a number from 1, or of a name."""
+    names = [name for name, _ in Marks()]
+    if isinstance(mark, str) and mark not in names:
+        raise HapticRefusal(f"No mark is called {mark!r}; there are {names}.")
+    return names.index(mark) if isinstance(mark, str) else int(mark) - 1
+
+
+def RemoveMark(mark):
+    """Removes a mark, by its name or its number from 1. The numbers of later marks decrease."""
+    with _Refusals() as session:
+        session.GetInspection().RemoveMark(_mark_index(mark))
+
+
+def RenameMark(mark, name):
+    """Names a mark, which is given by its present name or its number from 1."""
+    with _Refusals() as session:
+        session.GetInspection().RenameMark(_mark_index(mark), name)
+
+
+def LoadMarks(file):
+    """Replaces the marks by those of a csv file that SaveMarks() wrote."""
+    with _Refusals() as session:
+        session.GetInspection().ReadMarks(os.fspath(file))
 
 
 def ClearMarks():
