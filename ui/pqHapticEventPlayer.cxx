@@ -29,8 +29,11 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QMainWindow>
 #include <QMouseEvent>
+#include <QStatusBar>
 #include <QStringList>
+#include <QTableWidget>
 #include <QWidget>
 #include <QtDebug>
 
@@ -209,14 +212,39 @@ bool pqHapticEventPlayer::checkCamera(const QStringList& range) const
   return inside;
 }
 
-/// Whether a label says something, among other things.
+namespace
+{
+/// Cells of a row apart by commas.
+QString TextOf(const QTableWidget& table)
+{
+  QStringList rows;
+  for (int row = 0; row < table.rowCount(); ++row)
+  {
+    QStringList cells;
+    for (int column = 0; column < table.columnCount(); ++column)
+    {
+      cells << table.item(row, column)->text();
+    }
+    rows << cells.join(", ");
+  }
+  return rows.join("\n");
+}
+} // namespace
+
+/// Whether a label, a table, or the status bar of a window, says something, among other things.
 bool pqHapticEventPlayer::checkText(QObject* object, const QString& part) const
 {
   const auto* label = qobject_cast<const QLabel*>(object);
-  const bool has = label && label->text().contains(part) && label->isEnabled();
+  const auto* table = qobject_cast<const QTableWidget*>(object);
+  auto* window = qobject_cast<QMainWindow*>(object);
+  const QString said = label    ? label->text()
+                       : table  ? TextOf(*table)
+                       : window ? window->statusBar()->currentMessage()
+                                : QString();
+  const bool has = said.contains(part) && (!label || label->isEnabled());
   if (!has)
   {
-    qCritical() << "hapticHas" << part << ": it says" << (label ? label->text() : QString("nothing"));
+    qCritical() << "hapticHas" << part << ": it says" << said;
   }
   return has;
 }
@@ -405,10 +433,11 @@ bool pqHapticEventPlayer::check(const QStringList& range)
   if (!inside && session)
   {
     const auto quantity = QuantityOf(range.value(0));
-    qCritical() << "hapticCheck" << range << ": it is" << (quantity ? quantity(*session) : qQNaN()) << "; force" << session->GetForceMagnitude() << "N, depth"
-                << session->GetDepth() << "u, contacts" << session->GetContacts() << ", ticks" << session->GetTicks()
-                << "; state" << session->GetStateText() << session->GetFaultText() << session->GetProblem() << ";"
-                << this->Controller->follower()->report() << session->GetSceneReport();
+    qCritical() << "hapticCheck" << range << ": it is" << (quantity ? quantity(*session) : qQNaN()) << "; force"
+                << session->GetForceMagnitude() << "N, depth" << session->GetDepth() << "u, contacts"
+                << session->GetContacts() << ", ticks" << session->GetTicks() << "; state" << session->GetStateText()
+                << session->GetFaultText() << session->GetProblem() << ";" << this->Controller->follower()->report()
+                << session->GetSceneReport();
   }
   return inside;
 }

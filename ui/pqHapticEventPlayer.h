@@ -21,7 +21,7 @@ class pqHapticController;
  *   hapticDevice "name"              chosen as a script does it
  *   hapticProperty "source,name,number"  set and applied; hapticShow "source,0|1": its eye
  *   hapticCamera "least,largest"     distance of the camera from what it looks at [u]
- *   hapticHas "words"                in the text of a label that is enabled
+ *   hapticHas "words"                in a label that is enabled, a table or the status bar of a window
  *   hapticWindow "width,height"      size of the main window [pixels]: there is no window manager
  *   hapticWait "ms"                  processes events for that long
  *   hapticWaitUntilReleased "ms"     processes events until nothing is touched any more, at most that long
@@ -30,8 +30,8 @@ class pqHapticController;
  *   hapticWaitFor "name,low,high,ms" processes events until hapticCheck would pass, at most that long
  *   hapticTabOrder "name,name,..."   fails unless Tab goes through these fields of the object in this order
  *   hapticMnemonics ""               fails unless all that can be edited in the object has a mnemonic of its own
- *   hapticText "contrast,ratio"      pqHapticHasReadableText(); hapticDark "": all windows are light on dark from now
- * on hapticAnotherSession ""          registers one as a script does; fails if the one before still touches or checks
+ *   hapticText "contrast,ratio"      pqHapticHasReadableText(); hapticDark "": all windows are light on dark
+ *   hapticAnotherSession ""          registers one as a script does; fails if the one before still touches or checks
  *
  * Names: force [N], depth [u], contacts, ticks, missed, largestStiffness [N/m], delay [ticks], velocityMethod; 0 or 1:
  * limitStiffness, passivity, clutch, precision and arrived (at the exit of a labyrinth).

@@ -5,6 +5,7 @@
 #include "pqEventPlayer.h"
 #include "pqHapticController.h"
 #include "pqHapticEventPlayer.h"
+#include "pqHapticSourceMenu.h"
 #include "pqTestUtility.h"
 
 pqHapticStarter::pqHapticStarter(QObject* parent) : Superclass(parent) {}
@@ -14,6 +15,7 @@ pqHapticStarter::~pqHapticStarter() = default;
 void pqHapticStarter::onStartup()
 {
   auto* controller = pqHapticController::instance();
+  new pqHapticSourceMenu(controller);
   pqEventPlayer* player = pqApplicationCore::instance()->testUtility()->eventPlayer();
   player->addWidgetEventPlayer(new pqHapticEventPlayer(controller, player));
 }

@@ -10,14 +10,6 @@
 
 namespace
 {
-/// A colour map of what is seen, and the array that it colours.
-struct ColourMap
-{
-  std::string Array;
-  double Low = 0.0, High = 0.0;
-  double Opaque = 0.0; ///< where what is below is less than half as opaque as the most opaque value
-};
-
 vtkSMProxy* ProxyOf(vtkSMProxy* owner, const char* property)
 {
   return owner->GetProperty(property) ? vtkSMPropertyHelper(owner, property).GetAsProxy() : nullptr;
@@ -50,10 +42,15 @@ double OpaqueFrom(const std::vector<double>& points, double otherwise)
   return otherwise;
 }
 
-/// Without an array where it colours by none, or is hidden.
-ColourMap MapOf(vtkSMProxy* representation)
+} // namespace
+
+vtkHapticColourMap vtkHapticColourMapOf(vtkSMProxy* representation)
 {
-  ColourMap map;
+  vtkHapticColourMap map;
+  if (!representation)
+  {
+    return map;
+  }
   vtkSMProxy* const colours = ProxyOf(representation, "LookupTable");
   const std::vector<double> points = NumbersOf(colours, "RGBPoints");
   constexpr std::size_t each = 4; // value, red, green, blue
@@ -69,12 +66,14 @@ ColourMap MapOf(vtkSMProxy* representation)
   return map;
 }
 
+namespace
+{
 void Put(vtkSMProxy* session, const std::string& name, const std::vector<double>& numbers)
 {
   vtkSMPropertyHelper(session, name.c_str()).Set(numbers.data(), static_cast<unsigned int>(numbers.size()));
 }
 
-std::string Give(const ColourMap& map, vtkSMProxy* session)
+std::string Give(const vtkHapticColourMap& map, vtkSMProxy* session)
 {
   std::ostringstream said;
   const auto isOf = [&](const char* array) { return map.Array == vtkSMPropertyHelper(session, array).GetAsString(); };
@@ -110,7 +109,7 @@ std::string vtkHapticTakeColourRange(vtkSMProxy* view, vtkSMProxy* session)
   for (unsigned int i = 0; i < representations.GetNumberOfElements(); ++i)
   {
     vtkSMProxy* const representation = representations.GetAsProxy(i);
-    const ColourMap map = representation ? MapOf(representation) : ColourMap();
+    const vtkHapticColourMap map = vtkHapticColourMapOf(representation);
     said += !map.Array.empty() && map.High > map.Low ? Give(map, session) : "";
   }
   session->UpdateVTKObjects();

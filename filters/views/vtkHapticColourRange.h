@@ -6,6 +6,16 @@
 
 class vtkSMProxy;
 
+/// A colour map of what is seen, and the array that it colours.
+struct vtkHapticColourMap
+{
+  std::string Array; ///< "": a representation that is hidden, or coloured by none
+  double Low = 0.0, High = 0.0;
+  double Opaque = 0.0; ///< values below it are less than half as opaque as the most opaque value
+};
+/// `representation`: null has none.
+vtkHapticColourMap vtkHapticColourMapOf(vtkSMProxy* representation);
+
 /// Gives a session's settings what the colour maps of a view say of the arrays that are felt and seen: to an array of
 /// stiffness, friction or texture the ends of its map as data range; to the values of a field the lowest value that the
 /// map shows half as opaque as any as isovalue (the middle where all are alike), its low end as first level and an

@@ -11,6 +11,7 @@
 #include "pqHapticProgress.h"
 #include "pqHapticRecordingRows.h"
 #include "pqHapticStrip.h"
+#include "pqHapticTouchKinds.h"
 #include "pqHapticViewFollower.h"
 #include "pqPropertyLinks.h"
 #include "vtkHapticSession.h"
@@ -74,6 +75,8 @@ void pqHapticMainGroup::addButtons(QFormLayout* form)
     pqHapticLabel(this, "mouseHelp", tr("Functions of mouse and keyboard in the view while they move the hand"));
   form->addRow(this->MouseHelp);
   auto* controller = pqHapticController::instance();
+  this->connect(
+    this->Touch, &QPushButton::toggled, controller->kinds(), &pqHapticTouchKinds::prepare); // before the property
   this->connect(this->Release, &QPushButton::clicked, controller, &pqHapticController::release);
   this->connect(this->Fit, &QPushButton::clicked, controller, &pqHapticController::fitWorkspace);
 }

@@ -8,10 +8,12 @@
 #include "pqHapticCommand.h"
 #include "pqHapticFrames.h"
 #include "pqHapticHandKeys.h"
+#include "pqHapticMarks.h"
 #include "pqHapticMouse.h"
 #include "pqHapticPencil.h"
 #include "pqHapticRecordings.h"
 #include "pqHapticScript.h"
+#include "pqHapticTouchKinds.h"
 #include "pqHapticViewFollower.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
@@ -81,16 +83,20 @@ pqHapticController* pqHapticController::instance()
 pqHapticController::pqHapticController(QObject* parent)
   : Superclass(parent), Follower(new pqHapticViewFollower(this)), Frames(new pqHapticFrames(this)),
     Mouse(new pqHapticMouse(this)), Pencil(new pqHapticPencil(this)), Recordings(new pqHapticRecordings(this)),
-    Keys(new pqHapticHandKeys(this)), Script(new pqHapticScript(this))
+    Keys(new pqHapticHandKeys(this)), Script(new pqHapticScript(this)), Kinds(new pqHapticTouchKinds(this)),
+    Marks(new pqHapticMarks(this))
 {
   this->makeActions();
   this->connectApplication();
   this->Frames->setView(this->Follower->view());
   this->Mouse->setView(this->Follower->view());
   this->Pencil->setView(this->Follower->view());
+  this->Marks->setView(this->Follower->view());
   this->connect(this->Follower, &pqHapticViewFollower::viewChanged, this->Frames, &pqHapticFrames::setView);
   this->connect(this->Follower, &pqHapticViewFollower::viewChanged, this->Mouse, &pqHapticMouse::setView);
   this->connect(this->Follower, &pqHapticViewFollower::viewChanged, this->Pencil, &pqHapticPencil::setView);
+  this->connect(this->Follower, &pqHapticViewFollower::viewChanged, this->Marks, &pqHapticMarks::setView);
+  this->connect(this->Follower, &pqHapticViewFollower::viewClosing, this->Marks, &pqHapticMarks::leaveView);
   this->connect(this->Frames, &pqHapticFrames::updated, this->Mouse, &pqHapticMouse::update);
   this->connect(this->Mouse, &pqHapticMouse::depthChanged, this, &pqHapticController::setPressDepth);
   this->connect(this->Follower, &pqHapticViewFollower::viewClosing, this, &pqHapticController::release);
@@ -180,6 +186,7 @@ void pqHapticController::setTouching(bool on)
 {
   if (this->Proxy && on != this->touching())
   {
+    this->Kinds->prepare(on);
     vtkSMPropertyHelper(this->Proxy, "Touching").Set(on ? 1 : 0);
     this->Proxy->UpdateVTKObjects();
   }
@@ -337,6 +344,7 @@ void pqHapticController::adopt(vtkSMProxy* proxy)
   this->Recordings->setProxy(proxy);
   this->Keys->setProxy(proxy);
   this->Script->setProxy(proxy);
+  this->Marks->setProxy(proxy);
   if (proxy)
   {
     this->ProxyObserver = proxy->AddObserver(vtkCommand::UpdateEvent, this, &pqHapticController::proxyChanged);

@@ -12,11 +12,13 @@
 class QAction;
 class pqHapticFrames;
 class pqHapticHandKeys;
+class pqHapticMarks;
 class pqHapticMouse;
 class pqHapticPencil;
 class pqHapticRecordings;
 class pqHapticScript;
 class pqHapticViewFollower;
+class pqHapticTouchKinds;
 class pqServer;
 class vtkHapticSession;
 class vtkSMProxy;
@@ -43,6 +45,8 @@ public:
   vtkHapticSession* session() const;
   pqHapticViewFollower* follower() const { return this->Follower; }
   pqHapticMouse* mouse() const { return this->Mouse; }
+  pqHapticMarks* marks() const { return this->Marks; }
+  pqHapticTouchKinds* kinds() const { return this->Kinds; }
   pqHapticRecordings* recordings() const { return this->Recordings; }
 
   QAction* touchAction() const { return this->TouchAction; }
@@ -100,6 +104,8 @@ private:
   pqHapticRecordings* Recordings;
   pqHapticHandKeys* Keys;
   pqHapticScript* Script;
+  pqHapticTouchKinds* Kinds;
+  pqHapticMarks* Marks;
   QAction* TouchAction;
   QAction* ReleaseAction;
   QAction* MarkAction;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticScript.h"
 
+#include "haptics/session/settings/SessionSettings.h"
 #include "vtkCommand.h"
 #include "vtkPVPluginTracker.h"
 #include "vtkPythonInterpreter.h"
@@ -13,6 +14,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QMap>
 #include <QString>
 #include <QStringList>
 
@@ -47,6 +49,30 @@ QString ValueOf(vtkSMProperty* property)
     values << InPython(property, i);
   }
   return count > 1 ? "[" + values.join(", ") + "]" : values.join("");
+}
+
+/// The call of palpate.simple that sets a property; "": the property is a command that has no such function.
+QString CallOf(const QString& property, const QString& value)
+{
+  static const QMap<QString, QString> held = { { "ToolSource", "HoldTool" }, { "SoftSource", "PressBody" },
+    { "MechanismSource", "HoldMechanism" } };
+  if (property == "Touching")
+  {
+    return value == "0" ? "LetGo()" : "Touch()";
+  }
+  if (held.contains(property))
+  {
+    return held[property] + "(" + (value == "''" ? "" : value) + ")";
+  }
+  return palpate::findSetting(property.toStdString()) ? QString("SetHaptics(%1=%2)").arg(property, value) : QString();
+}
+
+/// The package is imported once in a trace.
+QString WithImport(const QString& call)
+{
+  const QString import = "from palpate.simple import *";
+  const bool present = QString::fromStdString(vtkSMTrace::GetActiveTracer()->GetCurrentTrace()).contains(import);
+  return present ? call : import + "\n" + call;
 }
 
 /// The Python package lies beside the folder of ParaView's plugins, where it is built and where it is installed.
@@ -147,9 +173,12 @@ void pqHapticScript::trace(vtkObject*, unsigned long, void* property)
                           : QString();
   if (!value.isEmpty())
   {
+    const QString call = CallOf(name, value);
     const QString line =
-      QString("servermanager.ProxyManager().GetProxy('haptics', 'HapticSession').SetPropertyWithName('%1', %2)")
-        .arg(name, value);
+      call.isEmpty()
+        ? QString("servermanager.ProxyManager().GetProxy('haptics', 'HapticSession').SetPropertyWithName('%1', %2)")
+            .arg(name, value)
+        : WithImport(call);
     SM_SCOPED_TRACE(TraceText).arg(line.toUtf8().constData()).arg("comment", "touched sources and tool");
   }
 }

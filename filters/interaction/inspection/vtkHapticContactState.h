@@ -25,6 +25,7 @@ struct vtkHapticContactState
   vtkHapticSourceProbe Probe;
 
   vtkHapticMarkRecords Marks;
+  std::string SavedMarks;      ///< the text of those that were written or read last
   std::vector<int> MarkStates; ///< one a mark
   std::string MarksNote;       ///< of those that are stale
   std::uint32_t MarkButtons =

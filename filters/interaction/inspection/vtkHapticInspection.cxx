@@ -21,6 +21,8 @@ bool vtkHapticInspection::WriteMarks(const char* file)
   const std::string problem = file ? this->Behind().Contact.Marks.Write(file) : "marks need a file name";
   this->Behind().Refuse(problem);
   this->Behind().Follow("marks' file", problem);
+  this->Behind().Contact.SavedMarks =
+    problem.empty() ? this->Behind().Contact.Marks.ToText() : this->Behind().Contact.SavedMarks;
   return problem.empty();
 }
 

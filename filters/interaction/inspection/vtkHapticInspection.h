@@ -8,6 +8,9 @@
 
 #include "vtkHapticSessionPart.h"
 
+#include <string> // for the return type
+
+class vtkHapticMarkRecords;
 class vtkPolyData;
 class vtkTable;
 
@@ -34,12 +37,24 @@ public:
   };
   int GetMarkState(int mark) const;
   bool WriteMarks(const char* file);
+  /// Replaces the marks by those of a csv file; false with GetProblem(), and the marks stay.
+  bool ReadMarks(const char* file);
+  /// The text of the marks that were written or read last; "": none were.
+  std::string GetSavedMarks() const;
+  bool AddMarkAt(const char* name, double x, double y, double z); ///< in W, on no source
+  bool RemoveMark(int mark);                                      ///< counted from 0; the others move up
+  bool RenameMark(int mark, const char* name);                    ///< "": its number stands for it
+  std::string GetMarkName(int mark) const;                        ///< "": it has none
+  void GetMarkPosition(int mark, double position[3]) const;       ///< in W; NaN where there is no such mark
   void GetMarks(vtkPolyData* points) const;
   void GetMarksTable(vtkTable* table) const;
   double GetValue(const char* name) const; ///< of an array there, name_k of a vector; NaN where there is none
   ///@}
 
 private:
+  bool Refuses(int mark);
+  void Keep(vtkHapticMarkRecords marks);
+
   explicit vtkHapticInspection(vtkHapticSession& session) : vtkHapticSessionPart(session) {}
 };
 

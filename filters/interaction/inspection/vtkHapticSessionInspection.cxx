@@ -49,7 +49,7 @@ void AddProbed(vtkHapticMarkRecord& record, const vtkHapticProbed& probed)
   record.Numbers.emplace_back("Point", static_cast<double>(probed.Point));
   for (const auto& [name, value] : probed.Values)
   {
-    const bool taken = !std::isnan(record.Number(name)); // an array may have a name of ours
+    const bool taken = !std::isnan(record.Number(name)) || name == vtkHapticMarkRecords::NameColumn; // one of ours
     record.Numbers.emplace_back(taken ? name + " (array)" : name, value);
   }
 }

@@ -12,6 +12,7 @@
 #include "vtkHapticPipelineModule.h" // for the export macro
 
 class vtkDataObject;
+class vtkDataSet;
 
 /// Which arrays of a data set are felt, by name; "": none.
 struct vtkHapticFieldArrays
@@ -61,6 +62,9 @@ struct vtkHapticFieldResult
 /// turned round where it has none or is a tensor.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT palpate::FieldEnds vtkHapticFieldEnds(
   vtkDataObject* data, const std::string& name);
+
+/// The data sets in a data object.
+VTKHAPTICPIPELINE_EXPORT std::vector<vtkDataSet*> vtkHapticFieldSets(vtkDataObject* data);
 
 /// Names of the arrays of numbers that a data set has at points or cells, those of `components` alone; 0: all. With 3,
 /// what is followed, symmetric tensors of 6 and 9 as well.

@@ -43,9 +43,6 @@ using HapticFieldCells = std::function<std::vector<float>(const vtkHapticFieldPa
 /// The points of a window by themselves.
 palpate::FieldBlockGrid vtkHapticGridOf(const palpate::FieldBlockGrid& lattice, const vtkHapticFieldWindow& window);
 
-/// The data sets in a data object.
-std::vector<vtkDataSet*> vtkHapticFieldSets(vtkDataObject* data);
-
 /// Whether all arrays that are asked for are at points.
 bool vtkHapticAllAtPoints(vtkDataSet& data, const vtkHapticFieldArrays& arrays);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -44,7 +45,14 @@ vtkHapticMarkRecord ReadRecord(const std::vector<std::string>& names, const std:
   vtkHapticMarkRecord record{ row.front(), {} };
   for (std::size_t i = 1; i < row.size(); ++i)
   {
-    record.Numbers.emplace_back(names[i], vtkHapticTextRows::Number(row[i]));
+    if (names[i] == vtkHapticMarkRecords::NameColumn)
+    {
+      record.Name = row[i];
+    }
+    else
+    {
+      record.Numbers.emplace_back(names[i], vtkHapticTextRows::Number(row[i]));
+    }
   }
   return record;
 }
@@ -101,6 +109,12 @@ void vtkHapticMarkRecords::FillTable(vtkTable* table) const
     sources->InsertNextValue(record.Source);
   }
   table->AddColumn(sources);
+  vtkNew<vtkStringArray> given;
+  given->SetName(NameColumn);
+  for (const vtkHapticMarkRecord& record : this->Records)
+  {
+    given->InsertNextValue(record.Name);
+  }
   for (const std::string& name : this->Columns())
   {
     vtkNew<vtkDoubleArray> column;
@@ -111,6 +125,7 @@ void vtkHapticMarkRecords::FillTable(vtkTable* table) const
     }
     table->AddColumn(column);
   }
+  table->AddColumn(given);
 }
 
 void vtkHapticMarkRecords::FillPoints(vtkPolyData* points) const
@@ -141,20 +156,23 @@ std::string vtkHapticMarkRecords::ToText() const
     return {};
   }
   const std::vector<std::string> columns = this->Columns();
-  std::string text = SourceColumn;
-  for (const std::string& name : columns)
+  const bool named = std::any_of(
+    this->Records.begin(), this->Records.end(), [](const vtkHapticMarkRecord& record) { return !record.Name.empty(); });
+  const auto row = [&](const std::string& source, const std::string& given, const auto& field)
   {
-    text += ',' + vtkHapticTextRows::Quoted(name);
-  }
-  text += '\n';
-  for (const vtkHapticMarkRecord& record : this->Records)
-  {
-    text += vtkHapticTextRows::Quoted(record.Source);
+    std::string text = vtkHapticTextRows::Quoted(source);
     for (const std::string& name : columns)
     {
-      text += ',' + vtkHapticTextRows::Digits(record.Number(name));
+      text += ',' + field(name) + (named && name == "Z" ? ',' + vtkHapticTextRows::Quoted(given) : "");
     }
-    text += '\n';
+    return text + '\n';
+  };
+  std::string text =
+    row(SourceColumn, NameColumn, [](const std::string& name) { return vtkHapticTextRows::Quoted(name); });
+  for (const vtkHapticMarkRecord& record : this->Records)
+  {
+    text += row(record.Source, record.Name,
+      [&record](const std::string& name) { return vtkHapticTextRows::Digits(record.Number(name)); });
   }
   return text;
 }
@@ -182,6 +200,19 @@ std::string vtkHapticMarkRecords::FromText(std::string_view text)
   }
   this->Records = std::move(records);
   return {};
+}
+
+std::string vtkHapticMarkRecords::Read(const std::string& path)
+{
+  this->Records.clear();
+  std::ifstream file(path, std::ios::binary);
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (!file || text.empty())
+  {
+    return path + ": no marks could be read; choose a file that was written by Save Marks as csv";
+  }
+  const std::string problem = this->FromText(text);
+  return problem.empty() ? "" : path + ": " + problem;
 }
 
 std::string vtkHapticMarkRecords::Write(const std::string& path) const

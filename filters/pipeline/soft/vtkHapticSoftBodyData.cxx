@@ -250,6 +250,11 @@ bool vtkHapticDescribeBody(
   return true;
 }
 
+bool vtkHapticIsSoftBody(vtkDataObject* data)
+{
+  return data && data->IsA("vtkUnstructuredGrid") && data->GetFieldData()->GetArray(MaterialName);
+}
+
 vtkHapticSoftBodyResult vtkHapticToSoftBody(vtkDataObject* data)
 {
   auto* const body = vtkUnstructuredGrid::SafeDownCast(data);

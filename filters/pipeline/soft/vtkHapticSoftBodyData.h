@@ -51,6 +51,9 @@ struct vtkHapticSoftBodyResult
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT bool vtkHapticDescribeBody(vtkUnstructuredGrid& body,
   const vtkHapticSoftMaterial& material, const std::string& youngArray, std::string& problem);
 
+/// Whether data were described as a body.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT bool vtkHapticIsSoftBody(vtkDataObject* data);
+
 /// A body that has been described.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticSoftBodyResult vtkHapticToSoftBody(vtkDataObject* data);
 

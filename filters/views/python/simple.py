@@ -22,10 +22,11 @@ from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkTable
 
 from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: F401  the proxy's object becomes scriptable
-from palpate.vtkHapticViews import vtkHapticViewScene
+from palpate.vtkHapticViews import vtkHapticTouchAs, vtkHapticViewScene
 
 __all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "TakeColorRange", "LetGo", "FitHand", "HapticUpdate",
-           "HapticState", "Mark", "GetMarks", "ClearMarks", "SaveMarks", "SetSource", "HoldTool", "PressBody", "SoftText",
+           "HapticState", "Mark", "GetMarks", "Marks", "AddMark", "RemoveMark", "RenameMark", "ClearMarks", "SaveMarks",
+           "LoadMarks", "SetSource", "TouchAs", "HoldTool", "PressBody", "SoftText",
            "HoldMechanism", "Constraints", "AddConstraint", "RemoveConstraint", "BreakConstraint"]
 
 
@@ -244,6 +245,51 @@ def _rows(table):
     return [{column.GetName(): column.GetValue(row) for column in columns} for row in range(table.GetNumberOfRows())]
 
 
+def Marks():
+    """Returns the marks in order, each as (name, (x, y, z)); "" for a mark without a name."""
+    return [(mark["Name"], (mark["X"], mark["Y"], mark["Z"])) for mark in GetMarks()]
+
+
+def AddMark(name="", position=None):
+    """Sets a mark at a position of the scene, or at the contact, and gives it a name. Returns the mark as Marks() does."""
+    if position is not None and not (len(position) == 3 and all(map(_is_number, position))):
+        raise HapticRefusal(f"A position is three numbers, not {position!r}.")
+    if position is None:
+        Mark()
+        if name:
+            RenameMark(len(GetMarks()), name)
+    else:
+        with _Refusals() as session:
+            session.GetInspection().AddMarkAt(name, *position)
+    return Marks()[-1]
+
+
+def _mark_index(mark):
+    """Of a number from 1, or of a name."""
+    names = [name for name, _ in Marks()]
+    if isinstance(mark, str) and mark not in names:
+        raise HapticRefusal(f"No mark is called {mark!r}; there are {names}.")
+    return names.index(mark) if isinstance(mark, str) else int(mark) - 1
+
+
+def RemoveMark(mark):
+    """Removes a mark, by its name or its number from 1. The numbers of later marks decrease."""
+    with _Refusals() as session:
+        session.GetInspection().RemoveMark(_mark_index(mark))
+
+
+def RenameMark(mark, name):
+    """Names a mark, which is given by its present name or its number from 1."""
+    with _Refusals() as session:
+        session.GetInspection().RenameMark(_mark_index(mark), name)
+
+
+def LoadMarks(file):
+    """Replaces the marks by those of a csv file that SaveMarks() wrote."""
+    with _Refusals() as session:
+        session.GetInspection().ReadMarks(os.fspath(file))
+
+
 def ClearMarks():
     """Removes all marks."""
     _proxy().InvokeCommand("ClearMarks")
@@ -274,6 +320,22 @@ def SetSource(source, touched=None, stiffness=None, friction=None):
         taken = session.SetSourceMaterial(name, own_stiffness, *(material[1:] if friction is None else friction))
         if taken and touched is not None:
             session.SetSourceTouched(name, touched)
+
+
+def TouchAs(source, kind=None, view=None):
+    """Touches a source (a proxy, or its name in the pipeline browser) as "surface", "lines", "field", "tool", "tissue",
+    "mechanism" or "not at all"; None: as the kind that is most likely for its data. Returns a sentence with the
+    settings that were chosen. The source is shown or hidden in the view (default: the active view) as the kind needs."""
+    proxy = simple.FindSource(_source_name(source)).SMProxy
+    view = view or simple.GetActiveView()
+    touch = vtkHapticTouchAs()
+    touch.SetSession(_proxy())
+    touch.SetView(view.SMProxy if view else None)
+    with _Refusals():
+        if not touch.Touch(proxy, kind or touch.GetLikely(proxy)):
+            raise HapticRefusal(touch.GetText())
+        HapticUpdate()
+    return touch.GetText()
 
 
 def HoldTool(source=None, view=None):

@@ -3,14 +3,18 @@
 #define pqHapticMarksGroup_h
 
 #include <QList>
+#include <QString>
 #include <QWidget>
 
+class QHBoxLayout;
 class QLabel;
-class QPlainTextEdit;
 class QPushButton;
+class QTableWidget;
+class QTableWidgetItem;
 class vtkHapticSession;
 
-/// The marks: one set here, all as a list that says which are stale, in a file, none.
+/// The marks: a table with number, name, position and validity of each, the distance between two that are chosen, and
+/// buttons that set a mark here, delete the chosen ones, look at one, write, read and clear.
 class pqHapticMarksGroup : public QWidget
 {
   Q_OBJECT
@@ -25,14 +29,22 @@ public:
   QList<QWidget*> fields() const;
 
 private:
+  void makeTable();
+  QPushButton* button(QHBoxLayout* row, const char* name, const QString& title, const QString& tip);
+  void fill(vtkHapticSession* session);
+  void sayDistance();
+  QList<int> chosen() const;
+  void rename(QTableWidgetItem* item);
   void save();
+  void load();
+  void remove();
   void clear();
 
-  QPushButton* Mark;
-  QPushButton* Save;
-  QPushButton* Clear;
+  QPushButton *Mark, *Delete, *GoTo, *Save, *Load, *Clear;
   QLabel* Count;
-  QPlainTextEdit* Marks;
+  QLabel* Distance;
+  QTableWidget* Marks;
+  QString Shown; ///< text and validity of the marks that the table has
 };
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "haptics/session/settings/SessionSettings.h"
 #include "pqHapticQuantityBox.h"
+#include "pqHapticSourceChoice.h"
 #include "pqSMAdaptor.h"
 
 #include <QCheckBox>
@@ -141,6 +142,13 @@ QLineEdit* pqHapticTextRow(QFormLayout* form, const char* name, const char* prop
   auto* line = Named(new QLineEdit(form->parentWidget()), name, property);
   form->addRow(pqHapticTitle(property), line);
   return line;
+}
+
+pqHapticSourceChoice* pqHapticSourceRow(QFormLayout* form, const char* name, const char* property)
+{
+  auto* list = Named(new pqHapticSourceChoice(form->parentWidget(), property), name, property);
+  form->addRow(pqHapticTitle(property), list);
+  return list;
 }
 
 QComboBox* pqHapticChoiceRow(QFormLayout* form, const char* name, const char* property)

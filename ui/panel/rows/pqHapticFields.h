@@ -12,6 +12,7 @@ class QFormLayout;
 class QLineEdit;
 class QSpinBox;
 class QWidget;
+class pqHapticSourceChoice;
 class vtkSMProperty;
 
 /// Fields of the panel for settings as haptics/session/settings/ describes them: range, unit beside the number, and a
@@ -27,6 +28,8 @@ QDoubleSpinBox* pqHapticNumberRow(QFormLayout* form, const char* name, const cha
 QList<QDoubleSpinBox*> pqHapticVectorRow(QFormLayout* form, const char* name, const char* property, int decimals);
 /// A text, which takes effect once it is typed.
 QLineEdit* pqHapticTextRow(QFormLayout* form, const char* name, const char* property);
+/// A source of the pipeline, by its name.
+pqHapticSourceChoice* pqHapticSourceRow(QFormLayout* form, const char* name, const char* property);
 QSpinBox* pqHapticCountRow(QFormLayout* form, const char* name, const char* property);
 QCheckBox* pqHapticSwitchRow(QFormLayout* form, const char* name, const char* property);
 /// The proxy's domain has its choices: pqHapticFill().

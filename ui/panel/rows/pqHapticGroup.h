@@ -10,7 +10,7 @@
 class QFormLayout;
 class QLabel;
 class QPushButton;
-class pqOutputPort;
+class pqHapticSourceChoice;
 class pqPropertyLinks;
 class vtkHapticSession;
 class vtkSMProxy;
@@ -39,39 +39,14 @@ protected:
   QLabel* addText(const char* name, const QString& tip);
   void addSettings();
   QList<QWidget*> settings() const;
+  /// The list of sources of a setting of the group.
+  pqHapticSourceChoice* choiceOf(const QString& setting) const;
 
   const char* Name;
   QFormLayout* Form;
 
 private:
   pqHapticSettingRows Rows;
-};
-
-/// A group about a source that the hand holds or presses, named by a property of the session: a button takes the source
-/// that is active in the pipeline browser, another one lets go of it.
-class pqHapticSourceUse : public pqHapticGroup
-{
-  Q_OBJECT
-  typedef pqHapticGroup Superclass;
-
-public:
-  QList<QWidget*> fields() const override;
-
-protected:
-  struct Button
-  {
-    const char* Name;
-    QString Title, Tip;
-  };
-  pqHapticSourceUse(const QString& title, const char* name, const char* property, QWidget* parent);
-
-  void addButtons(const Button& use, const Button& leave);
-  void refreshButtons(vtkHapticSession* session, const char* source);
-  virtual void use(pqOutputPort& port);
-
-private:
-  const char* Property;
-  QPushButton *Use, *Leave;
 };
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "haptics/session/settings/SessionSettings.h"
 #include "pqHapticFields.h"
+#include "pqHapticSourceChoice.h"
 #include "pqPropertyLinks.h"
 #include "vtkSMProxy.h"
 
@@ -11,6 +12,8 @@
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QSpinBox>
+
+#include <string_view>
 
 namespace
 {
@@ -42,6 +45,13 @@ Editor NumberEditor(QFormLayout* form, const char* name, const char* property, c
   return editor;
 }
 
+Editor TextEditor(QFormLayout* form, const char* name, const char* property)
+{
+  return std::string_view(property).ends_with("Source")
+           ? Editor{ "source", SIGNAL(sourceChanged()), { pqHapticSourceRow(form, name, property) } }
+           : Editor{ "text", SIGNAL(editingFinished()), { pqHapticTextRow(form, name, property) } };
+}
+
 Editor EditorOf(QFormLayout* form, const char* name, const char* property, const palpate::Setting& setting)
 {
   switch (setting.kind)
@@ -53,7 +63,7 @@ Editor EditorOf(QFormLayout* form, const char* name, const char* property, const
     case palpate::SettingKind::Choice:
       return { "currentText", SIGNAL(currentTextChanged(const QString&)), { pqHapticChoiceRow(form, name, property) } };
     case palpate::SettingKind::Text:
-      return { "text", SIGNAL(editingFinished()), { pqHapticTextRow(form, name, property) } };
+      return TextEditor(form, name, property);
     default:
       return NumberEditor(form, name, property, setting);
   }
@@ -86,7 +96,8 @@ void pqHapticSettingRows::link(pqPropertyLinks& links, vtkSMProxy* proxy) const
   for (const Field& field : this->Fields)
   {
     vtkSMProperty* const property = proxy->GetProperty(field.Property.toUtf8());
-    if (auto* choices = qobject_cast<QComboBox*>(field.Widget))
+    auto* const choices = qobject_cast<QComboBox*>(field.Widget);
+    if (choices && !qobject_cast<pqHapticSourceChoice*>(choices))
     {
       pqHapticFill(choices, property);
     }

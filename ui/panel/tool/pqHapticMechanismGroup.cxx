@@ -5,6 +5,7 @@
 #include "pqHapticController.h"
 #include "pqHapticLabel.h"
 #include "pqHapticNamedSource.h"
+#include "pqHapticSourceChoice.h"
 #include "pqHapticStrip.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticTouchedMechanism.h"
@@ -50,14 +51,12 @@ void SetConstraints(const std::string& laws)
 }
 } // namespace
 
-pqHapticMechanismGroup::pqHapticMechanismGroup(QWidget* parent)
-  : Superclass(tr("Mechanism"), "mechanism", "MechanismSource", parent)
+pqHapticMechanismGroup::pqHapticMechanismGroup(QWidget* parent) : Superclass(tr("Mechanism"), "mechanism", parent)
 {
-  this->addButtons({ "mechanismUse", tr("Hold Selected Source"),
-                     tr("Hold a body of the active source of the pipeline browser, made by Haptic Mechanism") },
-    { "mechanismLeave", tr("No Mechanism"), tr("Release the mechanism") });
-  this->Text = this->addText("mechanismText", tr("State of the mechanism, or the reason why it cannot be touched"));
   this->addSettings();
+  this->connect(this->choiceOf("mechanismSource"), &pqHapticSourceChoice::chosen, this,
+    [] { pqHapticNameSource("MechanismConstraints", {}); }); // those of another mechanism would not fit
+  this->Text = this->addText("mechanismText", tr("State of the mechanism, or the reason why it cannot be touched"));
   this->makeTable();
   this->Form->addRow(this->Table);
   this->Chart = new pqHapticStrip(this, "mechanismChart", tr("Force over depth"), "N", 1.0);
@@ -73,12 +72,6 @@ pqHapticMechanismGroup::pqHapticMechanismGroup(QWidget* parent)
   added->addWidget(this->Constraint, 1);
   added->addWidget(this->Add);
   this->Form->addRow(added);
-}
-
-void pqHapticMechanismGroup::use(pqOutputPort& port)
-{
-  pqHapticNameSource("MechanismConstraints", {}); // those of another mechanism would not fit
-  this->Superclass::use(port);
 }
 
 void pqHapticMechanismGroup::makeTable()
@@ -172,7 +165,6 @@ void pqHapticMechanismGroup::fill(vtkHapticSession& session)
 void pqHapticMechanismGroup::refresh(vtkHapticSession* session)
 {
   const bool held = session && *session->GetSettingText("MechanismSource") != '\0';
-  this->refreshButtons(session, session ? session->GetSettingText("MechanismSource") : "");
   pqHapticSay(this->Text, session ? QString::fromUtf8(session->GetMechanismText()) : QString());
   if (session)
   {
@@ -201,6 +193,5 @@ void pqHapticMechanismGroup::refresh(vtkHapticSession* session)
 
 QList<QWidget*> pqHapticMechanismGroup::fields() const
 {
-  return this->Superclass::fields() + this->settings() +
-         QList<QWidget*>{ this->Table, this->Remove, this->Break, this->Constraint, this->Add };
+  return this->settings() + QList<QWidget*>{ this->Table, this->Remove, this->Break, this->Constraint, this->Add };
 }

@@ -10,10 +10,10 @@ class pqHapticStrip;
 
 /// The group "Mechanism" of the panel: which source the hand holds a body of, a row a law with its present force, laws
 /// to be added, removed and broken, and the force over the depth.
-class pqHapticMechanismGroup : public pqHapticSourceUse
+class pqHapticMechanismGroup : public pqHapticGroup
 {
   Q_OBJECT
-  typedef pqHapticSourceUse Superclass;
+  typedef pqHapticGroup Superclass;
 
 public:
   explicit pqHapticMechanismGroup(QWidget* parent = nullptr);
@@ -22,7 +22,6 @@ public:
   QList<QWidget*> fields() const override;
 
 private:
-  void use(pqOutputPort& port) override;
   void makeTable();
   void makeButtons();
   void addConstraint();

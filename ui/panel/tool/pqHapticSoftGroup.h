@@ -5,10 +5,10 @@
 #include "pqHapticGroup.h"
 
 /// The group "Soft body" of the panel: which source gives way, how often it is computed, and how it is.
-class pqHapticSoftGroup : public pqHapticSourceUse
+class pqHapticSoftGroup : public pqHapticGroup
 {
   Q_OBJECT
-  typedef pqHapticSourceUse Superclass;
+  typedef pqHapticGroup Superclass;
 
 public:
   explicit pqHapticSoftGroup(QWidget* parent = nullptr);

@@ -5,8 +5,8 @@
 #include "pqApplicationCore.h"
 #include "pqHapticController.h"
 #include "pqHapticLabel.h"
+#include "pqHapticSourceChoice.h"
 #include "pqHapticToolLine.h"
-#include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqServerManagerModel.h"
 #include "pqView.h"
@@ -28,25 +28,21 @@ pqPipelineSource* SourceNamed(const char* name)
 } // namespace
 
 pqHapticToolGroup::pqHapticToolGroup(QWidget* parent)
-  : Superclass(tr("Tool"), "tool", "ToolSource", parent), Line(new pqHapticToolLine(this))
+  : Superclass(tr("Tool"), "tool", parent), Line(new pqHapticToolLine(this))
 {
-  this->addButtons({ "toolUse", tr("Use Selected Source"),
-                     tr("Hold the surface of the active source of the pipeline browser as tool. The source is hidden; "
-                        "the tool is drawn at its pose, with a ghost at the pose of the hand") },
-    { "toolBall", tr("Take the Ball"), tr("Touch with the proxy sphere again") });
-  this->PlaceHandle = this->addButton("toolPlaceHandle", tr("Place Handle"), // three in a row would widen the panel
+  this->addSettings();
+  this->connect(this->choiceOf("toolSource"), &pqHapticSourceChoice::chosen, this, &pqHapticToolGroup::hideTool);
+  this->PlaceHandle = this->addButton("toolPlaceHandle", tr("Place Handle"),
     tr("Show the tool at its data, with a line whose ends are moved with the mouse: the handle and the tip"));
   this->PlaceHandle->setCheckable(true);
   this->Text = this->addText("toolText", tr("State of the tool, or the reason why there is none"));
   this->Contacts =
     this->addText("toolContacts", tr("Contacts of the tool: source, position, share of the total contact force"));
-  this->addSettings();
   this->connect(this->PlaceHandle, &QPushButton::toggled, this, &pqHapticToolGroup::placeHandle);
 }
 
 void pqHapticToolGroup::refresh(vtkHapticSession* session)
 {
-  this->refreshButtons(session, session ? session->GetSettingText("ToolSource") : "");
   pqPipelineSource* const tool = session ? SourceNamed(session->GetSettingText("ToolSource")) : nullptr;
   this->PlaceHandle->setEnabled(tool);
   if (!tool || tool != this->Placed)
@@ -59,16 +55,18 @@ void pqHapticToolGroup::refresh(vtkHapticSession* session)
 
 QList<QWidget*> pqHapticToolGroup::fields() const
 {
-  return this->Superclass::fields() + QList<QWidget*>{ this->PlaceHandle } + this->settings();
+  return this->settings() + QList<QWidget*>{ this->PlaceHandle };
 }
 
-void pqHapticToolGroup::use(pqOutputPort& port)
+/// The tool is drawn at its pose instead.
+void pqHapticToolGroup::hideTool() const
 {
-  this->Superclass::use(port);
-  if (pqView* const view = pqActiveObjects::instance().activeView())
+  pqPipelineSource* const tool = SourceNamed(this->choiceOf("toolSource")->source().toUtf8());
+  pqView* const view = pqActiveObjects::instance().activeView();
+  if (tool && view)
   {
     vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
-    controller->Hide(port.getSourceProxy(), port.getPortNumber(), view->getViewProxy());
+    controller->Hide(tool->getSourceProxy(), 0, view->getViewProxy());
     view->render();
   }
 }

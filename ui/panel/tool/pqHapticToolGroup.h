@@ -10,10 +10,10 @@ class pqHapticToolLine;
 class pqPipelineSource;
 
 /// The group "Tool" of the panel: which source the hand holds in place of the ball, how, and how it is.
-class pqHapticToolGroup : public pqHapticSourceUse
+class pqHapticToolGroup : public pqHapticGroup
 {
   Q_OBJECT
-  typedef pqHapticSourceUse Superclass;
+  typedef pqHapticGroup Superclass;
 
 public:
   explicit pqHapticToolGroup(QWidget* parent = nullptr);
@@ -22,7 +22,7 @@ public:
   QList<QWidget*> fields() const override;
 
 private:
-  void use(pqOutputPort& port) override;
+  void hideTool() const;
   void placeHandle(bool shown);
 
   QPushButton* PlaceHandle;

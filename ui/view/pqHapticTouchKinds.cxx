@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticTouchKinds.h"
+
+#include "pqActiveObjects.h"
+#include "pqCoreUtilities.h"
+#include "pqDataRepresentation.h"
+#include "pqHapticController.h"
+#include "pqHapticViewFollower.h"
+#include "pqPipelineSource.h"
+#include "pqUndoStack.h"
+#include "pqView.h"
+#include "vtkHapticSession.h"
+#include "vtkHapticTouchAs.h"
+#include "vtkNew.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMViewProxy.h"
+
+#include <QMainWindow>
+#include <QStatusBar>
+
+namespace
+{
+constexpr int said_ms = 15000;
+
+void Say(const std::string& sentence)
+{
+  if (auto* const window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget()))
+  {
+    window->statusBar()->showMessage(QString::fromStdString(sentence), said_ms);
+  }
+}
+} // namespace
+
+pqHapticTouchKinds::pqHapticTouchKinds(pqHapticController* controller) : Superclass(controller), Controller(controller)
+{
+}
+
+void pqHapticTouchKinds::aim(vtkHapticTouchAs& at) const
+{
+  const pqView* const view = pqActiveObjects::instance().activeView();
+  at.SetSession(this->Controller->sessionProxy());
+  at.SetView(view ? view->getProxy() : nullptr);
+}
+
+bool pqHapticTouchKinds::touchAs(pqPipelineSource* source, const QString& kind)
+{
+  vtkNew<vtkHapticTouchAs> at;
+  this->aim(*at);
+  vtkSMProxy* const proxy = source ? source->getProxy() : nullptr;
+  BEGIN_UNDO_SET(tr("Touch %1").arg(source ? source->getSMName() : QString()));
+  const std::string asked = kind.isEmpty() && proxy ? at->GetLikely(proxy) : kind.toStdString();
+  const bool done = at->Touch(proxy, asked.c_str());
+  END_UNDO_SET();
+  Say(at->GetText());
+  return done;
+}
+
+void pqHapticTouchKinds::touch(pqPipelineSource* source)
+{
+  if (this->touchAs(source, {}))
+  {
+    this->Controller->setTouching(true);
+  }
+}
+
+void pqHapticTouchKinds::prepare(bool touching)
+{
+  const vtkHapticSession* const session = this->Controller->session();
+  const pqView* const view = pqActiveObjects::instance().activeView();
+  if (!touching || !session || !view || this->Controller->touching() ||
+      this->Controller->follower()->refusal().isEmpty())
+  {
+    return;
+  }
+  vtkNew<vtkHapticTouchAs> at;
+  this->aim(*at);
+  for (pqRepresentation* const shown : view->getRepresentations())
+  {
+    const auto* const data = qobject_cast<pqDataRepresentation*>(shown);
+    pqPipelineSource* const source = data && data->isVisible() ? data->getInput() : nullptr;
+    const bool wanted = source && session->GetSourceTouched(source->getSMName().toUtf8().constData());
+    const std::string kind = wanted ? at->GetLikely(source->getProxy()) : "";
+    if (kind == "lines" || kind == "field")
+    {
+      this->touchAs(source, QString::fromStdString(kind));
+      return;
+    }
+  }
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef pqHapticTouchKinds_h
+#define pqHapticTouchKinds_h
+
+#include <QObject>
+#include <QString>
+
+class pqHapticController;
+class pqPipelineSource;
+class vtkHapticTouchAs;
+
+/// Has sources touched as the kinds of vtkHapticTouchAs, each as one step of undo. ParaView's status bar says what was
+/// done, or why nothing was.
+class pqHapticTouchKinds : public QObject
+{
+  Q_OBJECT
+  typedef QObject Superclass;
+
+public:
+  explicit pqHapticTouchKinds(pqHapticController* controller);
+
+  /// False if the data do not fit; "": as the kind that is most likely.
+  bool touchAs(pqPipelineSource* source, const QString& kind);
+  /// As the kind that is most likely; then the hand touches.
+  void touch(pqPipelineSource* source);
+
+public Q_SLOTS:
+  /// Before a person touches: where nothing can be touched as it is shown, the first of the lines and volumes that are
+  /// shown can.
+  void prepare(bool touching);
+
+private:
+  void aim(vtkHapticTouchAs& at) const;
+
+  pqHapticController* Controller;
+};
+
+#endif
