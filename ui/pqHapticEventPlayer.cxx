@@ -8,6 +8,7 @@
 #include "pqEventDispatcher.h"
 #include "pqHapticController.h"
 #include "pqHapticPanelChecks.h"
+#include "pqHapticQuantities.h"
 #include "pqHapticViewFollower.h"
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
@@ -15,9 +16,7 @@
 #include "pqUndoStack.h"
 #include "vtkCamera.h"
 #include "vtkHapticDeviceCheck.h"
-#include "vtkHapticLabyrinthGame.h"
 #include "vtkHapticSession.h"
-#include "vtkHapticSight.h"
 #include "vtkPythonInterpreter.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -38,10 +37,8 @@
 #include <QtDebug>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
-#include <string_view>
 
 namespace
 {
@@ -50,58 +47,11 @@ constexpr int settle_ms = 150;
 /// Of a pointer that glides.
 constexpr int betweenMoves_ms = 30;
 
-bool PhaseIs(vtkHapticSession& session, std::string_view phase)
-{
-  return session.GetLabyrinth()->GetPhase() == phase;
-}
-
-/// Of the proxy from the origin [u].
-double DistanceOfProxy(vtkHapticSession& session)
-{
-  const double* const p = session.GetProxyPosition();
-  return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-}
-
-/// Sine of half the angle by which the workspace is turned.
-double TurnOf(vtkHapticSession& session)
-{
-  const double* const q = session.GetSettingNumbers("Rotation");
-  return std::sqrt(q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-}
-
 pqPipelineSource* SourceOf(const QString& name)
 {
   return pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(name);
 }
 
-/// What hapticCheck and hapticWaitFor can ask for; null: no such name.
-std::function<double(vtkHapticSession&)> QuantityOf(const QString& name)
-{
-  using S = vtkHapticSession&;
-  static const std::map<QString, std::function<double(S)>> quantities = {
-    { "force", [](S s) { return s.GetForceMagnitude(); } },
-    { "recorded", [](S s) { return *s.GetRecordedFile() != '\0' ? 1.0 : 0.0; } },
-    { "turned", [](S s) { return TurnOf(s); } },
-    { "clutch", [](S s) { return s.IsOn("Clutch") ? 1.0 : 0.0; } },
-    { "precision", [](S s) { return s.IsOn("Precision") ? 1.0 : 0.0; } },
-    { "cancelled", [](S s) { return static_cast<double>(s.GetSight()->GetScenesCancelled()); } },
-    { "arrived", [](S s) { return PhaseIs(s, "arrived") || PhaseIs(s, "rests") ? 1.0 : 0.0; } },
-    { "depth", [](S s) { return s.GetDepth(); } },
-    { "contacts", [](S s) { return static_cast<double>(s.GetContacts()); } },
-    { "distance", [](S s) { return DistanceOfProxy(s); } },
-    { "scale", [](S s) { return s.GetSetting("Scale"); } },
-    { "radius", [](S s) { return s.GetSetting("Radius"); } },
-    { "ticks", [](S s) { return static_cast<double>(s.GetTicks()); } },
-    { "missed", [](S s) { return static_cast<double>(s.GetMissed()); } },
-    { "largestStiffness", [](S s) { return s.GetLargestStiffness(); } },
-    { "limitStiffness", [](S s) { return s.IsOn("LimitStiffness") ? 1.0 : 0.0; } },
-    { "passivity", [](S s) { return s.IsOn("Passivity") ? 1.0 : 0.0; } },
-    { "delay", [](S s) { return s.GetSetting("Delay"); } },
-    { "velocityMethod", [](S s) { return s.GetSetting("VelocityMethod"); } },
-  };
-  const auto found = quantities.find(name);
-  return found == quantities.end() ? nullptr : found->second;
-}
 } // namespace
 
 pqHapticEventPlayer::pqHapticEventPlayer(pqHapticController* controller, QObject* parent)
@@ -406,7 +356,7 @@ bool pqHapticEventPlayer::holds(const QStringList& range) const
     return false;
   }
   session->Update();
-  const auto quantity = QuantityOf(range[0]);
+  const auto quantity = pqHapticQuantityOf(range[0]);
   return quantity && quantity(*session) >= range[1].toDouble() && quantity(*session) <= range[2].toDouble();
 }
 
@@ -432,7 +382,7 @@ bool pqHapticEventPlayer::check(const QStringList& range)
   vtkHapticSession* session = this->Controller->session();
   if (!inside && session)
   {
-    const auto quantity = QuantityOf(range.value(0));
+    const auto quantity = pqHapticQuantityOf(range.value(0));
     qCritical() << "hapticCheck" << range << ": it is" << (quantity ? quantity(*session) : qQNaN()) << "; force"
                 << session->GetForceMagnitude() << "N, depth" << session->GetDepth() << "u, contacts"
                 << session->GetContacts() << ", ticks" << session->GetTicks() << "; state" << session->GetStateText()
