@@ -7,6 +7,7 @@
 #include "pqDataRepresentation.h"
 #include "pqEventDispatcher.h"
 #include "pqHapticController.h"
+#include "pqHapticLayoutChecks.h"
 #include "pqHapticPanelChecks.h"
 #include "pqHapticViewFollower.h"
 #include "pqPipelineSource.h"
@@ -136,6 +137,14 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
       [&] { return pqHapticHasReadableText(object, list.value(0).toDouble(), list.value(1).toDouble()); } },
     { "hapticDark", [&] { return pqHapticGoDark(); } },
     { "hapticAnotherSession", [&] { return this->replaceSession(); } },
+    { "hapticPlaces",
+      [&]
+      {
+        this->Places = pqHapticPlacesIn(object);
+        return !this->Places.isEmpty();
+      } },
+    { "hapticStill", [&] { return pqHapticIsStill(object, this->Places); } },
+    { "hapticSeen", [&] { return pqHapticIsSeen(object, arguments == "whole"); } },
     { "hapticTabOrder", [&] { return pqHapticHasTabOrder(object, list); } },
   };
   const auto found = commands.find(command);
@@ -405,10 +414,11 @@ bool pqHapticEventPlayer::check(const QStringList& range)
   if (!inside && session)
   {
     const auto quantity = QuantityOf(range.value(0));
-    qCritical() << "hapticCheck" << range << ": it is" << (quantity ? quantity(*session) : qQNaN()) << "; force" << session->GetForceMagnitude() << "N, depth"
-                << session->GetDepth() << "u, contacts" << session->GetContacts() << ", ticks" << session->GetTicks()
-                << "; state" << session->GetStateText() << session->GetFaultText() << session->GetProblem() << ";"
-                << this->Controller->follower()->report() << session->GetSceneReport();
+    qCritical() << "hapticCheck" << range << ": it is" << (quantity ? quantity(*session) : qQNaN()) << "; force"
+                << session->GetForceMagnitude() << "N, depth" << session->GetDepth() << "u, contacts"
+                << session->GetContacts() << ", ticks" << session->GetTicks() << "; state" << session->GetStateText()
+                << session->GetFaultText() << session->GetProblem() << ";" << this->Controller->follower()->report()
+                << session->GetSceneReport();
   }
   return inside;
 }

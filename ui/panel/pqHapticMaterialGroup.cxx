@@ -60,10 +60,18 @@ void pqHapticMaterialGroup::add(const Looks& looks)
   details->setObjectName(name + "Details");
   this->addDetails(details, looks, transfer);
   this->Form->addRow(details);
-  const auto show = [details, choice = transfer.Array] { details->setVisible(!choice->array().isEmpty()); };
-  this->connect(transfer.Array, &pqHapticArrayChoice::arrayChanged, this, show);
-  show();
+  transfer.Details = details;
+  this->connect(transfer.Array, &pqHapticArrayChoice::arrayChanged, this, [this] { this->refresh(nullptr); });
   this->Transfers.push_back(transfer);
+  this->refresh(nullptr);
+}
+
+void pqHapticMaterialGroup::refresh(vtkHapticSession*)
+{
+  for (const Transfer& transfer : this->Transfers)
+  {
+    transfer.Details->setVisible(!transfer.Array->array().isEmpty());
+  }
 }
 
 void pqHapticMaterialGroup::addDetails(QWidget* parent, const Looks& looks, Transfer& transfer)

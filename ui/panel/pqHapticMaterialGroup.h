@@ -23,6 +23,7 @@ public:
 
   void setArrayNames(const QStringList& names);
   void link(pqPropertyLinks& links, vtkSMProxy* proxy) override;
+  void refresh(vtkHapticSession* session) override;
   QList<QWidget*> fields() const override;
 
 private:
@@ -31,6 +32,7 @@ private:
   {
     const char* Property;
     pqHapticArrayChoice* Array;
+    QWidget* Details; ///< visible while an array is chosen
     QSpinBox* Component;
     QDoubleSpinBox* Data[2];
     QDoubleSpinBox* Felt[2];

@@ -36,6 +36,9 @@ void pqHapticFill(QComboBox* box, vtkSMProperty* property);
 /// The title of a setting's row, with the mark of its letter, and the help text of the setting.
 QString pqHapticTitle(const QString& property);
 QString pqHapticTip(const QString& property);
+/// The property that a field is for, which the search finds; "": it names none.
+void pqHapticSetProperty(QWidget* field, const QString& property);
+QString pqHapticProperty(const QWidget& field);
 /// The value of a read-out.
 QString pqHapticReadoutTip(const QString& property);
 
