@@ -257,10 +257,11 @@ void pqHapticPanel::Internals::fillPages()
   this->addHand(device);
   this->addGroup(device, new pqHapticCheckGroup);
   this->addGroup(page("view", tr("View"), tr("The hand in the view")), new pqHapticViewGroup);
-  this->addStability(page("stability", tr("Stability"), tr("Limits of stiffness and energy")));
-  QVBoxLayout* const state = page("state", tr("State"), tr("Measured forces, energies and times"));
-  this->addState(state);
-  this->addServo(state);
+  QVBoxLayout* const stability =
+    page("stability", tr("Stability"), tr("Limits of stiffness and energy, and the servo"));
+  this->addStability(stability);
+  this->addServo(stability);
+  this->addState(page("state", tr("State"), tr("Measured forces and energies")));
   this->addScene(page("scene", tr("Scene"), tr("The data as they are touched")));
 }
 

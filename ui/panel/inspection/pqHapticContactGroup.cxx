@@ -84,7 +84,7 @@ void pqHapticContactGroup::refresh(vtkHapticSession* session)
   }
   this->Found->setVisible(found || (session && session == this->Shown));
   this->When->setText(found                     ? tr("Contact now:")
-                      : this->Found->isHidden() ? tr("There was no contact since this page is open.")
+                      : this->Found->isHidden() ? tr("No contact since this page was opened.")
                                                 : tr("Last contact:"));
 }
 
