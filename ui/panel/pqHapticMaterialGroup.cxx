@@ -3,6 +3,7 @@
 
 #include "pqHapticArrayChoice.h"
 #include "pqHapticFields.h"
+#include "pqHapticQuantityBox.h"
 #include "pqPropertyLinks.h"
 #include "vtkSMProxy.h"
 
@@ -18,10 +19,10 @@ constexpr int largestComponent = 99;
 constexpr int dataDecimals = 6;
 
 /// Two of them stand in a row.
-QDoubleSpinBox* NumberBox(QWidget* parent, const QString& name, const QString& property, int decimals)
+pqHapticQuantityBox* NumberBox(QWidget* parent, const QString& name, const QString& property, int decimals)
 {
   constexpr int leastWidth = 60; // [pixels]
-  QDoubleSpinBox* box = pqHapticNumber(parent, name, property, decimals);
+  pqHapticQuantityBox* box = pqHapticNumber(parent, name, property, decimals);
   box->setMinimumWidth(leastWidth);
   box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return box;
@@ -90,6 +91,17 @@ void pqHapticMaterialGroup::addDetails(QWidget* parent, const Looks& looks, Tran
     transfer.Data[end] = NumberBox(parent, name + "Data" + ends[end], data, dataDecimals);
     transfer.Felt[end] = NumberBox(parent, name + "Felt" + ends[end], felt, looks.Decimals);
   }
+  const auto follow = [low = transfer.Data[0], high = transfer.Data[1]]
+  {
+    const bool own = low->value() == high->value(); // the array's own range
+    low->setAutomatic(own);
+    high->setAutomatic(own);
+  };
+  for (pqHapticQuantityBox* end : transfer.Data)
+  {
+    this->connect(end, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, follow);
+  }
+  follow();
   auto* form = new QFormLayout(parent);
   form->setContentsMargins(0, 0, 0, 0);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);

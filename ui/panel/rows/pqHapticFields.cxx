@@ -98,11 +98,11 @@ QString pqHapticReadoutTip(const QString& property)
   return found == all.end() ? QString() : Text(found->sentence);
 }
 
-QDoubleSpinBox* pqHapticNumber(QWidget* parent, const QString& name, const QString& property, int decimals)
+pqHapticQuantityBox* pqHapticNumber(QWidget* parent, const QString& name, const QString& property, int decimals)
 {
   const palpate::Setting& setting = *Described(property);
   const bool ofScene = setting.unit == "u" || setting.unit == "u/m" || setting.unit.empty();
-  QDoubleSpinBox* const box =
+  pqHapticQuantityBox* const box =
     Named(ofScene ? new pqHapticQuantityBox(parent) : new pqHapticQuantityBox(decimals, parent), name, property);
   box->setSuffix(SuffixOf(setting));
   box->setSpecialValueText(LeastOf(property));

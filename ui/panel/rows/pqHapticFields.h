@@ -12,6 +12,7 @@ class QFormLayout;
 class QLineEdit;
 class QSpinBox;
 class QWidget;
+class pqHapticQuantityBox;
 class vtkSMProperty;
 
 /// Fields of the panel for settings as haptics/session/settings/ describes them: range, unit beside the number, and a
@@ -19,7 +20,7 @@ class vtkSMProperty;
 /// typed.
 
 /// A number without a row of its own. Lengths of the scene and values of data can be of any size.
-QDoubleSpinBox* pqHapticNumber(QWidget* parent, const QString& name, const QString& property, int decimals);
+pqHapticQuantityBox* pqHapticNumber(QWidget* parent, const QString& name, const QString& property, int decimals);
 
 /// A row with a number and its unit.
 QDoubleSpinBox* pqHapticNumberRow(QFormLayout* form, const char* name, const char* property, int decimals);

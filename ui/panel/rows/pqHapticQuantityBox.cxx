@@ -28,6 +28,15 @@ bool pqHapticQuantityBox::isSpecial(const QString& text) const
   return !this->specialValueText().isEmpty() && text == this->specialValueText();
 }
 
+void pqHapticQuantityBox::setAutomatic(bool on)
+{
+  if (on != this->Automatic)
+  {
+    this->Automatic = on;
+    this->setSpecialValueText(this->specialValueText()); // Qt then writes the text anew
+  }
+}
+
 QString pqHapticQuantityBox::numberIn(const QString& text) const
 {
   QString number = text.trimmed();
@@ -40,18 +49,24 @@ QString pqHapticQuantityBox::numberIn(const QString& text) const
 
 QString pqHapticQuantityBox::textFromValue(double value) const
 {
+  if (this->Automatic)
+  {
+    return tr("automatic");
+  }
   return this->decimals() == allDecimals ? QString::number(value, 'g', significant)
                                          : pqHapticNumberText(value, this->decimals());
 }
 
 double pqHapticQuantityBox::valueFromText(const QString& text) const
 {
-  return this->isSpecial(text) ? this->minimum() : this->numberIn(text).toDouble();
+  return this->isSpecial(text)                        ? this->minimum()
+         : this->Automatic && text == tr("automatic") ? this->value()
+                                                      : this->numberIn(text).toDouble();
 }
 
 QValidator::State pqHapticQuantityBox::validate(QString& text, int&) const
 {
-  if (this->isSpecial(text))
+  if (this->isSpecial(text) || (this->Automatic && text == tr("automatic")))
   {
     return QValidator::Acceptable;
   }

@@ -19,6 +19,9 @@ public:
   pqHapticQuantityBox(int decimals, QWidget* parent);
   ~pqHapticQuantityBox() override;
 
+  /// Whether the number is found by the session, and the box says so instead; a number that is typed is shown.
+  void setAutomatic(bool on);
+
   QString textFromValue(double value) const override;
   double valueFromText(const QString& text) const override;
   QValidator::State validate(QString& text, int& position) const override;
@@ -27,6 +30,8 @@ public:
 private:
   bool isSpecial(const QString& text) const;
   QString numberIn(const QString& text) const;
+
+  bool Automatic = false;
 };
 
 #endif
