@@ -7,6 +7,7 @@
 #include "pqDataRepresentation.h"
 #include "pqEventDispatcher.h"
 #include "pqHapticController.h"
+#include "pqHapticLayoutChecks.h"
 #include "pqHapticPanelChecks.h"
 #include "pqHapticQuantities.h"
 #include "pqHapticViewFollower.h"
@@ -89,6 +90,14 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
       [&] { return pqHapticHasReadableText(object, list.value(0).toDouble(), list.value(1).toDouble()); } },
     { "hapticDark", [&] { return pqHapticGoDark(); } },
     { "hapticAnotherSession", [&] { return this->replaceSession(); } },
+    { "hapticPlaces",
+      [&]
+      {
+        this->Places = pqHapticPlacesIn(object);
+        return !this->Places.isEmpty();
+      } },
+    { "hapticStill", [&] { return pqHapticIsStill(object, this->Places); } },
+    { "hapticSeen", [&] { return pqHapticIsSeen(object, arguments == "whole"); } },
     { "hapticTabOrder", [&] { return pqHapticHasTabOrder(object, list); } },
   };
   const auto found = commands.find(command);

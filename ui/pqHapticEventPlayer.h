@@ -2,6 +2,7 @@
 #ifndef pqHapticEventPlayer_h
 #define pqHapticEventPlayer_h
 
+#include "pqHapticLayoutChecks.h"
 #include "pqWidgetEventPlayer.h"
 
 class pqHapticController;
@@ -30,6 +31,9 @@ class pqHapticController;
  *   hapticWaitFor "name,low,high,ms" processes events until hapticCheck would pass, at most that long
  *   hapticTabOrder "name,name,..."   fails unless Tab goes through these fields of the object in this order
  *   hapticMnemonics ""               fails unless all that can be edited in the object has a mnemonic of its own
+ *   hapticPlaces ""                  remembers where the widgets of the object are
+ *   hapticStill ""                   fails if one of them has moved since, or is gone
+ *   hapticSeen "whole|across"        fails if one is cut off, or is cut off at a side
  *   hapticText "contrast,ratio"      pqHapticHasReadableText(); hapticDark "": all windows are light on dark
  *   hapticAnotherSession ""          registers one as a script does; fails if the one before still touches or checks
  *
@@ -73,6 +77,7 @@ private:
   bool replaceSession();
 
   pqHapticController* Controller;
+  pqHapticPlaces Places;
   double Hand_W[3] = { 0.0, 0.0, 0.0 }; ///< where the script put it last [u]
 };
 

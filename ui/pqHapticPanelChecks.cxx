@@ -55,7 +55,8 @@ QString PlainText(const QWidget& widget)
 {
   const auto* label = qobject_cast<const QLabel*>(&widget);
   const auto* button = qobject_cast<const QAbstractButton*>(&widget);
-  return label && !label->wordWrap() ? label->text() : button ? button->text() : QString();
+  const bool wraps = label && (label->wordWrap() || label->inherits("pqHapticLines"));
+  return label && !wraps ? label->text() : button ? button->text() : QString();
 }
 
 bool Shows(const QWidget& widget)

@@ -80,8 +80,7 @@ std::uint64_t GeometryKey(vtkDataObject* shown, const Also& also)
 }
 
 constexpr const char* OnlyOutline = "only the outline or edges are drawn; choose the representation Surface";
-constexpr const char* LinesNeedRadius =
-  "drawn as lines; set Radius of lines in the panel (Advanced) to touch the lines as tubes";
+constexpr const char* LinesNeedRadius = "drawn as lines; set Radius of lines in the panel to touch the lines as tubes";
 
 /// What is drawn of it instead of polygons.
 struct Drawn
@@ -128,7 +127,7 @@ std::string WhyNoPolygons(vtkObject* active, vtkDataObject* shown)
   }
   if (drawn.Points > 0)
   {
-    return "drawn as points; set Radius of points in the panel (Advanced), or apply the filter Glyph with the type "
+    return "drawn as points; set Radius of points in the panel, or apply the filter Glyph with the type "
            "Sphere and show its result";
   }
   return "no polygons are shown; choose the representation Surface, or apply Extract Surface";
@@ -139,7 +138,7 @@ std::string WhyNoSurface(vtkObject* active)
   if (active && (active->IsA("vtkVolumeRepresentation") || active->IsA("vtkImageVolumeRepresentation") ||
                   active->IsA("vtkUnstructuredGridVolumeRepresentation")))
   {
-    return "a volume has no surface; choose its values in the panel (Advanced, Field) for a field, or apply the filter "
+    return "a volume has no surface; choose its values in the panel (page Field) for a field, or apply the filter "
            "Contour and show its result";
   }
   return "not drawn as a surface; choose the representation Surface";

@@ -14,7 +14,7 @@ from pvserver import server
 
 HERE = pathlib.Path(__file__).resolve().parent
 EXIT = "pqClientMainWindow/1QMessageBox0/qt_msgbox_buttonbox/1QPushButton1"
-STATUS = "pqClientMainWindow/pqHapticPanel/scroll/qt_scrollarea_viewport/body/mainGroup/status"
+STATUS = "pqClientMainWindow/pqHapticPanel/panel/top/status"
 
 
 def event(command, arguments, widget="pqClientMainWindow"):

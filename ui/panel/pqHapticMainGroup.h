@@ -7,21 +7,12 @@
 #include <QList>
 #include <QWidget>
 
-class QFormLayout;
-class QLabel;
-class QPushButton;
-class pqHapticDeviceChoice;
-class pqHapticProgress;
 class pqHapticRecordingRows;
-class pqHapticStrip;
 class pqPropertyLinks;
 class vtkHapticSession;
 class vtkSMProxy;
 
-/**
- * What a person needs all day, on one screen: device, Touch, one line that says how it is and what to do, Fit, radius,
- * stiffness, recordings, and strip charts of the last ten seconds.
- */
+/// The page that is seen first: the settings that a person needs first, and recordings.
 class pqHapticMainGroup : public QWidget
 {
   Q_OBJECT
@@ -31,7 +22,7 @@ public:
   explicit pqHapticMainGroup(QWidget* parent = nullptr);
   ~pqHapticMainGroup() override;
 
-  /// Null: nothing can be set, and `refresh` says why.
+  /// Null: nothing can be set.
   void setProxy(vtkSMProxy* proxy, pqPropertyLinks& links);
   /// Null where there is no session. Ten times a second.
   void refresh(vtkHapticSession* session);
@@ -39,27 +30,8 @@ public:
   QList<QWidget*> fields() const;
 
 private:
-  void addDevice(QFormLayout* form);
-  void addButtons(QFormLayout* form);
-  void addStrips(QFormLayout* form);
-  QString statusOf(vtkHapticSession* session) const;
-  QString serverOf(vtkHapticSession* session) const;
-  void followStrips(vtkHapticSession* session);
-
-  pqHapticDeviceChoice* Device;
-  QPushButton* Touch;
-  QPushButton* Release;
-  QPushButton* Fit;
-  QLabel* Status;
-  pqHapticProgress* Progress;
-  QLabel* Server;
-  QLabel* MouseHelp;
-  pqHapticSettingRows Rows; ///< stiffness and radius
+  pqHapticSettingRows Rows;
   pqHapticRecordingRows* Recording;
-  pqHapticStrip* Force;
-  pqHapticStrip* Depth;
-  pqHapticStrip* Lateness;
-  pqHapticStrip* Energy;
 };
 
 #endif

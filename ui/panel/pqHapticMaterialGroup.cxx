@@ -4,6 +4,7 @@
 #include "pqHapticArrayChoice.h"
 #include "pqHapticFields.h"
 #include "pqHapticLabel.h"
+#include "pqHapticQuantityBox.h"
 #include "pqPropertyLinks.h"
 #include "vtkHapticSession.h"
 #include "vtkSMProxy.h"
@@ -20,10 +21,10 @@ constexpr int largestComponent = 99;
 constexpr int dataDecimals = 6;
 
 /// Two of them stand in a row.
-QDoubleSpinBox* NumberBox(QWidget* parent, const QString& name, const QString& property, int decimals)
+pqHapticQuantityBox* NumberBox(QWidget* parent, const QString& name, const QString& property, int decimals)
 {
   constexpr int leastWidth = 60; // [pixels]
-  QDoubleSpinBox* box = pqHapticNumber(parent, name, property, decimals);
+  pqHapticQuantityBox* box = pqHapticNumber(parent, name, property, decimals);
   box->setMinimumWidth(leastWidth);
   box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return box;
@@ -70,10 +71,18 @@ void pqHapticMaterialGroup::add(const Looks& looks)
   details->setObjectName(name + "Details");
   this->addDetails(details, looks, transfer);
   this->Form->addRow(details);
-  const auto show = [details, choice = transfer.Array] { details->setVisible(!choice->array().isEmpty()); };
-  this->connect(transfer.Array, &pqHapticArrayChoice::arrayChanged, this, show);
-  show();
+  transfer.Details = details;
+  this->connect(transfer.Array, &pqHapticArrayChoice::arrayChanged, this, [this] { this->refresh(nullptr); });
   this->Transfers.push_back(transfer);
+  this->refresh(nullptr);
+}
+
+void pqHapticMaterialGroup::refresh(vtkHapticSession*)
+{
+  for (const Transfer& transfer : this->Transfers)
+  {
+    transfer.Details->setVisible(!transfer.Array->array().isEmpty());
+  }
 }
 
 void pqHapticMaterialGroup::addDetails(QWidget* parent, const Looks& looks, Transfer& transfer)
@@ -92,6 +101,17 @@ void pqHapticMaterialGroup::addDetails(QWidget* parent, const Looks& looks, Tran
     transfer.Data[end] = NumberBox(parent, name + "Data" + ends[end], data, dataDecimals);
     transfer.Felt[end] = NumberBox(parent, name + "Felt" + ends[end], felt, looks.Decimals);
   }
+  const auto follow = [low = transfer.Data[0], high = transfer.Data[1]]
+  {
+    const bool own = low->value() == high->value(); // the array's own range
+    low->setAutomatic(own);
+    high->setAutomatic(own);
+  };
+  for (pqHapticQuantityBox* end : transfer.Data)
+  {
+    this->connect(end, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, follow);
+  }
+  follow();
   auto* form = new QFormLayout(parent);
   form->setContentsMargins(0, 0, 0, 0);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);

@@ -10,6 +10,7 @@
 class QDoubleSpinBox;
 class QSpinBox;
 class pqHapticArrayChoice;
+class pqHapticQuantityBox;
 
 /// The group "Material" of the panel: which arrays of the visible data set its stiffness, friction and texture, and
 /// how.
@@ -32,8 +33,9 @@ private:
   {
     const char* Property;
     pqHapticArrayChoice* Array;
+    QWidget* Details; ///< visible while an array is chosen
     QSpinBox* Component;
-    QDoubleSpinBox* Data[2];
+    pqHapticQuantityBox* Data[2];
     QDoubleSpinBox* Felt[2];
   };
   struct Looks

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticPanel.h"
 
+#include "pqHapticCharts.h"
 #include "pqHapticCheckGroup.h"
 #include "pqHapticContactGroup.h"
 #include "pqHapticController.h"
@@ -13,11 +14,16 @@
 #include "pqHapticMarksGroup.h"
 #include "pqHapticMaterialGroup.h"
 #include "pqHapticMechanismGroup.h"
+#include "pqHapticMouseHelp.h"
+#include "pqHapticPageUse.h"
+#include "pqHapticPages.h"
 #include "pqHapticReadout.h"
+#include "pqHapticSearch.h"
 #include "pqHapticSettingRows.h"
 #include "pqHapticSoftGroup.h"
 #include "pqHapticSourceGroup.h"
 #include "pqHapticToolGroup.h"
+#include "pqHapticTop.h"
 #include "pqHapticViewFollower.h"
 #include "pqHapticViewGroup.h"
 #include "pqPropertyLinks.h"
@@ -26,13 +32,11 @@
 #include "vtkSMProxy.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGroupBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -57,19 +61,21 @@ QFormLayout* Group(QVBoxLayout* column, const char* name, const QString& title)
 class pqHapticPanel::Internals
 {
 public:
-  QScrollArea* Scroll;
+  pqHapticTop* Top;
+  pqHapticSearch* Search;
+  pqHapticPages* Pages;
+  pqHapticMouseHelp* Help;
+  pqHapticCharts* Charts;
+  pqHapticFold* ChartsFold;
   pqHapticMainGroup* Main;
-  pqHapticFold* AtContact;
   pqHapticContactGroup* Place;
   pqHapticMarksGroup* Marks;
-  pqHapticFold* Advanced;
   pqHapticDeviceRows* DeviceRows;
   QComboBox* Hand;
-  QDoubleSpinBox* PressDepth;
   pqHapticSettingRows Rows;
   pqHapticMaterialGroup* Material;
   std::vector<pqHapticGroup*> Groups; ///< those with a class of their own, from top to bottom
-  QList<QWidget*> Fields;             ///< of the rest, in the order of the Tab key
+  QList<QWidget*> Fields;             ///< of the pages, in the order of the Tab key
   QLabel* Reason;
   struct Readout
   {
@@ -81,34 +87,45 @@ public:
   QTimer Refresh;
   pqPropertyLinks Links;
 
-  void addContact(QVBoxLayout* column);
   /// A group with a class of its own, its fields next for the Tab key.
   void addGroup(QVBoxLayout* column, pqHapticGroup* group);
   void addSettings(QFormLayout* form, const char* group);
   void addReadout(
     QFormLayout* form, const char* name, const QString& title, QString pqHapticReadout::*text, const QString& tip);
-  void fillRest(QVBoxLayout* rest);
+  QLayout* searchRow(QWidget* panel);
+  void fillPages();
+  void addMain(QVBoxLayout* column);
+  void addContact(QVBoxLayout* column);
   void addHand(QVBoxLayout* column);
   void addStability(QVBoxLayout* column);
   void addState(QVBoxLayout* column);
   void addServo(QVBoxLayout* column);
   void addScene(QVBoxLayout* column);
   void setTabOrder();
-  void fitWidth();
-  /// What stands in the rows that are folded at first.
+  /// The rows that a search finds, which a read-out may have shown or hidden since.
+  void showFound();
+  void searched();
+  void showReasons(vtkHapticSession* session);
+  /// The state of the session in the rows that are visible: a text that changes has its page laid out again.
   void showMeasured(vtkHapticSession* session, const pqHapticViewFollower& follower);
   void followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower);
 
   vtkMTimeType MaterialTime = 0; ///< of the settings the view's scene was made with
 };
 
+void pqHapticPanel::Internals::addMain(QVBoxLayout* column)
+{
+  this->Main = new pqHapticMainGroup;
+  column->addWidget(this->Main);
+  this->Fields += this->Main->fields();
+}
+
 void pqHapticPanel::Internals::addHand(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "handGroup", tr("Hand"));
   this->DeviceRows = new pqHapticDeviceRows(form);
   this->Hand = pqHapticChoiceRow(form, "hand", "Hand");
-  this->PressDepth = pqHapticNumberRow(form, "pressDepth", "PressDepth", 5);
-  this->Fields += this->DeviceRows->fields() + QList<QWidget*>{ this->Hand, this->PressDepth };
+  this->Fields += this->DeviceRows->fields() + QList<QWidget*>{ this->Hand };
 }
 
 void pqHapticPanel::Internals::addGroup(QVBoxLayout* column, pqHapticGroup* group)
@@ -199,54 +216,91 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 
 void pqHapticPanel::Internals::setTabOrder()
 {
-  const QList<QWidget*> order = this->Main->fields() + QList<QWidget*>{ this->AtContact } + this->Marks->fields() +
-                                QList<QWidget*>{ this->Advanced } + this->Fields;
+  const QList<QWidget*> order = this->Top->fields() +
+                                QList<QWidget*>{ this->Search, this->ChartsFold, this->Help->fold() } +
+                                this->Pages->fields() + this->Fields;
   for (int i = 1; i < order.size(); ++i)
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
   }
 }
 
-/// Folded at first, and not looked up until it is seen.
+/// The data at the contact are not looked up until they are seen.
 void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
 {
-  this->AtContact = new pqHapticFold(column, "inspection", tr("Contact"), tr("Data at the contact, and marks"));
   this->Place = new pqHapticContactGroup;
   this->Marks = new pqHapticMarksGroup;
-  this->AtContact->rows()->addWidget(this->Place);
-  this->AtContact->rows()->addWidget(this->Marks);
-  const auto show = [this] { this->Scroll->ensureWidgetVisible(this->Marks); };
-  QObject::connect(this->AtContact, &QToolButton::toggled, this->Marks, [show] { QTimer::singleShot(0, show); });
+  column->addWidget(this->Place);
+  column->addWidget(this->Marks);
+  this->Fields += this->Marks->fields();
+  this->addSettings(Group(column, "contactGroup", tr("Contact model")), "contact");
 }
 
-void pqHapticPanel::Internals::fillRest(QVBoxLayout* rest)
+void pqHapticPanel::Internals::fillPages()
 {
-  this->addHand(rest);
-  this->addGroup(rest, new pqHapticViewGroup);
-  this->addGroup(rest, new pqHapticToolGroup);
-  this->addGroup(rest, new pqHapticSoftGroup);
-  this->addGroup(rest, new pqHapticMechanismGroup);
-  this->addSettings(Group(rest, "contactGroup", tr("Contact model")), "contact");
-  this->addSettings(Group(rest, "frictionGroup", tr("Friction")), "friction");
-  this->addGroup(rest, new pqHapticSourceGroup);
+  const auto page = [this](const char* name, const QString& title, const QString& tip)
+  { return this->Pages->add(name, title, tip); };
+  this->addMain(page("main", tr("Main"), tr("The settings that are needed first, and recordings")));
+  this->addContact(page("contact", tr("Contact"), tr("Data at the contact, and marks")));
+  QVBoxLayout* const material = page("material", tr("Material"), tr("Material of one source, or from its data"));
+  this->addGroup(material, new pqHapticSourceGroup);
   this->Material = new pqHapticMaterialGroup;
-  this->addGroup(rest, this->Material);
-  this->addGroup(rest, new pqHapticFieldGroup);
-  this->addStability(rest);
-  this->addGroup(rest, new pqHapticCheckGroup);
-  this->addState(rest);
-  this->addServo(rest);
-  this->addScene(rest);
+  this->addGroup(material, this->Material);
+  this->addGroup(page("field", tr("Field"), tr("Values of a volume that are felt")), new pqHapticFieldGroup);
+  QVBoxLayout* const lines = page("lines", tr("Lines"), tr("Lines as walls, which a device may hold itself"));
+  this->addSettings(Group(lines, "linesGroup", tr("Lines")), "lines");
+  this->addGroup(page("tool", tr("Tool"), tr("A rigid body in the hand")), new pqHapticToolGroup);
+  this->addGroup(page("tissue", tr("Tissue"), tr("A soft body under the hand")), new pqHapticSoftGroup);
+  this->addGroup(
+    page("mechanism", tr("Mechanism"), tr("Bodies with constraints between them")), new pqHapticMechanismGroup);
+  QVBoxLayout* const device = page("device", tr("Device"), tr("The device, its switch, and its check"));
+  this->addHand(device);
+  this->addGroup(device, new pqHapticCheckGroup);
+  this->addGroup(page("view", tr("View"), tr("The hand in the view")), new pqHapticViewGroup);
+  QVBoxLayout* const stability =
+    page("stability", tr("Stability"), tr("Limits of stiffness and energy, and the servo"));
+  this->addStability(stability);
+  this->addServo(stability);
+  this->addState(page("state", tr("State"), tr("Measured forces and energies")));
+  this->addScene(page("scene", tr("Scene"), tr("The data as they are touched")));
 }
 
-/// What is unfolded may be wider, and a scroll bar takes from it: nothing is cut off at the side.
-void pqHapticPanel::Internals::fitWidth()
+QLayout* pqHapticPanel::Internals::searchRow(QWidget* panel)
 {
-  const int bar = this->Scroll->verticalScrollBar()->sizeHint().width();
-  const int width = this->Scroll->widget()->minimumSizeHint().width() + bar + 2 * this->Scroll->frameWidth();
-  if (width != this->Scroll->minimumWidth())
+  this->Search = new pqHapticSearch(panel);
+  this->Help = new pqHapticMouseHelp(panel);
+  this->Charts = new pqHapticCharts(panel);
+  this->ChartsFold = new pqHapticFold(this->Charts, tr("Charts"), tr("Force, depth, lateness and energy over time"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(this->Search, 1);
+  row->addWidget(this->ChartsFold);
+  row->addWidget(this->Help->fold());
+  return row;
+}
+
+void pqHapticPanel::Internals::showFound()
+{
+  if (this->Search->active())
   {
-    this->Scroll->setMinimumWidth(width);
+    const int found = this->Search->apply(this->Pages->pages());
+    this->Pages->setNote(found > 0 ? QString() : tr("No row has these words."));
+  }
+}
+
+/// The rows are hidden as their own state has it once the search is over, when they are refreshed.
+void pqHapticPanel::Internals::searched()
+{
+  this->Search->restore();
+  this->Pages->setNote(QString());
+  this->Pages->showAll(this->Search->active());
+}
+
+void pqHapticPanel::Internals::showReasons(vtkHapticSession* session)
+{
+  const QMap<QString, QString> reasons = pqHapticPageReasons(session);
+  for (auto reason = reasons.begin(); reason != reasons.end(); ++reason)
+  {
+    this->Pages->setReason(reason.key(), reason.value());
   }
 }
 
@@ -280,53 +334,62 @@ pqHapticPanel::~pqHapticPanel() = default;
 
 void pqHapticPanel::build()
 {
+  constexpr int margin = 4; // [pixels]
   this->Widgets = std::make_unique<Internals>();
   this->setObjectName("pqHapticPanel");
   this->setWindowTitle(tr("Haptics"));
-  auto* scroll = this->Widgets->Scroll = new QScrollArea(this);
-  scroll->setObjectName("scroll");
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* body = new QWidget(scroll);
-  body->setObjectName("body");
-  auto* column = new QVBoxLayout(body);
-  this->Widgets->Main = new pqHapticMainGroup(body);
-  column->addWidget(this->Widgets->Main);
-  this->Widgets->addContact(column);
-  // What is set once, or never.
-  this->Widgets->Advanced =
-    new pqHapticFold(column, "advanced", tr("Adva&nced"), tr("All other settings and measurements"));
-  this->Widgets->fillRest(this->Widgets->Advanced->rows());
-  this->connect(this->Widgets->Advanced, &QToolButton::toggled, this, &pqHapticPanel::refresh);
-  column->addStretch(1);
-  this->Widgets->setTabOrder();
-  scroll->setWidget(body);
-  this->setWidget(scroll);
+  auto* panel = new QWidget(this);
+  panel->setObjectName("panel");
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(margin, margin, margin, margin);
+  column->setSpacing(margin);
+  Internals& w = *this->Widgets;
+  w.Top = new pqHapticTop(panel);
+  column->addWidget(w.Top);
+  column->addLayout(w.searchRow(panel));
+  w.Pages = new pqHapticPages(panel);
+  column->addWidget(w.Pages, 1);
+  column->addWidget(w.Help); // below the rows, which stay where they are when it is folded
+  column->addWidget(w.Charts);
+  w.fillPages();
+  w.setTabOrder();
+  this->setWidget(panel);
+  this->connect(w.Pages, &pqHapticPages::chosen, w.Search, &QLineEdit::clear);
+  this->connect(w.Pages, &pqHapticPages::chosen, this, &pqHapticPanel::refresh);
+  this->connect(w.Search, &QLineEdit::textChanged, this,
+    [this]
+    {
+      this->Widgets->searched();
+      this->refresh();
+    });
 
   auto* controller = pqHapticController::instance();
   this->connect(controller, &pqHapticController::sessionChanged, this, &pqHapticPanel::setProxy);
-  this->connect(&this->Widgets->Refresh, &QTimer::timeout, this, &pqHapticPanel::refresh);
+  this->connect(&w.Refresh, &QTimer::timeout, this, &pqHapticPanel::refresh);
   this->setProxy(controller->sessionProxy());
-  this->Widgets->Refresh.start(refreshPeriod_ms);
+  w.Refresh.start(refreshPeriod_ms);
 }
 
 void pqHapticPanel::setProxy(vtkSMProxy* proxy)
 {
   Internals& w = *this->Widgets;
   w.Links.clear();
+  w.Charts->clear();
   w.DeviceRows->setProxy(proxy);
+  w.Top->setProxy(proxy, w.Links);
   w.Main->setProxy(proxy, w.Links);
-  w.Advanced->body()->setEnabled(proxy != nullptr);
+  for (QWidget* page : w.Pages->pages())
+  {
+    page->setEnabled(proxy != nullptr);
+  }
   if (!proxy)
   {
     this->refresh();
     return;
   }
   pqHapticFill(w.Hand, proxy->GetProperty("Hand"));
-  const auto link = [&](QObject* widget, const char* property, const char* signal, const char* name)
-  { w.Links.addTraceablePropertyLink(widget, property, signal, proxy, proxy->GetProperty(name)); };
-  link(w.Hand, "currentText", SIGNAL(currentTextChanged(const QString&)), "Hand");
-  link(w.PressDepth, "value", SIGNAL(valueChanged(double)), "PressDepth");
+  w.Links.addTraceablePropertyLink(
+    w.Hand, "currentText", SIGNAL(currentTextChanged(const QString&)), proxy, proxy->GetProperty("Hand"));
   for (pqHapticGroup* const group : w.Groups)
   {
     group->link(w.Links, proxy);
@@ -345,33 +408,40 @@ void pqHapticPanel::refresh()
     this->Widgets->followMaterials(*session, *controller->follower());
   }
   Internals& w = *this->Widgets;
-  w.fitWidth();
+  w.Pages->fitWidth();
+  w.Top->refresh(session);
+  w.Help->refresh(session);
+  w.Charts->refresh(session);
   w.Main->refresh(session);
   w.Place->refresh(session);
   w.Marks->refresh(session);
-  if (w.Advanced->isChecked()) // a text that changes has the whole panel laid out again, seen or not
-  {
-    w.showMeasured(session, *controller->follower());
-  }
+  w.showReasons(session);
+  w.showMeasured(session, *controller->follower());
+  w.showFound();
 }
 
 void pqHapticPanel::Internals::showMeasured(vtkHapticSession* session, const pqHapticViewFollower& follower)
 {
-  const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
   for (pqHapticGroup* const group : this->Groups)
   {
-    group->refresh(session);
+    if (group->isVisible())
+    {
+      group->refresh(session);
+    }
   }
   this->DeviceRows->refresh(session);
   this->Hand->setEnabled(session && session->GetDeviceTakesHand());
-  this->PressDepth->setEnabled(session && session->GetFollowsMouse());
+  const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
   for (const Readout& readout : this->Readouts)
   {
-    readout.Label->setText(now.*readout.Text);
+    if (readout.Label->isVisible())
+    {
+      readout.Label->setText(now.*readout.Text);
+    }
   }
   pqHapticSay(this->Reason, now.Reason);
   const QString scene = follower.report() + now.Scene;
-  if (scene != this->Scene->toPlainText())
+  if (this->Scene->isVisible() && scene != this->Scene->toPlainText())
   {
     this->Scene->setPlainText(scene);
   }

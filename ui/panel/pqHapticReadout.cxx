@@ -7,7 +7,8 @@ namespace
 {
 QString Quantity(double value, int decimals, const char* unit)
 {
-  return QString("%1 %2").arg(value, 0, 'f', decimals).arg(unit);
+  const QString text = QString::number(value, 'f', decimals);
+  return QString("%1 %2").arg(text.toDouble() == 0.0 ? QString::number(0.0, 'f', decimals) : text, unit); // never -0
 }
 
 QString Percentiles(double p50_us, double p99_us)

@@ -335,7 +335,7 @@ std::string vtkHapticSceneSurfaces::MissingArrays() const
     if (!array.empty() && !this->Committed.empty() && there.count(array) == 0)
     {
       missing += std::string(what) + " is set from the array '" + array +
-                 "', but no touchable source has this array: choose another one (Advanced, Material from data)\n";
+                 "', but no touchable source has this array: choose another one (page Material)\n";
     }
   }
   return missing;

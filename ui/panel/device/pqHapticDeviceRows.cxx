@@ -46,6 +46,7 @@ pqHapticDeviceRows::pqHapticDeviceRows(QFormLayout* form) : Superclass(form->par
   this->Wheel = pqHapticSwitchRow(form, "wheel", "Wheel");
   this->DeadMan = new QComboBox(parent);
   this->DeadMan->setObjectName("deadMan");
+  pqHapticSetProperty(this->DeadMan, "DeadManButtons, DeadManGrip");
   this->DeadMan->setToolTip(tr("Dead-man switch: force flows only while it is pressed. After release the force is zero "
                                "within 50 ms, and restarts through its ramp"));
   this->DeadMan->addItem(tr("nothing"));

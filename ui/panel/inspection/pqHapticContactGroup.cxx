@@ -8,6 +8,7 @@
 #include <QFormLayout>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -19,7 +20,10 @@ QString Shown(double value)
 
 QString Vector(const double v[3])
 {
-  return QString("(%1, %2, %3)").arg(Shown(v[0]), Shown(v[1]), Shown(v[2]));
+  constexpr double rounding = 1e-9; // of the longest component: less is an error of rounding, not a place
+  const double longest = std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
+  const auto shown = [&](double x) { return Shown(std::abs(x) < rounding * longest ? 0.0 : x); };
+  return QString("(%1, %2, %3)").arg(shown(v[0]), shown(v[1]), shown(v[2]));
 }
 
 /// `unknown`: what is said instead of no number.
@@ -42,11 +46,12 @@ pqHapticContactGroup::pqHapticContactGroup(QWidget* parent) : Superclass(parent)
   this->setObjectName("contactPlace");
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  this->None = pqHapticLabel(this, "contactNone", tr("Show the data at the contact while a surface is touched"));
-  this->None->setText(tr("Nothing has been touched yet."));
+  this->When = pqHapticLabel(this, "contactWhen",
+    tr("Data at the contact while a surface is touched, then at the last "
+       "contact"));
   this->Found = new QWidget(this);
   this->Found->setObjectName("contactFound");
-  column->addWidget(this->None);
+  column->addWidget(this->When);
   column->addWidget(this->Found);
   auto* form = new QFormLayout(this->Found);
   form->setContentsMargins(0, 0, 0, 0);
@@ -73,18 +78,19 @@ QLabel* pqHapticContactGroup::add(QFormLayout* form, const char* name, const QSt
 void pqHapticContactGroup::refresh(vtkHapticSession* session)
 {
   const bool found = session && this->isVisible() && session->InspectContact();
-  this->None->setVisible(!found);
-  this->Found->setVisible(found);
   if (found)
   {
     this->showContact(*session);
   }
+  this->Found->setVisible(found);
+  this->When->setText(!found                        ? tr("Nothing has been touched yet.")
+                      : session->GetContactIsNow() ? tr("Contact now:")
+                                                   : tr("Last contact:"));
 }
 
 void pqHapticContactGroup::showContact(vtkHapticSession& session)
 {
-  const QString source = QString::fromUtf8(session.GetContactSource());
-  this->Source->setText(session.GetContactIsNow() ? source : tr("%1 (last contact)").arg(source));
+  this->Source->setText(QString::fromUtf8(session.GetContactSource()));
   this->Ids->setText(QString("%1, %2").arg(session.GetContactCell()).arg(session.GetContactPoint()));
   this->Position->setText(Vector(session.GetContactPosition()) + " u");
   this->Normal->setText(Vector(session.GetContactNormal()));

@@ -8,7 +8,8 @@ class QFormLayout;
 class QLabel;
 class vtkHapticSession;
 
-/// Data at the contact, each number with its unit. They are looked up only while these rows are visible.
+/// Data at the contact, or at the last one, each number with its unit. They are looked up only while these rows are
+/// visible.
 class pqHapticContactGroup : public QWidget
 {
   Q_OBJECT
@@ -25,8 +26,8 @@ private:
 
   QLabel* add(QFormLayout* form, const char* name, const QString& title, const QString& tip);
 
-  QLabel* None;
-  QWidget* Found; ///< the rows, while there is a contact
+  QLabel* When;                            ///< whether the data are those of a contact now
+  QWidget* Found;                          ///< the rows, once there was a contact
   QLabel* Source;
   QLabel* Ids;
   QLabel* Position;

@@ -20,6 +20,7 @@ namespace
 /// What a box has where the session's own is meant.
 constexpr double asSession = -1.0;
 constexpr int decimals = 3;
+constexpr int leastWidth = 90; // else the widest number makes the whole panel wide [pixels]
 constexpr double largestStiffness_N_per_m = 1e6;
 
 /// Empty: none is active.
@@ -70,6 +71,7 @@ QDoubleSpinBox* pqHapticSourceGroup::addNumber(const char* name, const QString& 
   box->setRange(asSession, palpate::Material::largestFriction);
   box->setSpecialValueText(tr("the session's"));
   box->setKeyboardTracking(false);
+  box->setMinimumWidth(leastWidth);
   this->Form->addRow(title, box);
   return box;
 }

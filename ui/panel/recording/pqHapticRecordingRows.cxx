@@ -4,14 +4,13 @@
 #include "pqHapticButton.h"
 #include "pqHapticController.h"
 #include "pqHapticFields.h"
-#include "pqHapticLabel.h"
+#include "pqHapticLines.h"
 #include "pqHapticRecordings.h"
 #include "pqPropertyLinks.h"
 #include "vtkHapticSession.h"
 #include "vtkSMProxy.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QVBoxLayout>
 
@@ -40,11 +39,12 @@ pqHapticRecordingRows::pqHapticRecordingRows(QWidget* parent) : Superclass(paren
   this->Record =
     NarrowButton(buttons, "record", pqHapticTitle("Recording"), pqHapticTip("Recording") + " (Ctrl+Shift+R)");
   this->Record->setCheckable(true);
+  pqHapticSetProperty(this->Record, "Recording");
   this->Save = NarrowButton(buttons, "saveRecording", tr("Save..."), tr("Save the last recording to a file"));
   this->Replay = NarrowButton(buttons, "replay", tr("Replay"), tr("Replay the recording as the hand"));
   this->Way =
     NarrowButton(buttons, "showWay", tr("Path"), tr("Open the path of the hand in the pipeline, with its forces"));
-  this->Text = pqHapticLabel(this, "recordingText", pqHapticReadoutTip("RecordingText"));
+  this->Text = new pqHapticLines(this, "recordingText", pqHapticReadoutTip("RecordingText"), 1);
   rows->addWidget(this->Text);
   this->Played = new QWidget(this);
   rows->addWidget(this->Played);
@@ -82,7 +82,7 @@ void pqHapticRecordingRows::refresh(vtkHapticSession* session)
   this->Replay->setEnabled(hasFile || (session && session->IsOn("Recording") && session->GetTouching()));
   this->Way->setEnabled(hasFile);
   this->Played->setVisible(plays);
-  pqHapticSay(this->Text, session ? QString::fromUtf8(session->GetRecordingText()) : QString());
+  this->Text->say(session ? QString::fromUtf8(session->GetRecordingText()) : QString());
 }
 
 QList<QWidget*> pqHapticRecordingRows::fields() const

@@ -5,9 +5,9 @@
 #include <QList>
 #include <QWidget>
 
-class QLabel;
 class QLineEdit;
 class QPushButton;
+class pqHapticLines;
 class pqPropertyLinks;
 class vtkHapticSession;
 class vtkSMProxy;
@@ -35,7 +35,7 @@ private:
   QPushButton* Save;
   QPushButton* Replay;
   QPushButton* Way;
-  QLabel* Text;
+  pqHapticLines* Text;
   QWidget* Played; ///< the recording of the device that plays one
   QLineEdit* ReplayFile;
   QPushButton* Browse;

@@ -13,6 +13,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMap>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -23,6 +24,9 @@ namespace
 {
 /// Nobody types more of a quantity; values of arrays have no unit, and can be anything.
 constexpr double largestQuantity = 1e9, largestValue = 1e100;
+
+/// Else the widest number a field could hold makes the whole panel wide [pixels].
+constexpr int leastFieldWidth = 90;
 
 /// Three numbers are no wider than one [pixels].
 constexpr int leastShare = 30;
@@ -44,12 +48,25 @@ QString SuffixOf(const palpate::Setting& setting)
   return setting.unit.empty() || setting.unit == "1" ? QString() : " " + Text(setting.unit);
 }
 
+/// The property of Qt that has the name of a field's setting.
+constexpr const char* settingOf = "hapticSetting";
+
 template<typename Field>
-Field* Named(Field* field, const char* name, const char* property)
+Field* Named(Field* field, const QString& name, const QString& property)
 {
   field->setObjectName(name);
   field->setToolTip(pqHapticTip(property));
+  pqHapticSetProperty(field, property);
   return field;
+}
+
+/// The meaning of the least value where it is no quantity; "": it is one.
+QString LeastOf(const QString& property)
+{
+  static const QMap<QString, QString> meanings = { { "FieldSmoothing", QObject::tr("automatic") },
+    { "ToolLever", QObject::tr("automatic") }, { "FieldFullSpeed", QObject::tr("any length") },
+    { "PrecisionButton", QObject::tr("none") }, { "ClutchButton", QObject::tr("none") } };
+  return meanings.value(property);
 }
 } // namespace
 
@@ -63,6 +80,16 @@ QString pqHapticTip(const QString& property)
   return Text(Described(property)->sentence);
 }
 
+void pqHapticSetProperty(QWidget* field, const QString& property)
+{
+  field->setProperty(settingOf, property);
+}
+
+QString pqHapticProperty(const QWidget& field)
+{
+  return field.property(settingOf).toString();
+}
+
 QString pqHapticReadoutTip(const QString& property)
 {
   const std::string name = property.toStdString();
@@ -72,26 +99,21 @@ QString pqHapticReadoutTip(const QString& property)
   return found == all.end() ? QString() : Text(found->sentence);
 }
 
-QDoubleSpinBox* pqHapticNumber(QWidget* parent, const QString& name, const QString& property, int decimals)
+pqHapticQuantityBox* pqHapticNumber(QWidget* parent, const QString& name, const QString& property, int decimals)
 {
-  constexpr int leastWidth = 90; // else the widest number a field could hold makes the whole panel wide [pixels]
   const palpate::Setting& setting = *Described(property);
   const bool ofScene = setting.unit == "u" || setting.unit == "u/m" || setting.unit.empty();
-  QDoubleSpinBox* const box = ofScene ? new pqHapticQuantityBox(parent) : new QDoubleSpinBox(parent);
-  box->setObjectName(name);
-  box->setToolTip(pqHapticTip(property));
+  pqHapticQuantityBox* const box =
+    Named(ofScene ? new pqHapticQuantityBox(parent) : new pqHapticQuantityBox(decimals, parent), name, property);
   box->setSuffix(SuffixOf(setting));
-  if (!ofScene)
-  {
-    box->setDecimals(decimals);
-  }
+  box->setSpecialValueText(LeastOf(property));
   const double widest = setting.unit.empty() ? largestValue : largestQuantity;
   const double smallest = ofScene ? std::numeric_limits<double>::min() : std::pow(10.0, -decimals);
   const double least = setting.low + (setting.above ? smallest : 0.0);
   box->setRange(std::max(least, -widest), std::min(setting.high, widest));
   box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   box->setKeyboardTracking(false);
-  box->setMinimumWidth(leastWidth);
+  box->setMinimumWidth(leastFieldWidth);
   return box;
 }
 
@@ -125,7 +147,9 @@ QSpinBox* pqHapticCountRow(QFormLayout* form, const char* name, const char* prop
   auto* box = Named(new QSpinBox(form->parentWidget()), name, property);
   box->setRange(static_cast<int>(setting.low), static_cast<int>(std::min(setting.high, largestQuantity)));
   box->setSuffix(SuffixOf(setting));
+  box->setSpecialValueText(LeastOf(property));
   box->setKeyboardTracking(false);
+  box->setMinimumWidth(leastFieldWidth);
   form->addRow(pqHapticTitle(property), box);
   return box;
 }

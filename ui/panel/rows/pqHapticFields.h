@@ -12,6 +12,7 @@ class QFormLayout;
 class QLineEdit;
 class QSpinBox;
 class QWidget;
+class pqHapticQuantityBox;
 class pqHapticSourceChoice;
 class vtkSMProperty;
 
@@ -20,7 +21,7 @@ class vtkSMProperty;
 /// typed.
 
 /// A number without a row of its own. Lengths of the scene and values of data can be of any size.
-QDoubleSpinBox* pqHapticNumber(QWidget* parent, const QString& name, const QString& property, int decimals);
+pqHapticQuantityBox* pqHapticNumber(QWidget* parent, const QString& name, const QString& property, int decimals);
 
 /// A row with a number and its unit.
 QDoubleSpinBox* pqHapticNumberRow(QFormLayout* form, const char* name, const char* property, int decimals);
@@ -39,6 +40,9 @@ void pqHapticFill(QComboBox* box, vtkSMProperty* property);
 /// The title of a setting's row, with the mark of its letter, and the help text of the setting.
 QString pqHapticTitle(const QString& property);
 QString pqHapticTip(const QString& property);
+/// The property that a field is for, which the search finds; "": it names none.
+void pqHapticSetProperty(QWidget* field, const QString& property);
+QString pqHapticProperty(const QWidget& field);
 /// The value of a read-out.
 QString pqHapticReadoutTip(const QString& property);
 

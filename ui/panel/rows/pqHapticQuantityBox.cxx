@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticQuantityBox.h"
 
+#include "pqHapticNumberText.h"
+
 #include <QRegularExpression>
 
 #include <cmath>
@@ -12,12 +14,28 @@ constexpr int significant = 9;
 constexpr int allDecimals = 323;
 } // namespace
 
-pqHapticQuantityBox::pqHapticQuantityBox(QWidget* parent) : Superclass(parent)
+pqHapticQuantityBox::pqHapticQuantityBox(QWidget* parent) : pqHapticQuantityBox(allDecimals, parent) {}
+
+pqHapticQuantityBox::pqHapticQuantityBox(int decimals, QWidget* parent) : Superclass(parent)
 {
-  this->setDecimals(allDecimals);
+  this->setDecimals(decimals);
 }
 
 pqHapticQuantityBox::~pqHapticQuantityBox() = default;
+
+bool pqHapticQuantityBox::isSpecial(const QString& text) const
+{
+  return !this->specialValueText().isEmpty() && text == this->specialValueText();
+}
+
+void pqHapticQuantityBox::setAutomatic(bool on)
+{
+  if (on != this->Automatic)
+  {
+    this->Automatic = on;
+    this->setSpecialValueText(this->specialValueText()); // Qt then writes the text anew
+  }
+}
 
 QString pqHapticQuantityBox::numberIn(const QString& text) const
 {
@@ -31,16 +49,27 @@ QString pqHapticQuantityBox::numberIn(const QString& text) const
 
 QString pqHapticQuantityBox::textFromValue(double value) const
 {
-  return QString::number(value, 'g', significant);
+  if (this->Automatic)
+  {
+    return tr("automatic");
+  }
+  return this->decimals() == allDecimals ? QString::number(value, 'g', significant)
+                                         : pqHapticNumberText(value, this->decimals());
 }
 
 double pqHapticQuantityBox::valueFromText(const QString& text) const
 {
-  return this->numberIn(text).toDouble();
+  return this->isSpecial(text)                        ? this->minimum()
+         : this->Automatic && text == tr("automatic") ? this->value()
+                                                      : this->numberIn(text).toDouble();
 }
 
 QValidator::State pqHapticQuantityBox::validate(QString& text, int&) const
 {
+  if (this->isSpecial(text) || (this->Automatic && text == tr("automatic")))
+  {
+    return QValidator::Acceptable;
+  }
   const QString number = this->numberIn(text);
   bool isNumber = false;
   const double value = number.toDouble(&isNumber);
@@ -54,6 +83,11 @@ QValidator::State pqHapticQuantityBox::validate(QString& text, int&) const
 
 void pqHapticQuantityBox::stepBy(int steps)
 {
+  if (this->decimals() != allDecimals)
+  {
+    this->Superclass::stepBy(steps);
+    return;
+  }
   const double now = std::abs(this->value());
   const double step = now > 0.0 ? std::pow(10.0, std::floor(std::log10(now)) - 1.0) : 1.0;
   this->setValue(this->value() + steps * step);

@@ -5,9 +5,9 @@
 #include <QDoubleSpinBox>
 
 /**
- * A number of any size: scenes are in nanometres and in kilometres.
- *
- * Shown with nine significant digits, with a power of ten where that is shorter; a step changes its second digit.
+ * A number without zeros at its end. Either of any size, as scenes are in nanometres and in kilometres: with nine
+ * significant digits and a power of ten where that is shorter, and a step changes its second digit; or with so many
+ * decimals.
  */
 class pqHapticQuantityBox : public QDoubleSpinBox
 {
@@ -16,7 +16,11 @@ class pqHapticQuantityBox : public QDoubleSpinBox
 
 public:
   explicit pqHapticQuantityBox(QWidget* parent = nullptr);
+  pqHapticQuantityBox(int decimals, QWidget* parent);
   ~pqHapticQuantityBox() override;
+
+  /// Whether the number is found by the session, and the box says so instead; a number that is typed is shown.
+  void setAutomatic(bool on);
 
   QString textFromValue(double value) const override;
   double valueFromText(const QString& text) const override;
@@ -24,7 +28,10 @@ public:
   void stepBy(int steps) override;
 
 private:
+  bool isSpecial(const QString& text) const;
   QString numberIn(const QString& text) const;
+
+  bool Automatic = false;
 };
 
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticStrip.h"
 
+#include "pqHapticNumberText.h"
+
 #include <QFontMetrics>
 #include <QPainter>
 #include <QPainterPath>
@@ -12,7 +14,7 @@ namespace
 constexpr std::size_t mostValues = 100; // ten seconds at ten a second
 constexpr int margin = 3;               // [pixels]
 constexpr double linesHigh = 2.5;       // of text: one to read, the rest for the curve below it
-constexpr int shownDigits = 3;
+constexpr int shownDecimals = 2;        // a hand feels no hundredth of a newton, a millimetre or a millijoule
 
 void Keep(double value, std::deque<double>& values)
 {
@@ -25,7 +27,7 @@ void Keep(double value, std::deque<double>& values)
 
 QString Labelled(double value)
 {
-  return QString::number(value, 'g', shownDigits);
+  return pqHapticNumberText(value, shownDecimals);
 }
 } // namespace
 
@@ -41,6 +43,7 @@ pqHapticStrip::~pqHapticStrip() = default;
 void pqHapticStrip::add(double value)
 {
   Keep(value, this->Values);
+  this->Over = false;
   this->setAccessibleDescription(this->sentence());
   this->Painted = !this->Painted; // five pictures a second are seen to move, and painting is most of what a strip costs
   if (this->Painted)
@@ -55,12 +58,23 @@ void pqHapticStrip::addAt(double value, double along)
   this->add(value);
 }
 
+void pqHapticStrip::setLast()
+{
+  if (!this->Over && !this->Values.empty())
+  {
+    this->Over = true;
+    this->setAccessibleDescription(this->sentence());
+    this->update();
+  }
+}
+
 void pqHapticStrip::clear()
 {
   if (!this->Values.empty())
   {
     this->Values.clear();
     this->Along.clear();
+    this->Over = false;
     this->setAccessibleDescription(this->sentence());
     this->update();
   }
@@ -68,7 +82,12 @@ void pqHapticStrip::clear()
 
 QString pqHapticStrip::sentence() const
 {
-  return this->Title + ": " + (this->Values.empty() ? tr("none") : Labelled(this->Values.back()) + " " + this->Unit);
+  if (this->Values.empty())
+  {
+    return tr("%1: none").arg(this->Title);
+  }
+  const QString value = Labelled(this->Values.back()) + " " + this->Unit;
+  return (this->Over ? tr("%1, last: %2") : tr("%1: %2")).arg(this->Title, value);
 }
 
 QSize pqHapticStrip::sizeHint() const

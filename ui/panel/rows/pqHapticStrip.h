@@ -9,7 +9,7 @@
 
 /**
  * A live strip chart: one quantity over the last ten seconds, or against another one in that time, with its value now
- * and its scale.
+ * or last, and its scale. Values are rounded to a hundredth of the smallest scale.
  *
  * The scale goes from 0 (or the least value, if that is below) to the largest of the last ten seconds, never to less
  * than the smallest scale that says something. It is drawn in the colours of the palette, so it follows light and dark.
@@ -28,7 +28,9 @@ public:
   void add(double value);
   /// Likewise against another quantity, in its own unit: a strip has values of one sort alone.
   void addAt(double value, double along);
-  /// Nothing is measured any more.
+  /// Nothing is measured any more: what was measured last stays, and is said to be the last.
+  void setLast();
+  /// Nothing was measured.
   void clear();
 
   QSize sizeHint() const override;
@@ -49,6 +51,7 @@ private:
   std::deque<double> Values;
   std::deque<double> Along; ///< of each; empty: they are against time
   bool Painted = false;     ///< the last value
+  bool Over = false;        ///< the last value is not the one now
 };
 
 #endif

@@ -30,7 +30,6 @@ pqHapticProgress::pqHapticProgress(QWidget* parent)
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(this->Bar, 1);
   row->addWidget(this->Cancel);
-  this->setVisible(false);
   this->connect(this->Cancel, &QPushButton::clicked, this,
     []
     {
@@ -47,8 +46,12 @@ void pqHapticProgress::refresh(vtkHapticSession* session)
 {
   const double share = session ? session->GetSceneProgress() : 1.0;
   this->Waited = share < 1.0 ? this->Waited + 1 : 0;
-  this->setVisible(this->Waited >= patience);
   this->Bar->setValue(static_cast<int>(percent * share));
+}
+
+bool pqHapticProgress::waits() const
+{
+  return this->Waited >= patience;
 }
 
 QWidget* pqHapticProgress::field() const

@@ -8,7 +8,8 @@ class QProgressBar;
 class QPushButton;
 class vtkHapticSession;
 
-/// How far large data are from being touched, and a button that gives it up; seen only while a person waits for it.
+/// How far large data are from being touched, and a button that gives it up; to be seen only while a person waits for
+/// it.
 class pqHapticProgress : public QWidget
 {
   Q_OBJECT
@@ -20,6 +21,8 @@ public:
 
   /// Null: no session. Called ten times a second.
   void refresh(vtkHapticSession* session);
+  /// Whether a person waits for it.
+  bool waits() const;
   QWidget* field() const;
 
 private:

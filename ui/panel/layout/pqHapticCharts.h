@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef pqHapticCharts_h
+#define pqHapticCharts_h
+
+#include <QWidget>
+
+class QVBoxLayout;
+class pqHapticStrip;
+class vtkHapticSession;
+
+/// Strip charts of the last ten seconds of a touch. After the touch they say that their values are the last ones; the
+/// next touch begins them anew.
+class pqHapticCharts : public QWidget
+{
+  Q_OBJECT
+  typedef QWidget Superclass;
+
+public:
+  explicit pqHapticCharts(QWidget* parent = nullptr);
+  ~pqHapticCharts() override;
+
+  /// Null where there is no session. Ten times a second.
+  void refresh(vtkHapticSession* session);
+  /// Another session: nothing was measured.
+  void clear();
+
+private:
+  pqHapticStrip* add(QVBoxLayout* column, const char* name, const QString& title, const char* unit, const QString& tip);
+
+  pqHapticStrip* Force;
+  pqHapticStrip* Depth;
+  pqHapticStrip* Lateness;
+  pqHapticStrip* Energy;
+  bool Touched = false; ///< at the last look
+};
+
+#endif
