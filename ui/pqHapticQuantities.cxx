@@ -7,6 +7,7 @@
 #include "vtkHapticTouchedMechanism.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <cmath>
 #include <map>

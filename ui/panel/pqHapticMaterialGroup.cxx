@@ -55,6 +55,7 @@ void pqHapticMaterialGroup::refresh(vtkHapticSession* session)
   QString text = session ? QString::fromUtf8(session->GetMaterialText()) : QString();
   text.replace(0, 1, text.left(1).toUpper());
   pqHapticSay(this->Cut, text.isEmpty() ? text : text + ".");
+  this->followChoices();
 }
 
 void pqHapticMaterialGroup::add(const Looks& looks)
@@ -72,12 +73,12 @@ void pqHapticMaterialGroup::add(const Looks& looks)
   this->addDetails(details, looks, transfer);
   this->Form->addRow(details);
   transfer.Details = details;
-  this->connect(transfer.Array, &pqHapticArrayChoice::arrayChanged, this, [this] { this->refresh(nullptr); });
+  this->connect(transfer.Array, &pqHapticArrayChoice::arrayChanged, this, &pqHapticMaterialGroup::followChoices);
   this->Transfers.push_back(transfer);
-  this->refresh(nullptr);
+  this->followChoices();
 }
 
-void pqHapticMaterialGroup::refresh(vtkHapticSession*)
+void pqHapticMaterialGroup::followChoices()
 {
   for (const Transfer& transfer : this->Transfers)
   {

@@ -46,6 +46,8 @@ private:
   };
 
   void add(const Looks& looks);
+  /// Of a transfer without an array there are no details.
+  void followChoices();
   void addDetails(QWidget* parent, const Looks& looks, Transfer& transfer);
 
   std::vector<Transfer> Transfers;
