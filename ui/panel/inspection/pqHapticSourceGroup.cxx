@@ -5,6 +5,7 @@
 #include "pqActiveObjects.h"
 #include "pqHapticController.h"
 #include "pqHapticLabel.h"
+#include "pqHapticQuantityBox.h"
 #include "pqPipelineSource.h"
 #include "vtkHapticSession.h"
 
@@ -64,10 +65,9 @@ pqHapticSourceGroup::pqHapticSourceGroup(QWidget* parent) : Superclass(tr("Activ
 
 QDoubleSpinBox* pqHapticSourceGroup::addNumber(const char* name, const QString& title, const QString& tip)
 {
-  auto* box = new QDoubleSpinBox(this);
+  auto* box = new pqHapticQuantityBox(decimals, this);
   box->setObjectName(name);
   box->setToolTip(tip);
-  box->setDecimals(decimals);
   box->setRange(asSession, palpate::Material::largestFriction);
   box->setSpecialValueText(tr("the session's"));
   box->setKeyboardTracking(false);

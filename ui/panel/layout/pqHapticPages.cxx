@@ -115,6 +115,8 @@ QVBoxLayout* pqHapticPages::add(const QString& name, const QString& title, const
 void pqHapticPages::choose(QWidget* page)
 {
   this->Chosen = page;
+  const auto shows = [page](const Page& other) { return other.Body == page; };
+  this->Choice->ensureWidgetVisible(std::find_if(this->All.begin(), this->All.end(), shows)->Button);
   this->showAll(false);
   this->Scroll->verticalScrollBar()->setValue(0);
   Q_EMIT this->chosen();
