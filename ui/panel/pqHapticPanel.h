@@ -12,8 +12,8 @@ class vtkSMProxy;
  * The dock "Haptics": which device, what touching feels like, and what the servo says about itself.
  *
  * Every edit goes to the session's proxy and every change of the proxy comes back here; the panel holds no state.
- * Every widget has an object name and a unit beside its number. The fields that are used most have mnemonics, none of which is a menu's
- * of ParaView or a button's of its Properties panel; Tab goes through all fields.
+ * Every widget has an object name and a unit beside its number. The fields that are used most have mnemonics, none of
+ * which is a menu's of ParaView or a button's of its Properties panel; Tab goes through all fields.
  */
 class pqHapticPanel : public QDockWidget
 {

@@ -143,7 +143,8 @@ void pqHapticController::makeActions()
 
   this->MarkAction = new QAction(tr("&Mark"), this);
   this->MarkAction->setObjectName("hapticMarkAction");
-  this->MarkAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_M)); // Shift is down while the mouse presses
+  this->MarkAction->setShortcut(
+    QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_M)); // Shift is down while the mouse presses
   this->MarkAction->setToolTip(tr("Set a mark at the contact"));
   this->connect(this->MarkAction, &QAction::triggered, this, &pqHapticController::mark);
 

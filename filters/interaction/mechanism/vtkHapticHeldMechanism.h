@@ -76,7 +76,7 @@ private:
   std::size_t HeldBody() const;
 
   std::vector<vtkBoundingBox> BodyBounds; ///< one a body
-  std::string File, Folder; ///< text of the scene file, and where that lies
+  std::string File, Folder;               ///< text of the scene file, and where that lies
   bool OfServer = false;
   std::shared_ptr<const palpate::MechanismInputs> Inputs;
   std::vector<palpate::MechanismSoftInput> Read; ///< its soft bodies, for the next laws

@@ -83,7 +83,7 @@ void pqHapticContactGroup::refresh(vtkHapticSession* session)
     this->showContact(*session);
   }
   this->Found->setVisible(found);
-  this->When->setText(!found                        ? tr("No contact in this scene yet.")
+  this->When->setText(!found                       ? tr("No contact in this scene yet.")
                       : session->GetContactIsNow() ? tr("Contact now:")
                                                    : tr("Last contact:"));
 }

@@ -26,8 +26,8 @@ private:
 
   QLabel* add(QFormLayout* form, const char* name, const QString& title, const QString& tip);
 
-  QLabel* When;                            ///< whether the data are those of a contact now
-  QWidget* Found;                          ///< the rows, once there was a contact
+  QLabel* When;   ///< whether the data are those of a contact now
+  QWidget* Found; ///< the rows, once there was a contact
   QLabel* Source;
   QLabel* Ids;
   QLabel* Position;
