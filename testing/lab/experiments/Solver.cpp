@@ -105,7 +105,11 @@ private:
   {
     while (!this->passive_.empty())
     {
-      const Eigen::MatrixXd columns = this->e_(Eigen::placeholders::all, this->passive_);
+      Eigen::MatrixXd columns(this->e_.rows(), static_cast<Eigen::Index>(this->passive_.size()));
+      for (Eigen::Index k = 0; k < columns.cols(); ++k)
+      {
+        columns.col(k) = this->e_.col(this->passive_[static_cast<std::size_t>(k)]);
+      }
       const Eigen::VectorXd s = columns.colPivHouseholderQr().solve(this->f_);
       double step = 1.0;
       for (int k = 0; k < s.size(); ++k)
