@@ -69,7 +69,7 @@ const char* AttachedPid::disturbance(std::int64_t now_ns) noexcept
     return "the device accepted forces too late and was stopped";
   }
   const bool off = this->actuatorsOff.exchange(false) && this->output->shouldBeOn(now_ns);
-  const bool stopped = this->output->plays(this->stoppedBlock.exchange(0));
+  const bool stopped = this->output->shouldPlay(this->stoppedBlock.exchange(0), now_ns);
   if (off || stopped)
   {
     return "another program, or a switch on the device, disabled its forces";

@@ -139,7 +139,7 @@ TEST(Uhid, ForceIsBackAfterTheServoWasSilentOnADeviceWithTheHabitsOfAnOpenBoard)
   servo.command.wrench_D.force = { 2.0, 0.0, 0.0 };
   ASSERT_TRUE(servo.runUntil([&] { return device.forceX() > 0.3; }));
   ASSERT_TRUE(waitUntil([&] { return device.forceX() == 0.0; }));
-  EXPECT_TRUE(servo.runUntil([&] { return device.forceX() > 0.3; }));
+  EXPECT_TRUE(servo.runUntil([&] { return device.forceX() > 0.3; })) << servo.device.linkReport().lostFor;
   EXPECT_EQ(device.badReports(), 0);
 }
 

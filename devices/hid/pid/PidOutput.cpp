@@ -12,7 +12,7 @@ namespace palpate
 namespace
 {
 
-constexpr std::int64_t answersWithin_ns = 50 * perMs_ns; // what a device says of its actuators
+constexpr std::int64_t answersWithin_ns = 50 * perMs_ns; // a device reports its actuators and its effects
 
 bool same(const Condition& a, const Condition& b) noexcept
 {
@@ -166,7 +166,7 @@ PidOutput::Step PidOutput::step(std::int64_t now_ns, const Wish& wish) noexcept
   }
   // While silent the effects are emptied: what starts again must not start with an old force.
   const Wish wanted = this->silent_ ? Wish{} : wish;
-  Step step = this->silent_ ? this->endLingering() : this->enable(now_ns);
+  Step step = this->silent_ ? this->endLingering(now_ns) : this->enable(now_ns);
   if (step == Step::Idle && this->kind_.pushedAxes == 0)
   {
     return this->shake_.vibrate(now_ns, this->rumble_.next(now_ns, wanted.command, wanted.p_D));
@@ -201,29 +201,36 @@ bool PidOutput::fallsSilent(std::int64_t now_ns, std::uint64_t beat) noexcept
   }
   this->silent_ = true;
   this->askedSince_ns_ = never;
-  this->allStopped();
+  this->allStopped(now_ns);
   return true;
 }
 
-void PidOutput::allStopped() noexcept
+void PidOutput::allStopped(std::int64_t now_ns) noexcept
 {
   this->enabled_ = false;
   for (Effect* effect : this->effects())
   {
     effect->lingers = effect->lingers || effect->started_ns != never;
     effect->started_ns = never;
+    effect->stopped_ns = now_ns;
   }
   this->shake_.forget();
 }
 
+PidOutput::Step PidOutput::stop(Effect& effect, std::int64_t now_ns) noexcept
+{
+  effect.stopped_ns = now_ns;
+  return sentOrFailed(this->engine_.stop(effect.block));
+}
+
 /// To some devices a stop of all is a pause: their effects would go on with what they had once anything is set.
-PidOutput::Step PidOutput::endLingering() noexcept
+PidOutput::Step PidOutput::endLingering(std::int64_t now_ns) noexcept
 {
   for (Effect* effect : this->effects())
   {
     if (std::exchange(effect->lingers, false))
     {
-      return sentOrFailed(this->engine_.stop(effect->block));
+      return this->stop(*effect, now_ns);
     }
   }
   return Step::Idle;
@@ -253,7 +260,7 @@ PidOutput::Step PidOutput::restart(std::int64_t now_ns, const Wish& wish) noexce
       (effect == &this->spring_ && !wish.trust.walls) || (effect == &this->damper_ && !wish.trust.damper);
     if (doubted && std::exchange(effect->started_ns, never) != never)
     {
-      return sentOrFailed(this->engine_.stop(effect->block));
+      return this->stop(*effect, now_ns);
     }
     const bool playing = effect->started_ns != never;
     const bool due = !playing || now_ns - effect->started_ns >= this->options_.restartEvery_ms * perMs_ns;
@@ -268,12 +275,15 @@ PidOutput::Step PidOutput::restart(std::int64_t now_ns, const Wish& wish) noexce
   return Step::Idle;
 }
 
-bool PidOutput::plays(int block) const noexcept
+bool PidOutput::shouldPlay(int block, std::int64_t now_ns) const noexcept
 {
-  const auto playing = [block](const Effect& effect)
-  { return effect.block == block && effect.started_ns != never && !effect.lapses; };
+  const auto should = [block, now_ns](const Effect& effect)
+  {
+    return effect.block == block && effect.started_ns != never && !effect.lapses &&
+           (effect.stopped_ns == never || now_ns - effect.stopped_ns >= answersWithin_ns);
+  };
   return block > 0 &&
-         (playing(this->forces_[0]) || playing(this->forces_[1]) || playing(this->spring_) || playing(this->damper_));
+         (should(this->forces_[0]) || should(this->forces_[1]) || should(this->spring_) || should(this->damper_));
 }
 
 double PidOutput::rampedShare(std::int64_t now_ns, const DeviceCommand& command) noexcept

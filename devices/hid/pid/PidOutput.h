@@ -64,8 +64,9 @@ public:
   [[nodiscard]] bool silent() const noexcept { return this->silent_; }
   /// The device has had time to say that its actuators are on, and should not say anything else.
   [[nodiscard]] bool shouldBeOn(std::int64_t now_ns) const noexcept;
-  /// An effect that should be playing.
-  [[nodiscard]] bool plays(int block) const noexcept;
+  /// An effect that should be playing, and that the device should not report as stopped: reports of the stops that were
+  /// sent to it have had time to come.
+  [[nodiscard]] bool shouldPlay(int block, std::int64_t now_ns) const noexcept;
   /// Effects that were armed again before they ended.
   [[nodiscard]] std::uint64_t restarts() const noexcept { return this->restarts_ + this->shake_.restarts(); }
 
@@ -75,6 +76,7 @@ private:
     EffectSettings settings;
     int block = 0; ///< 0: the device has none
     std::int64_t started_ns = never;
+    std::int64_t stopped_ns = never; ///< when a stop was sent to it last
     bool lapses = false;    ///< nobody renews it, so it ends by itself
     bool lingers = false;   ///< stopped with all others, not yet by itself
     bool unsettled = false; ///< its conditions changed after its settings were sent
@@ -88,8 +90,9 @@ private:
   [[nodiscard]] bool makeCondition(Effect& effect, HidUsage type);
   [[nodiscard]] std::array<Effect*, 4> effects() noexcept;
   [[nodiscard]] bool fallsSilent(std::int64_t now_ns, std::uint64_t beat) noexcept;
-  void allStopped() noexcept;
-  [[nodiscard]] Step endLingering() noexcept;
+  void allStopped(std::int64_t now_ns) noexcept;
+  [[nodiscard]] Step stop(Effect& effect, std::int64_t now_ns) noexcept;
+  [[nodiscard]] Step endLingering(std::int64_t now_ns) noexcept;
   [[nodiscard]] Step enable(std::int64_t now_ns) noexcept;
   [[nodiscard]] Step restart(std::int64_t now_ns, const Wish& wish) noexcept;
   [[nodiscard]] Step sendWalls(std::int64_t now_ns, const Wish& wish) noexcept;

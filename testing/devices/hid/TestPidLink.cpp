@@ -135,6 +135,53 @@ TEST(PidLink, OfTwoAlikeWithoutSerialNumbersEachIsOpenedByItsPathAndTheOtherIsLe
   EXPECT_EQ(second.opened, 2); // one for the order to stop
 }
 
+/// The threads after the servo fell silent: the writer gets so many turns until the servo is back, and for so long
+/// nothing of the device's answers is read. Then all is as before.
+void comeBackAfterSilence(Rig& rig, int turns, int unread_ms)
+{
+  const auto write = [&]
+  {
+    if (!rig.device.link().writePass())
+    {
+      rig.bus->advance(1);
+    }
+  };
+  const int stops = rig.stick().stopAlls;
+  while (rig.stick().stopAlls == stops)
+  {
+    rig.pass();
+  }
+  for (int turn = 0; turn < turns; ++turn)
+  {
+    write();
+  }
+  const std::int64_t until_ns = rig.bus->time().now_ns() + unread_ms * std::int64_t{ 1000000 };
+  while (rig.bus->time().now_ns() < until_ns)
+  {
+    rig.device.write(rig.command);
+    write();
+  }
+  rig.run(100);
+}
+
+// The device reports each effect that the link stopped, and its reader may be late.
+TEST(PidLink, ReportsOfItsOwnStopsThatAreReadLateAreNotTakenForAnotherProgram)
+{
+  for (const test::PidLayout& layout : { test::plainLayout(), test::openBoardLayout() })
+  {
+    for (int turns = 0; turns < 8; ++turns)
+    {
+      Rig rig(layout);
+      ASSERT_EQ(rig.device.open(), "");
+      rig.command.wrench_D.force.x() = 2.0;
+      rig.run(200);
+      comeBackAfterSilence(rig, turns, 25);
+      EXPECT_EQ(rig.device.linkReport().losses, 0U) << layout.name << " after " << turns;
+      EXPECT_GT(rig.stick().force()[0], 0.3) << layout.name << " after " << turns;
+    }
+  }
+}
+
 /// A device in real time under a force, whose output stalls: told to stop while the write still hangs.
 struct Stalled
 {
