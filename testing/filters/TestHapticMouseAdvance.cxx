@@ -184,6 +184,38 @@ TEST_F(HapticMouseAdvance, AFieldIsEnteredInTheMiddleOfItsDataAndHeldBackByItsWa
   EXPECT_NEAR(this->force().normalized().dot(this->proxy().normalized()), 1.0, 1e-2);
 }
 
+// A computer with other work to do draws few frames, and a person comes from any side.
+TEST_F(HapticMouseAdvance, TheForceOfAFieldDoesNotDependOnHowThePointerCameNorOnHowOftenTheViewIsDrawn)
+{
+  this->feelBall();
+  const Vec3 inside_W(6.0, 0.0, 4.0);
+  const auto [x_px, y_px] = pixelOf(this->eye_W_, true, inside_W);
+  for (const Vec3& from_W : { Vec3(28, 0, 0), Vec3(-28, 0, 0), Vec3(0, 0, 28), Vec3(20, 0, -20) })
+  {
+    for (const int ticks : { 5, frame, 7 * frame })
+    {
+      const auto [x0_px, y0_px] = pixelOf(this->eye_W_, true, from_W);
+      this->mouse_->SetPointer(x0_px, y0_px);
+      this->rest(3 * framesToArrive);
+      this->mouse_->SetPointer(x_px, y_px);
+      for (int i = 0; i < 3 * framesToArrive * std::max(1, frame / ticks); ++i)
+      {
+        this->touch_->Update();
+        this->session_->Step(ticks);
+      }
+      EXPECT_NEAR(this->force().norm(), force_N, 1e-2 * force_N) << from_W.transpose() << ", " << ticks;
+      const Vec3 towards_W = (inside_W - this->proxy()).normalized();
+      EXPECT_NEAR(towards_W.dot(this->force().normalized()), -1.0, 1e-2) << "nearest to the place under the pointer";
+    }
+  }
+  this->mouse_->Leave();
+  this->rest(framesToArrive);
+  EXPECT_LT(this->force().norm(), 0.02 * force_N);
+  this->mouse_->SetPointer(x_px, y_px);
+  this->rest(framesToArrive);
+  EXPECT_NEAR(this->force().norm(), force_N, 1e-2 * force_N) << "after a click in the panel";
+}
+
 TEST_F(HapticMouseAdvance, TheWheelMovesThePlaneOfAFieldAndLeavingItEndsTheForce)
 {
   this->feelBall();

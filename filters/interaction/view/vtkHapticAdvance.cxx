@@ -25,14 +25,15 @@ void vtkHapticAdvance::Place(const Vec3& anchor_W, const Vec3& axis_W)
   this->Pressed = false;
   this->Anchor = anchor_W;
   this->Axis = axis_W;
-  this->Along = 0.0;
+  this->Along = this->Chosen = 0.0;
 }
 
 void vtkHapticAdvance::FollowAxis(const Frame& frame)
 {
   if ((frame.Axis - this->Axis).norm() > sameDirection)
   {
-    this->Place(this->IsResisted(frame) ? frame.Proxy : frame.Led, frame.Axis);
+    const Vec3 resisted_W = frame.Held ? frame.Proxy : this->Middle();
+    this->Place(this->IsResisted(frame) ? resisted_W : frame.Led, frame.Axis);
   }
 }
 
@@ -41,18 +42,37 @@ bool vtkHapticAdvance::IsResisted(const Frame& frame) const
   return (frame.Hand - frame.Proxy).norm() > resistedShare * frame.Depth;
 }
 
-/// Pressing goes on, slower against a resistance, which grows the force at a rate that a person can stop. A hand that
-/// stops pressing rests where its proxy is.
+/// The tip is advanced no further than to there. A hand in a field keeps the plane that was chosen: otherwise the force
+/// would depend on the way by which the hand came.
+void vtkHapticAdvance::Stop(const Vec3& at_W, const Frame& frame)
+{
+  const double reached = this->GetAlongOf(at_W);
+  this->Along = std::min(this->Along, frame.Held ? reached : std::max(reached, this->Chosen));
+}
+
+/// Pressing goes on, slower against a resistance, which grows the force at a rate that a person can stop. A thing that
+/// is not pressed any more rests where its proxy is.
 void vtkHapticAdvance::Press(const Frame& frame)
 {
-  if (frame.Pressing)
+  const bool resisted = this->IsResisted(frame);
+  if (frame.Pressing && resisted)
   {
-    this->Along += this->IsResisted(frame) ? frame.PressOn : frame.Press;
+    this->Gap = std::clamp(this->Gap + frame.PressOn, frame.Depth, std::max(frame.Firm, frame.Depth));
+    this->Along = std::max(this->Along, this->GetAlongOf(frame.Led) + frame.PressOn);
   }
-  else if (this->Pressed && this->IsResisted(frame))
+  else if (frame.Pressing)
   {
-    this->Along = this->GetAlongOf(frame.Proxy);
+    this->Along += frame.Press;
   }
+  else if (this->Pressed && resisted)
+  {
+    this->Stop(frame.Proxy, frame);
+  }
+  else if (this->Pressed)
+  {
+    this->Chosen = this->Along;
+  }
+  this->Gap = frame.Pressing && resisted ? this->Gap : frame.Depth;
   this->Pressed = frame.Pressing;
 }
 
@@ -62,11 +82,10 @@ Vec3 vtkHapticAdvance::Next(const Vec3& aimed_W, const Frame& frame)
   const Vec3 across = aimed_W - this->Anchor - this->GetAlongOf(aimed_W) * this->Axis;
   const Vec3 wanted_W = this->Anchor + across + this->Along * this->Axis;
   Vec3 next_W = frame.Led + Within(wanted_W - frame.Led, frame.Pace);
-  const double gap = frame.Pressing ? std::max(frame.Firm, frame.Depth) : frame.Depth;
-  if (this->IsResisted(frame) && (next_W - frame.Proxy).norm() > gap)
+  if (this->IsResisted(frame) && (next_W - frame.Proxy).norm() > this->Gap)
   {
-    next_W = frame.Proxy + Within(next_W - frame.Proxy, gap);
-    this->Along = std::min(this->Along, std::max(this->GetAlongOf(next_W), this->GetAlongOf(frame.Proxy)));
+    next_W = frame.Proxy + Within(next_W - frame.Proxy, this->Gap);
+    this->Stop(this->GetAlongOf(next_W) > this->GetAlongOf(frame.Proxy) ? next_W : frame.Proxy, frame);
   }
   return next_W;
 }
@@ -78,6 +97,6 @@ Vec3 vtkHapticAdvance::Rest(const Frame& frame)
   {
     return frame.Led;
   }
-  this->Along = this->GetAlongOf(frame.Proxy);
+  this->Stop(frame.Proxy, frame);
   return frame.Proxy;
 }

@@ -24,6 +24,7 @@ public:
     double Press;              ///< how far it goes on while it presses against nothing
     double PressOn;            ///< and against a resistance
     bool Pressing;
+    bool Held; ///< a thing is advanced, which stays where it is stopped; otherwise a hand, which comes back to its plane
   };
 
   bool IsPlaced() const { return this->Placed; }
@@ -34,9 +35,9 @@ public:
   void FollowAxis(const Frame& frame);
   /// The point of the axis that it has been advanced to: the pointer aims in the plane through it.
   palpate::Vec3 Middle() const { return this->Anchor + this->Along * this->Axis; }
-  void Advance(double way_u) { this->Along += way_u; }
+  void Advance(double way_u) { this->Along = this->Chosen = this->Along + way_u; }
   /// Back to where it began.
-  void Retract() { this->Along = 0.0; }
+  void Retract() { this->Along = this->Chosen = 0.0; }
   double GetAlong() const { return this->Along; }
   double GetAlongOf(const palpate::Vec3& p_W) const { return this->Axis.dot(p_W - this->Anchor); }
 
@@ -47,6 +48,7 @@ public:
 
 private:
   bool IsResisted(const Frame& frame) const;
+  void Stop(const palpate::Vec3& at_W, const Frame& frame);
   void Press(const Frame& frame);
 
   bool Placed = false;
@@ -54,6 +56,8 @@ private:
   palpate::Vec3 Anchor = palpate::Vec3::Zero();
   palpate::Vec3 Axis = palpate::Vec3::UnitZ();
   double Along = 0.0;
+  double Chosen = 0.0; ///< without a resistance: a hand in a field comes back to there
+  double Gap = 0.0;    ///< most that the hand goes beyond the proxy now
 };
 
 #endif

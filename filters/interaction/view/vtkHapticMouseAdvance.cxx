@@ -97,6 +97,7 @@ void vtkHapticMouse::Internals::LookAround()
   this->Now.PressOn = this->Reach(frame_s * pressOn_m_per_s);
   this->Now.Depth = this->Reach(this->Session->GetSetting("PressDepth"));
   this->Now.Firm = this->Reach(this->Session->GetSight()->GetLargestDepth());
+  this->Now.Held = this->AdvancesHeld();
   this->Now.Pressing = this->Pressing && this->Session->GetEngageState() == vtkHapticSession::Engaged;
 }
 
