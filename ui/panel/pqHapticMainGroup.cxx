@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticMainGroup.h"
 
+#include "pqHapticArrayChoice.h"
+#include "pqHapticFields.h"
 #include "pqHapticLabel.h"
 #include "pqHapticRecordingRows.h"
 #include "pqPropertyLinks.h"
@@ -22,6 +24,10 @@ pqHapticMainGroup::pqHapticMainGroup(QWidget* parent) : Superclass(parent)
   form->setVerticalSpacing(mainSpacing);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   this->Rows.add(form, "main");
+  this->Stiffness = new pqHapticArrayChoice(this);
+  this->Stiffness->setObjectName("mainStiffnessArray");
+  this->Stiffness->setToolTip(pqHapticTip("StiffnessArray"));
+  form->addRow(pqHapticTitle("StiffnessArray"), this->Stiffness);
   this->Recording = new pqHapticRecordingRows(this);
   form->addRow(this->Recording);
   auto* warning = pqHapticLabel(this, "notClinical", tr("No part of it has been validated for any medical purpose"));
@@ -37,6 +43,8 @@ void pqHapticMainGroup::setProxy(vtkSMProxy* proxy, pqPropertyLinks& links)
   {
     this->Recording->link(proxy, links);
     this->Rows.link(links, proxy);
+    links.addTraceablePropertyLink(
+      this->Stiffness, "array", SIGNAL(arrayChanged()), proxy, proxy->GetProperty("StiffnessArray"));
   }
 }
 
@@ -46,7 +54,12 @@ void pqHapticMainGroup::refresh(vtkHapticSession* session)
   this->Recording->refresh(session);
 }
 
+void pqHapticMainGroup::setArrayNames(const QStringList& names)
+{
+  this->Stiffness->setNames(names);
+}
+
 QList<QWidget*> pqHapticMainGroup::fields() const
 {
-  return this->Rows.fields("main") + this->Recording->fields();
+  return this->Rows.fields("main") + QList<QWidget*>{ this->Stiffness } + this->Recording->fields();
 }

@@ -5,8 +5,10 @@
 #include "pqHapticSettingRows.h"
 
 #include <QList>
+#include <QStringList>
 #include <QWidget>
 
+class pqHapticArrayChoice;
 class pqHapticRecordingRows;
 class pqPropertyLinks;
 class vtkHapticSession;
@@ -26,11 +28,14 @@ public:
   void setProxy(vtkSMProxy* proxy, pqPropertyLinks& links);
   /// Null where there is no session. Ten times a second.
   void refresh(vtkHapticSession* session);
+  /// Of what can be touched now.
+  void setArrayNames(const QStringList& names);
   /// In the order of the Tab key.
   QList<QWidget*> fields() const;
 
 private:
   pqHapticSettingRows Rows;
+  pqHapticArrayChoice* Stiffness; ///< also on the page of materials, which has its ranges
   pqHapticRecordingRows* Recording;
 };
 

@@ -45,7 +45,7 @@
 namespace
 {
 /// Read-outs change ten times a second: faster cannot be read.
-constexpr int refreshPeriod_ms = 100;
+constexpr int refreshPeriod_ms = 100, refreshesInSecond = 10;
 
 QFormLayout* Group(QVBoxLayout* column, const char* name, const QString& title)
 {
@@ -110,6 +110,7 @@ public:
   void showMeasured(vtkHapticSession* session, const pqHapticViewFollower& follower);
   void followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower);
 
+  int Refreshes = 0;             ///< of the main page
   vtkMTimeType MaterialTime = 0; ///< of the settings the view's scene was made with
 };
 
@@ -247,7 +248,7 @@ void pqHapticPanel::Internals::fillPages()
   this->Material = new pqHapticMaterialGroup;
   this->addGroup(material, this->Material);
   this->addGroup(page("field", tr("Field"), tr("Values of a volume that are felt")), new pqHapticFieldGroup);
-  QVBoxLayout* const lines = page("lines", tr("Lines"), tr("Lines as walls, which a device may hold itself"));
+  QVBoxLayout* const lines = page("lines", tr("Lines"), tr("Lines as walls, and points"));
   this->addSettings(Group(lines, "linesGroup", tr("Lines")), "lines");
   this->addGroup(page("tool", tr("Tool"), tr("A rigid body in the hand")), new pqHapticToolGroup);
   this->addGroup(page("tissue", tr("Tissue"), tr("A soft body under the hand")), new pqHapticSoftGroup);
@@ -307,8 +308,10 @@ void pqHapticPanel::Internals::showReasons(vtkHapticSession* session)
 /// Settings can change without a frame being drawn, from a script for one.
 void pqHapticPanel::Internals::followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower)
 {
-  if (this->Material->isVisible()) // looking at all sources costs too much for what nobody sees
+  // Looking at all sources costs much: once a second where little room is given to it.
+  if (this->Material->isVisible() || (this->Main->isVisible() && this->Refreshes++ % refreshesInSecond == 0))
   {
+    this->Main->setArrayNames(follower.arrayNames());
     this->Material->setArrayNames(follower.arrayNames());
   }
   const bool read = session.GetSceneProgress() < 1.0; // in the background: a hidden view asks for no frame

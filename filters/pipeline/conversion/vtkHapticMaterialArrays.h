@@ -30,7 +30,7 @@ struct vtkHapticTransfer
 /// Arrays of a surface that set its material.
 struct VTKHAPTICPIPELINE_EXPORT vtkHapticMaterialSettings
 {
-  vtkHapticTransfer Stiffness{ {}, -1, { 0.0, 0.0 }, { 100.0, 1000.0 } }; ///< to [N/m]
+  vtkHapticTransfer Stiffness{ {}, -1, { 0.0, 0.0 }, { 50.0, 500.0 } }; ///< to [N/m]
   vtkHapticTransfer Friction{ {}, -1, { 0.0, 0.0 }, { 0.0, 1.0 } };       ///< to [1], at rest and sliding alike
   vtkHapticTransfer Texture{ {}, -1, { 0.0, 0.0 }, { 0.0, 1.0 } }; ///< to a height [u], felt from the largest down
 
