@@ -109,8 +109,7 @@ public:
   /// The state of the session in the rows that are visible: a text that changes has its page laid out again.
   void showMeasured(vtkHapticSession* session, const pqHapticViewFollower& follower);
   void followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower);
-
-  int Refreshes = 0;             ///< of the main page
+  int Refreshes = 0;             ///< of the main page: looking at all sources costs much
   vtkMTimeType MaterialTime = 0; ///< of the settings the view's scene was made with
 };
 
@@ -305,14 +304,14 @@ void pqHapticPanel::Internals::showReasons(vtkHapticSession* session)
   }
 }
 
-/// Settings can change without a frame being drawn, from a script for one.
+/// Settings can change without a frame, from a script.
 void pqHapticPanel::Internals::followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower)
 {
-  // Looking at all sources costs much: once a second where little room is given to it.
   if (this->Material->isVisible() || (this->Main->isVisible() && this->Refreshes++ % refreshesInSecond == 0))
   {
-    this->Main->setArrayNames(follower.arrayNames());
-    this->Material->setArrayNames(follower.arrayNames());
+    const QStringList names = follower.arrayNames();
+    this->Main->setArrayNames(names);
+    this->Material->setArrayNames(names);
   }
   const bool read = session.GetSceneProgress() < 1.0; // in the background: a hidden view asks for no frame
   if (session.GetSight()->GetMaterialTime() != this->MaterialTime || read)
