@@ -5,6 +5,8 @@
 #include "pqHapticLayoutChecks.h"
 #include "pqWidgetEventPlayer.h"
 
+#include <QUrl>
+
 class pqHapticController;
 
 /**
@@ -35,6 +37,8 @@ class pqHapticController;
  *   hapticStill ""                   fails if one of them has moved since, or is gone
  *   hapticSeen "whole|across"        fails if one is cut off, or is cut off at a side
  *   hapticText "contrast,ratio"      pqHapticHasReadableText(); hapticDark "": all windows are light on dark
+ *   hapticWatchFiles ""              from now on, files for other programs (a browser) are noted and not opened
+ *   hapticOpened "page.html#anchor"  the noted file leads there; the page exists, beside the file, and has the anchor
  *   hapticAnotherSession ""          registers one as a script does; fails if the one before still touches or checks
  *
  * Names: force [N], depth [u], contacts, ticks, missed, largestStiffness [N/m], delay [ticks], velocityMethod; 0 or 1:
@@ -53,7 +57,12 @@ public:
   using Superclass::playEvent;
   bool playEvent(QObject* object, const QString& command, const QString& arguments, bool& failed) override;
 
+private Q_SLOTS:
+  void keepUrl(const QUrl& url);
+
 private:
+  bool opened(const QString& target) const;
+  bool watchFiles();
   bool pose(const QStringList& numbers);
   bool move(const QStringList& arguments);
   bool addStrokePoint(const QStringList& numbers);
@@ -77,6 +86,7 @@ private:
   bool replaceSession();
 
   pqHapticController* Controller;
+  QUrl Opened; ///< the last file that was to be opened by another program
   pqHapticPlaces Places;
   double Hand_W[3] = { 0.0, 0.0, 0.0 }; ///< where the script put it last [u]
 };
