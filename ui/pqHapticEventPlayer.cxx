@@ -76,6 +76,7 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
     { "hapticPythonState", [&] { return this->checkScript(vtkSMTrace::GetState(nullptr), arguments); } },
     { "hapticPython", [&] { return this->runPython(arguments); } },
     { "hapticUndo", [&] { return this->undo(arguments.toInt()); } },
+    { "hapticUndoStep", [&] { return pqHapticIsUndoStep(arguments); } },
     { "hapticDevice", [&] { return this->chooseDevice(arguments); } },
     { "hapticPose", [&] { return this->pose(list); } },
     { "hapticStroke", [&] { return this->addStrokePoint(list); } },

@@ -21,6 +21,7 @@ class pqHapticController;
  *   hapticPythonState "words"        the Python state has these
  *   hapticPython "statement"         run by the client's own interpreter; fails if the statement raises
  *   hapticUndo "n"                   n steps back, or forward for n < 0, as far as there are any
+ *   hapticUndoStep "name"            fails unless the next step back has this name
  *   hapticDevice "name"              chosen as a script does it
  *   hapticProperty "source,name,number"  set and applied; hapticShow "source,0|1": its eye
  *   hapticCamera "least,largest"     distance of the camera from what it looks at [u]

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticPanelChecks.h"
 
+#include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
+#include "pqUndoStack.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -171,4 +173,15 @@ bool pqHapticGoDark()
   dark.setColor(QPalette::HighlightedText, text);
   QApplication::setPalette(dark);
   return true;
+}
+
+bool pqHapticIsUndoStep(const QString& name)
+{
+  pqUndoStack* const stack = pqApplicationCore::instance()->getUndoStack();
+  const QString has = stack && stack->canUndo() ? stack->undoLabel() : QString();
+  if (has != name)
+  {
+    qCritical() << "hapticUndoStep" << name << ": the next step back is" << has;
+  }
+  return has == name;
 }

@@ -17,6 +17,9 @@ bool pqHapticHasMnemonics(QObject* object);
 /// 1 to 21 as WCAG 2 defines it for the lightest and the darkest pixel, and the picture so many pixels a point.
 bool pqHapticHasReadableText(QObject* object, double contrast, double ratio);
 
+/// The next step back of ParaView's undo has this name.
+bool pqHapticIsUndoStep(const QString& name);
+
 /// Light text on dark ground in all windows from now on.
 bool pqHapticGoDark();
 

@@ -10,6 +10,7 @@
 #include "pqHapticFields.h"
 #include "pqHapticFold.h"
 #include "pqHapticLabel.h"
+#include "pqHapticLink.h"
 #include "pqHapticMainGroup.h"
 #include "pqHapticMarksGroup.h"
 #include "pqHapticMaterialGroup.h"
@@ -388,8 +389,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
     return;
   }
   pqHapticFill(w.Hand, proxy->GetProperty("Hand"));
-  w.Links.addTraceablePropertyLink(
-    w.Hand, "currentText", SIGNAL(currentTextChanged(const QString&)), proxy, proxy->GetProperty("Hand"));
+  pqHapticLink::add(w.Links, w.Hand, "currentText", SIGNAL(currentTextChanged(const QString&)), proxy, "Hand");
   for (pqHapticGroup* const group : w.Groups)
   {
     group->link(w.Links, proxy);
