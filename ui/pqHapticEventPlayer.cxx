@@ -90,6 +90,8 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
     { "hapticWaitFor", [&] { return this->waitFor(list); } },
     { "hapticCheck", [&] { return this->check(list); } },
     { "hapticMnemonics", [&] { return pqHapticHasMnemonics(object); } },
+    { "hapticExplains", [&] { return pqHapticExplains(object, list); } },
+    { "hapticTip", [&] { return pqHapticHasTip(object, arguments); } },
     { "hapticText",
       [&] { return pqHapticHasReadableText(object, list.value(0).toDouble(), list.value(1).toDouble()); } },
     { "hapticDark", [&] { return pqHapticGoDark(); } },

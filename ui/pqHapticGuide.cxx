@@ -16,8 +16,9 @@ QString pqHapticOpenGuide(const QString& page)
   const QString file = QDir::cleanPath(shared.filePath("guide/panel-" + page + ".html"));
   if (vtkHapticGallery::Folder().empty() || !QFileInfo::exists(file))
   {
-    return QObject::tr("The guide is not installed with this plugin (%1 is missing). Install python3-markdown and build "
-                       "again, or read docs/ of the sources.")
+    return QObject::tr(
+      "The guide is not installed with this plugin (%1 is missing). Install python3-markdown and build "
+      "again, or read docs/ of the sources.")
       .arg(file);
   }
   return QDesktopServices::openUrl(QUrl::fromLocalFile(file))

@@ -9,6 +9,7 @@
 #include "pqHapticFieldGroup.h"
 #include "pqHapticFields.h"
 #include "pqHapticFold.h"
+#include "pqHapticGlossary.h"
 #include "pqHapticLabel.h"
 #include "pqHapticLink.h"
 #include "pqHapticMainGroup.h"
@@ -354,6 +355,7 @@ void pqHapticPanel::build()
   column->addWidget(w.Charts);
   w.fillPages();
   w.setTabOrder();
+  new pqHapticGlossary(panel);
   this->setWidget(panel);
   this->connect(w.Pages, &pqHapticPages::chosen, w.Search, &QLineEdit::clear);
   this->connect(w.Pages, &pqHapticPages::chosen, this, &pqHapticPanel::refresh);

@@ -14,8 +14,7 @@ QString pqHapticStepName(const vtkSMProxy& session, const char* setting)
 void pqHapticLink::add(pqPropertyLinks& links, QObject* field, const char* value, const char* changed,
   vtkSMProxy* session, const char* setting, int element)
 {
-  links.addTraceablePropertyLink<pqHapticLink>(
-    field, value, changed, session, session->GetProperty(setting), element);
+  links.addTraceablePropertyLink<pqHapticLink>(field, value, changed, session, session->GetProperty(setting), element);
 }
 
 void pqHapticLink::setServerManagerValue(bool unchecked, const QVariant& value)
