@@ -27,7 +27,10 @@
 #include "vtkSmartPointer.h"
 
 #include <QCoreApplication>
+#include <QDesktopServices>
 #include <QElapsedTimer>
+#include <QFile>
+#include <QFileInfo>
 #include <QLabel>
 #include <QMainWindow>
 #include <QMouseEvent>
@@ -73,6 +76,7 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
     { "hapticPythonState", [&] { return this->checkScript(vtkSMTrace::GetState(nullptr), arguments); } },
     { "hapticPython", [&] { return this->runPython(arguments); } },
     { "hapticUndo", [&] { return this->undo(arguments.toInt()); } },
+    { "hapticUndoStep", [&] { return pqHapticIsUndoStep(arguments); } },
     { "hapticDevice", [&] { return this->chooseDevice(arguments); } },
     { "hapticPose", [&] { return this->pose(list); } },
     { "hapticStroke", [&] { return this->addStrokePoint(list); } },
@@ -86,9 +90,13 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
     { "hapticWaitFor", [&] { return this->waitFor(list); } },
     { "hapticCheck", [&] { return this->check(list); } },
     { "hapticMnemonics", [&] { return pqHapticHasMnemonics(object); } },
+    { "hapticExplains", [&] { return pqHapticExplains(object, list); } },
+    { "hapticTip", [&] { return pqHapticHasTip(object, arguments); } },
     { "hapticText",
       [&] { return pqHapticHasReadableText(object, list.value(0).toDouble(), list.value(1).toDouble()); } },
     { "hapticDark", [&] { return pqHapticGoDark(); } },
+    { "hapticWatchFiles", [&] { return this->watchFiles(); } },
+    { "hapticOpened", [&] { return this->opened(arguments); } },
     { "hapticAnotherSession", [&] { return this->replaceSession(); } },
     { "hapticPlaces",
       [&]
@@ -367,6 +375,38 @@ bool pqHapticEventPlayer::holds(const QStringList& range) const
   session->Update();
   const auto quantity = pqHapticQuantityOf(range[0]);
   return quantity && quantity(*session) >= range[1].toDouble() && quantity(*session) <= range[2].toDouble();
+}
+
+bool pqHapticEventPlayer::watchFiles()
+{
+  this->Opened.clear();
+  QDesktopServices::setUrlHandler("file", this, "keepUrl");
+  return true;
+}
+
+void pqHapticEventPlayer::keepUrl(const QUrl& url)
+{
+  this->Opened = url;
+}
+
+bool pqHapticEventPlayer::opened(const QString& target) const
+{
+  const auto contentOf = [](const QString& name)
+  {
+    QFile file(name);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+  };
+  const QString file = this->Opened.toLocalFile();
+  const QString page = contentOf(QFileInfo(file).path() + "/" + target.section('#', 0, 0));
+  const QString anchor = target.section('#', 1);
+  const bool leads = contentOf(file).contains("url=" + target + "\"");
+  const bool there = page.contains(anchor.isEmpty() ? "<h1" : "id=\"" + anchor + "\"");
+  if (!leads || !there)
+  {
+    qCritical() << "hapticOpened" << target << ": opened is" << file << (leads ? "" : "which leads elsewhere")
+                << (there ? "" : "and the page or its anchor is missing");
+  }
+  return leads && there;
 }
 
 /// As a script does it. The one before must be left in peace.

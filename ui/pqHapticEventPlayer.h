@@ -5,6 +5,8 @@
 #include "pqHapticLayoutChecks.h"
 #include "pqWidgetEventPlayer.h"
 
+#include <QUrl>
+
 class pqHapticController;
 
 /**
@@ -19,6 +21,7 @@ class pqHapticController;
  *   hapticPythonState "words"        the Python state has these
  *   hapticPython "statement"         run by the client's own interpreter; fails if the statement raises
  *   hapticUndo "n"                   n steps back, or forward for n < 0, as far as there are any
+ *   hapticUndoStep "name"            fails unless the next step back has this name
  *   hapticDevice "name"              chosen as a script does it
  *   hapticProperty "source,name,number"  set and applied; hapticShow "source,0|1": its eye
  *   hapticCamera "least,largest"     distance of the camera from what it looks at [u]
@@ -34,7 +37,12 @@ class pqHapticController;
  *   hapticPlaces ""                  remembers where the widgets of the object are
  *   hapticStill ""                   fails if one of them has moved since, or is gone
  *   hapticSeen "whole|across"        fails if one is cut off, or is cut off at a side
+ *   hapticExplains "name,name,..."   the terms of the glossary that stand in titles of the object; fails unless the tips
+ *                                    of these titles have the definitions
+ *   hapticTip "words"                in the tip that a pointer which rests on the widget brings up
  *   hapticText "contrast,ratio"      pqHapticHasReadableText(); hapticDark "": all windows are light on dark
+ *   hapticWatchFiles ""              from now on, files for other programs (a browser) are noted and not opened
+ *   hapticOpened "page.html#anchor"  the noted file leads there; the page exists, beside the file, and has the anchor
  *   hapticAnotherSession ""          registers one as a script does; fails if the one before still touches or checks
  *
  * Names: force [N], depth [u], contacts, ticks, missed, largestStiffness [N/m], delay [ticks], velocityMethod; 0 or 1:
@@ -53,7 +61,12 @@ public:
   using Superclass::playEvent;
   bool playEvent(QObject* object, const QString& command, const QString& arguments, bool& failed) override;
 
+private Q_SLOTS:
+  void keepUrl(const QUrl& url);
+
 private:
+  bool opened(const QString& target) const;
+  bool watchFiles();
   bool pose(const QStringList& numbers);
   bool move(const QStringList& arguments);
   bool addStrokePoint(const QStringList& numbers);
@@ -77,6 +90,7 @@ private:
   bool replaceSession();
 
   pqHapticController* Controller;
+  QUrl Opened; ///< the last file that was to be opened by another program
   pqHapticPlaces Places;
   double Hand_W[3] = { 0.0, 0.0, 0.0 }; ///< where the script put it last [u]
 };

@@ -3,11 +3,14 @@
 
 #include "pqCoreUtilities.h"
 #include "pqHapticController.h"
+#include "pqHapticGuide.h"
 #include "pqHapticLabyrinths.h"
+#include "pqHapticPages.h"
 #include "pqHapticPanel.h"
 #include "pqHapticRecordings.h"
 
 #include <QAction>
+#include <QMessageBox>
 
 namespace
 {
@@ -28,6 +31,16 @@ void ShowLabyrinths()
   dialog = dialog ? dialog : new pqHapticLabyrinths(main);
   dialog->show();
   dialog->raise();
+}
+
+void ShowGuide()
+{
+  QWidget* const main = pqCoreUtilities::mainWidget();
+  const auto* const pages = main->findChild<pqHapticPages*>();
+  if (const QString problem = pqHapticOpenGuide(pages ? pages->chosenName() : "main"); !problem.isEmpty())
+  {
+    QMessageBox::information(main, QObject::tr("Haptics Guide"), problem);
+  }
 }
 } // namespace
 
@@ -50,4 +63,9 @@ pqHapticMenu::pqHapticMenu(QObject* parent) : Superclass(parent)
   labyrinths->setObjectName("hapticLabyrinthsAction");
   labyrinths->setToolTip(tr("Find the path through a labyrinth by touch"));
   this->connect(labyrinths, &QAction::triggered, this, &ShowLabyrinths);
+
+  QAction* guide = this->addAction(tr("Haptics &Guide"));
+  guide->setObjectName("hapticGuideAction");
+  guide->setToolTip(tr("Open the guide in the browser, at the page that describes the panel's current page"));
+  this->connect(guide, &QAction::triggered, this, &ShowGuide);
 }

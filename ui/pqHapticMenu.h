@@ -4,7 +4,7 @@
 
 #include <QActionGroup>
 
-/// The menu "Haptics": touch, let go, show the panel, labyrinths.
+/// The menu "Haptics": touch, let go, show the panel, labyrinths, the guide.
 class pqHapticMenu : public QActionGroup
 {
   Q_OBJECT

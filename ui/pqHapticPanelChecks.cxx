@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticPanelChecks.h"
 
+#include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
+#include "pqHapticGlossary.h"
+#include "pqUndoStack.h"
 
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QHelpEvent>
 #include <QImage>
 #include <QKeySequence>
 #include <QLabel>
@@ -13,8 +17,10 @@
 #include <QMenuBar>
 #include <QPalette>
 #include <QPixmap>
+#include <QRegularExpression>
 #include <QSet>
 #include <QStringList>
+#include <QToolTip>
 #include <QWidget>
 #include <QtDebug>
 
@@ -171,4 +177,62 @@ bool pqHapticGoDark()
   dark.setColor(QPalette::HighlightedText, text);
   QApplication::setPalette(dark);
   return true;
+}
+
+bool pqHapticIsUndoStep(const QString& name)
+{
+  pqUndoStack* const stack = pqApplicationCore::instance()->getUndoStack();
+  const QString has = stack && stack->canUndo() ? stack->undoLabel() : QString();
+  if (has != name)
+  {
+    qCritical() << "hapticUndoStep" << name << ": the next step back is" << has;
+  }
+  return has == name;
+}
+
+bool pqHapticExplains(QObject* object, QStringList names)
+{
+  QStringList met, silent;
+  for (const QWidget* widget : object->findChildren<QWidget*>())
+  {
+    const QStringList words = pqHapticGlossary::titleOf(*widget).toLower().split(QRegularExpression("[^a-z-]+"));
+    const QString tip = pqHapticGlossary::tipOf(*widget);
+    for (const pqHapticTerm& term : pqHapticTerms())
+    {
+      for (const QString& name : term.Names)
+      {
+        const bool stands = ((" " + words.join(' ') + " ").contains(" " + name.toLower() + " "));
+        met << (stands ? QStringList(name) : QStringList());
+        const bool said = tip.contains(term.Definition.toHtmlEscaped());
+        silent << (stands && !said ? QStringList(widget->objectName() + ": " + name) : QStringList());
+      }
+    }
+  }
+  met.removeDuplicates();
+  met.sort();
+  names.sort();
+  if (met != names || !silent.isEmpty())
+  {
+    qCritical() << "hapticExplains" << names << ": titles have" << met << ", without a definition" << silent;
+  }
+  return met == names && silent.isEmpty();
+}
+
+bool pqHapticHasTip(QObject* object, const QString& words)
+{
+  auto* const widget = qobject_cast<QWidget*>(object);
+  if (!widget)
+  {
+    return false;
+  }
+  const QPoint middle = widget->rect().center();
+  QHelpEvent rests(QEvent::ToolTip, middle, widget->mapToGlobal(middle));
+  QCoreApplication::sendEvent(widget, &rests);
+  const bool has = QToolTip::text().contains(words);
+  if (!has)
+  {
+    qCritical() << "hapticTip" << words << ": it is" << QToolTip::text();
+  }
+  QToolTip::hideText();
+  return has;
 }

@@ -17,6 +17,16 @@ bool pqHapticHasMnemonics(QObject* object);
 /// 1 to 21 as WCAG 2 defines it for the lightest and the darkest pixel, and the picture so many pixels a point.
 bool pqHapticHasReadableText(QObject* object, double contrast, double ratio);
 
+/// The next step back of ParaView's undo has this name.
+bool pqHapticIsUndoStep(const QString& name);
+
+/// Of the terms of the glossary, these and no others stand in titles of the object, and the tips of these titles have
+/// their definitions.
+bool pqHapticExplains(QObject* object, QStringList names);
+
+/// The tip that a pointer which rests on the widget brings up has these words.
+bool pqHapticHasTip(QObject* object, const QString& words);
+
 /// Light text on dark ground in all windows from now on.
 bool pqHapticGoDark();
 

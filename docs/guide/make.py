@@ -14,13 +14,21 @@ from html import escape
 from pathlib import Path
 
 import markdown
+from markdown.extensions.toc import slugify
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = ["docs/guide/README.md", *(f"docs/guide/{name}.md" for name in ("skull", "brain", "soft-brain", "flow", "labyrinth", "api")),
-         *(f"docs/{name}.md" for name in ("touching", "fields", "servers", "tools", "soft", "mechanisms", "program", "devices", "regression", "faults")),
+         *(f"docs/{name}.md" for name in ("touching", "fields", "servers", "tools", "soft", "mechanisms", "program", "devices", "regression", "faults", "glossary")),
          "plugin/README.md", "README.md"]
 DOCUMENTED = ["filters/pipeline/python/testing/__init__.py", "filters/pipeline/python/testing/compare.py",
               "filters/views/python/simple.py"]
+# Where the help of a page of the panel is. A browser that is started with the name of a file does not get a heading with it: each
+# page of the panel has a file of its own, panel-NAME.html, that leads to the heading.
+PANEL = {"main": "plugin-README.html#what-it-sets", "contact": "plugin-README.html#what-is-touched-measured",
+         "material": "touching.html#arrays-on-surfaces", "field": "fields.html", "lines": "touching.html#lines-in-space",
+         "tool": "tools.html", "tissue": "soft.html", "mechanism": "mechanisms.html", "device": "devices.html",
+         "view": "plugin-README.html#with-the-mouse", "stability": "plugin-README.html#why-a-wall-shakes-and-what-to-do",
+         "state": "plugin-README.html#what-it-shows", "scene": "touching.html"}
 DATA = "data/cache"  # below the folder where a script of the guide is run
 STYLE = ("body{max-width:60em;margin:2em auto;padding:0 1em;font-family:sans-serif;line-height:1.5}img{max-width:100%}"
          "pre{background:#f4f4f4;padding:.7em;overflow:auto}table{border-collapse:collapse}td,th{border:1px solid #ccc;padding:.3em .6em}")
@@ -67,6 +75,7 @@ def write_page(page, out):
     source = (ROOT / page).read_text(encoding="utf-8")
     title = re.search(r"^# (.*)$", source, re.MULTILINE)[1].replace("`", "")
     body = markdown.markdown(source, extensions=["tables", "fenced_code", "toc"])
+    body = re.sub(r"<p><strong>([^<]*)\.</strong>", lambda lead: f'<p id="{slugify(lead[1], "-")}"><strong>{lead[1]}.</strong>', body)
     if page == "docs/guide/api.md":
         body += api()
     state = f"pictures/{Path(page).stem}.pvsm"
@@ -76,6 +85,14 @@ def write_page(page, out):
     (out / html_name(page)).write_text(
         f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title><style>{STYLE}</style></head>'
         f"<body>{navigation}{with_links(page, body, out)}</body></html>\n", encoding="utf-8")
+
+
+def write_panel(out):
+    for name, target in PANEL.items():
+        (out / f"panel-{name}.html").write_text(
+            f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>Palpate: the page {name.capitalize()} of the panel</title>'
+            f'<meta http-equiv="refresh" content="0; url={target}"></head><body><a href="{target}">The guide</a></body></html>\n',
+            encoding="utf-8")
 
 
 def copy_made(tutorials, pictures):
@@ -95,6 +112,7 @@ def main(folder, tutorials=None):
         copy_made(Path(tutorials), out / "pictures")
     for page in PAGES:
         write_page(page, out)
+    write_panel(out)
 
 
 if __name__ == "__main__":

@@ -37,7 +37,18 @@ class Pages(unittest.TestCase):
                 self.assertIn(target or name, self.pages, name)
                 if anchor:
                     self.assertIn(f'id="{anchor}"', self.pages[target or name], (name, target))
-        self.assertEqual(met, set(self.pages))
+        self.assertEqual(met, {name for name in self.pages if not name.startswith("panel-")})
+
+    def test_each_page_of_the_panel_has_a_file_that_leads_to_a_page_and_a_heading_of_the_guide(self):
+        panel = (SOURCE / "ui/panel/pqHapticPanel.cxx").read_text(encoding="utf-8")
+        names = re.findall(r'page\("(\w+)", tr\(', panel)
+        self.assertEqual(len(names), 13)
+        self.assertEqual({f"panel-{name}.html" for name in names}, {name for name in self.pages if name.startswith("panel-")})
+        for name in names:
+            (target,) = re.findall(r'content="0; url=([^"]*)"', self.pages[f"panel-{name}.html"])
+            page, _, anchor = target.partition("#")
+            self.assertGreater(len(self.pages[page]), 1000, name)
+            self.assertIn(f'id="{anchor}"' if anchor else "<h1", self.pages[page], name)
 
     def test_each_tutorial_links_its_state_file_which_names_its_data_as_the_script_does(self):
         for name in STATES:

@@ -83,6 +83,12 @@ class Package(unittest.TestCase):
         for name, text in pages.items():
             self.assertIn(f".SH NAME\n{name[:-5]} \\- ", text)
 
+    def test_the_guide_that_the_menu_opens_lies_beside_the_gallery(self):
+        shared = self.usr / "share/palpate"
+        self.assertTrue((shared / "gallery/chartres.vtp").is_file())
+        self.assertIn("url=fields.html", (shared / "guide/panel-field.html").read_text(encoding="utf-8"))
+        self.assertIn("<h1", (shared / "guide/fields.html").read_text(encoding="utf-8"))
+
     def test_udev_cmake_and_nothing_elsewhere(self):
         self.assertEqual((self.usr / "lib/udev/rules.d/70-palpate.rules").read_bytes(),
                          (SOURCE / "devices/udev/70-palpate.rules").read_bytes())

@@ -4,6 +4,7 @@
 #include "pqHapticArrayChoice.h"
 #include "pqHapticFields.h"
 #include "pqHapticLabel.h"
+#include "pqHapticLink.h"
 #include "pqHapticQuantityBox.h"
 #include "pqPropertyLinks.h"
 #include "vtkHapticSession.h"
@@ -128,7 +129,7 @@ void pqHapticMaterialGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
     const auto link = [&](QObject* widget, const char* what, const char* signal, const char* name, int index)
     {
       const QByteArray property = QByteArray(transfer.Property) + name;
-      links.addTraceablePropertyLink(widget, what, signal, proxy, proxy->GetProperty(property), index);
+      pqHapticLink::add(links, widget, what, signal, proxy, property, index);
     };
     link(transfer.Array, "array", SIGNAL(arrayChanged()), "Array", -1);
     link(transfer.Component, "value", SIGNAL(valueChanged(int)), "Component", -1);

@@ -9,7 +9,9 @@
 #include "pqHapticFieldGroup.h"
 #include "pqHapticFields.h"
 #include "pqHapticFold.h"
+#include "pqHapticGlossary.h"
 #include "pqHapticLabel.h"
+#include "pqHapticLink.h"
 #include "pqHapticMainGroup.h"
 #include "pqHapticMarksGroup.h"
 #include "pqHapticMaterialGroup.h"
@@ -355,6 +357,7 @@ void pqHapticPanel::build()
   column->addWidget(w.Charts);
   w.fillPages();
   w.setTabOrder();
+  new pqHapticGlossary(panel);
   this->setWidget(panel);
   this->connect(w.Pages, &pqHapticPages::chosen, w.Search, &QLineEdit::clear);
   this->connect(w.Pages, &pqHapticPages::chosen, this, &pqHapticPanel::refresh);
@@ -390,8 +393,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
     return;
   }
   pqHapticFill(w.Hand, proxy->GetProperty("Hand"));
-  w.Links.addTraceablePropertyLink(
-    w.Hand, "currentText", SIGNAL(currentTextChanged(const QString&)), proxy, proxy->GetProperty("Hand"));
+  pqHapticLink::add(w.Links, w.Hand, "currentText", SIGNAL(currentTextChanged(const QString&)), proxy, "Hand");
   for (pqHapticGroup* const group : w.Groups)
   {
     group->link(w.Links, proxy);

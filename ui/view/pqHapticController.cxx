@@ -188,6 +188,7 @@ void pqHapticController::setTouching(bool on)
   if (this->Proxy && on != this->touching())
   {
     this->Kinds->prepare(on);
+    SCOPED_UNDO_SET(on ? tr("Touch") : tr("Let Go"));
     vtkSMPropertyHelper(this->Proxy, "Touching").Set(on ? 1 : 0);
     this->Proxy->UpdateVTKObjects();
   }
@@ -253,6 +254,7 @@ void pqHapticController::alignWithView()
 
 void pqHapticController::setPressDepth(double depth_m)
 {
+  SCOPED_UNDO_SET(tr("Mouse goes in by"));
   vtkSMPropertyHelper(this->Proxy, "PressDepth").Set(depth_m);
   this->Proxy->UpdateVTKObjects();
 }

@@ -47,8 +47,9 @@ bool pqHapticTouchKinds::touchAs(pqPipelineSource* source, const QString& kind)
   vtkNew<vtkHapticTouchAs> at;
   this->aim(*at);
   vtkSMProxy* const proxy = source ? source->getProxy() : nullptr;
-  BEGIN_UNDO_SET(tr("Touch %1").arg(source ? source->getSMName() : QString()));
   const std::string asked = kind.isEmpty() && proxy ? at->GetLikely(proxy) : kind.toStdString();
+  const QString step = asked == "not at all" ? tr("Touch %1 %2") : tr("Touch %1 as %2");
+  BEGIN_UNDO_SET(step.arg(source ? source->getSMName() : QString(), QString::fromStdString(asked)));
   const bool done = at->Touch(proxy, asked.c_str());
   END_UNDO_SET();
   Say(at->GetText());

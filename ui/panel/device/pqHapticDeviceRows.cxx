@@ -3,6 +3,8 @@
 
 #include "pqHapticFields.h"
 #include "pqHapticLabel.h"
+#include "pqHapticLink.h"
+#include "pqUndoStack.h"
 #include "vtkHapticSession.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -68,6 +70,7 @@ void pqHapticDeviceRows::choose(int row)
 {
   if (this->Proxy && row != Other)
   {
+    SCOPED_UNDO_SET(pqHapticStepName(*this->Proxy, "DeadManButtons"));
     vtkSMPropertyHelper(this->Proxy, "DeadManButtons").Set(MaskOf(row));
     vtkSMPropertyHelper(this->Proxy, "DeadManGrip").Set(row == Grip ? 1 : 0);
     this->Proxy->UpdateVTKObjects();
@@ -78,6 +81,7 @@ void pqHapticDeviceRows::sayWheel(bool on)
 {
   if (this->Proxy)
   {
+    SCOPED_UNDO_SET(pqHapticStepName(*this->Proxy, "Wheel"));
     vtkSMPropertyHelper(this->Proxy, "Wheel").Set(on ? 1 : 0);
     this->Proxy->UpdateVTKObjects();
   }

@@ -5,6 +5,7 @@
 #include "pqHapticController.h"
 #include "pqHapticFields.h"
 #include "pqHapticLabel.h"
+#include "pqHapticLink.h"
 #include "pqHapticViewFollower.h"
 #include "pqPropertyLinks.h"
 #include "vtkHapticSession.h"
@@ -75,8 +76,7 @@ void pqHapticFieldGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
   this->Proxy = proxy;
   for (const Choice& choice : this->Choices)
   {
-    links.addTraceablePropertyLink(
-      choice.List, "array", SIGNAL(arrayChanged()), proxy, proxy->GetProperty(choice.Property));
+    pqHapticLink::add(links, choice.List, "array", SIGNAL(arrayChanged()), proxy, choice.Property);
   }
   this->Superclass::link(links, proxy);
 }

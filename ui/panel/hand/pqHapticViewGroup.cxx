@@ -4,6 +4,7 @@
 #include "pqHapticButton.h"
 #include "pqHapticController.h"
 #include "pqHapticFields.h"
+#include "pqHapticLink.h"
 #include "pqPropertyLinks.h"
 #include "vtkSMProxy.h"
 
@@ -45,7 +46,7 @@ pqHapticViewGroup::pqHapticViewGroup(QWidget* parent) : Superclass(tr("Hand and 
 void pqHapticViewGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
 {
   const auto link = [&](QCheckBox* box, const char* name)
-  { links.addTraceablePropertyLink(box, "checked", SIGNAL(toggled(bool)), proxy, proxy->GetProperty(name)); };
+  { pqHapticLink::add(links, box, "checked", SIGNAL(toggled(bool)), proxy, name); };
   link(this->Precise, "Precision");
   link(this->Clutch, "Clutch");
   this->Superclass::link(links, proxy);

@@ -156,6 +156,13 @@ QList<QWidget*> pqHapticPages::pages() const
   return bodies;
 }
 
+QString pqHapticPages::chosenName() const
+{
+  const auto chosen = [this](const Page& page) { return page.Body == this->Chosen; };
+  const auto page = std::find_if(this->All.begin(), this->All.end(), chosen);
+  return page == this->All.end() ? QString() : page->Name;
+}
+
 void pqHapticPages::showAll(bool all)
 {
   for (const Page& page : this->All)

@@ -33,6 +33,8 @@ public:
   /// `reason`: why the page has no use now; "" where it has one.
   void setReason(const QString& name, const QString& reason);
   QList<QWidget*> pages() const;
+  /// The name of the page that was chosen last.
+  QString chosenName() const;
   /// All pages, or the one that was chosen last.
   void showAll(bool all);
   /// Below the rows that a search shows; "" without a search.

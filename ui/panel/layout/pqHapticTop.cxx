@@ -7,6 +7,7 @@
 #include "pqHapticDeviceChoice.h"
 #include "pqHapticFields.h"
 #include "pqHapticLines.h"
+#include "pqHapticLink.h"
 #include "pqHapticNumberText.h"
 #include "pqHapticProgress.h"
 #include "pqHapticTouchKinds.h"
@@ -118,7 +119,7 @@ void pqHapticTop::setProxy(vtkSMProxy* proxy, pqPropertyLinks& links)
     return;
   }
   const auto link = [&](QObject* widget, const char* property, const char* signal, const char* name)
-  { links.addTraceablePropertyLink(widget, property, signal, proxy, proxy->GetProperty(name)); };
+  { pqHapticLink::add(links, widget, property, signal, proxy, name); };
   link(this->Device, "currentText", SIGNAL(currentTextChanged(const QString&)), "DeviceName");
   link(this->Touch, "checked", SIGNAL(toggled(bool)), "Touching");
 }

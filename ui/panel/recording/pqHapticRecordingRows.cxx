@@ -5,6 +5,7 @@
 #include "pqHapticController.h"
 #include "pqHapticFields.h"
 #include "pqHapticLines.h"
+#include "pqHapticLink.h"
 #include "pqHapticRecordings.h"
 #include "pqPropertyLinks.h"
 #include "vtkHapticSession.h"
@@ -68,10 +69,8 @@ pqHapticRecordingRows::~pqHapticRecordingRows() = default;
 
 void pqHapticRecordingRows::link(vtkSMProxy* proxy, pqPropertyLinks& links)
 {
-  links.addTraceablePropertyLink(
-    this->Record, "checked", SIGNAL(toggled(bool)), proxy, proxy->GetProperty("Recording"));
-  links.addTraceablePropertyLink(
-    this->ReplayFile, "text", SIGNAL(editingFinished()), proxy, proxy->GetProperty("ReplayFile"));
+  pqHapticLink::add(links, this->Record, "checked", SIGNAL(toggled(bool)), proxy, "Recording");
+  pqHapticLink::add(links, this->ReplayFile, "text", SIGNAL(editingFinished()), proxy, "ReplayFile");
 }
 
 void pqHapticRecordingRows::refresh(vtkHapticSession* session)

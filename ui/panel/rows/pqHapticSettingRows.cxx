@@ -3,8 +3,8 @@
 
 #include "haptics/session/settings/SessionSettings.h"
 #include "pqHapticFields.h"
+#include "pqHapticLink.h"
 #include "pqHapticSourceChoice.h"
-#include "pqPropertyLinks.h"
 #include "vtkSMProxy.h"
 
 #include <QCheckBox>
@@ -95,13 +95,13 @@ void pqHapticSettingRows::link(pqPropertyLinks& links, vtkSMProxy* proxy) const
 {
   for (const Field& field : this->Fields)
   {
-    vtkSMProperty* const property = proxy->GetProperty(field.Property.toUtf8());
+    const QByteArray name = field.Property.toUtf8();
     auto* const choices = qobject_cast<QComboBox*>(field.Widget);
     if (choices && !qobject_cast<pqHapticSourceChoice*>(choices))
     {
-      pqHapticFill(choices, property);
+      pqHapticFill(choices, proxy->GetProperty(name));
     }
-    links.addTraceablePropertyLink(field.Widget, field.Value, field.Changed, proxy, property, field.Element);
+    pqHapticLink::add(links, field.Widget, field.Value, field.Changed, proxy, name, field.Element);
   }
 }
 

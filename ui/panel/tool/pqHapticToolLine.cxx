@@ -2,8 +2,10 @@
 #include "pqHapticToolLine.h"
 
 #include "pqActiveObjects.h"
+#include "pqHapticLink.h"
 #include "pqLinePropertyWidget.h"
 #include "pqPipelineSource.h"
+#include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkBoundingBox.h"
 #include "vtkHapticToolHandle.h"
@@ -73,6 +75,7 @@ void pqHapticToolLine::show(vtkSMProxy* session, pqPipelineSource* tool)
   this->Session = session;
   this->Tool = tool;
   {
+    SCOPED_UNDO_SET(pqHapticStepName(*session, "ToolHandle"));
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", session);
     const vtkBoundingBox box(tool->getSourceProxy()->GetDataInformation(0)->GetBounds());
     const Point handle = PointOf(session, "ToolHandlePoint");
@@ -109,6 +112,7 @@ void pqHapticToolLine::apply()
   {
     return;
   }
+  SCOPED_UNDO_SET(tr("Handle and tip"));
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->Session.Get());
   this->Line->apply();
   this->Session->UpdateVTKObjects();

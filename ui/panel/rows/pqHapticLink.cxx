@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticLink.h"
+
+#include "pqHapticFields.h"
+#include "pqPropertyLinks.h"
+#include "pqUndoStack.h"
+
+QString pqHapticStepName(const vtkSMProxy& session, const char* setting)
+{
+  const QString title = pqHapticTitle(setting).remove('&');
+  return title.isEmpty() ? QString(const_cast<vtkSMProxy&>(session).GetProperty(setting)->GetXMLLabel()) : title;
+}
+
+void pqHapticLink::add(pqPropertyLinks& links, QObject* field, const char* value, const char* changed,
+  vtkSMProxy* session, const char* setting, int element)
+{
+  links.addTraceablePropertyLink<pqHapticLink>(field, value, changed, session, session->GetProperty(setting), element);
+}
+
+void pqHapticLink::setServerManagerValue(bool unchecked, const QVariant& value)
+{
+  vtkSMProxy* const session = this->proxySM();
+  const char* const setting = session->GetPropertyName(this->propertySM());
+  SCOPED_UNDO_SET(pqHapticStepName(*session, setting));
+  this->Superclass::setServerManagerValue(unchecked, value);
+  session->UpdateVTKObjects(); // a step has what reaches the session before the step ends
+}
