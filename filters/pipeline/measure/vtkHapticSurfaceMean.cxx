@@ -6,15 +6,14 @@
 #include <cmath>
 #include <limits>
 
+#include "haptics/geometry/mesh/TriangleMesh.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkHapticConversion.h"
 #include "vtkHapticWholeInput.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkTriangle.h"
-#include "vtkTriangleFilter.h"
+#include "vtkSmartPointer.h"
 
 namespace
 {
@@ -62,37 +61,42 @@ struct Sums
   }
 };
 
-bool IsGhost(vtkPolyData* surface, vtkIdType cell)
+/// The surface itself if it has no ghosts.
+vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPolyData* surface)
 {
   vtkDataArray* const ghosts = surface->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
-  return ghosts && ghosts->GetComponent(cell, 0) != 0.0;
+  if (!ghosts)
+  {
+    return surface;
+  }
+  auto own = vtkSmartPointer<vtkPolyData>::New();
+  own->DeepCopy(surface);
+  own->BuildCells();
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    if (ghosts->GetComponent(cell, 0) != 0.0)
+    {
+      own->DeleteCell(cell);
+    }
+  }
+  own->RemoveDeletedCells(); // points keep their numbers
+  return own;
 }
 
 Sums OfTriangles(vtkPolyData* surface, vtkDataArray* values)
 {
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(surface);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  triangles->Update();
-  vtkPolyData* const made = triangles->GetOutput();
   Sums sums;
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < made->GetNumberOfCells(); ++cell)
+  const vtkHapticConversionResult converted = vtkHapticToMesh(WithoutGhosts(surface));
+  if (!converted.Mesh)
   {
-    made->GetCellPoints(cell, corners);
-    if (IsGhost(made, cell))
-    {
-      continue;
-    }
-    std::array<double, 3> value{};
-    std::array<std::array<double, 3>, 3> corner{};
-    for (int i = 0; i < 3; ++i)
-    {
-      value[i] = values->GetComponent(corners->GetId(i), 0);
-      made->GetPoint(corners->GetId(i), corner[i].data());
-    }
-    sums.AddTriangle(value, vtkTriangle::TriangleArea(corner[0].data(), corner[1].data(), corner[2].data()));
+    return sums; // there are no polygons
+  }
+  const palpate::TriangleMesh& mesh = *converted.Mesh;
+  for (const auto& [a, b, c] : mesh.triangles) // vertices are numbered as the points
+  {
+    const palpate::Vec3 &p = mesh.vertices_W[a], &q = mesh.vertices_W[b], &r = mesh.vertices_W[c];
+    sums.AddTriangle({ values->GetComponent(a, 0), values->GetComponent(b, 0), values->GetComponent(c, 0) },
+      0.5 * (q - p).cross(r - p).norm());
   }
   return sums;
 }
