@@ -34,6 +34,7 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QMouseEvent>
+#include <QPlainTextEdit>
 #include <QStatusBar>
 #include <QStringList>
 #include <QTableWidget>
@@ -198,13 +199,15 @@ QString TextOf(const QTableWidget& table)
 }
 } // namespace
 
-/// Whether a label, a table, or the status bar of a window, says something, among other things.
+/// Whether a label, a page of text, a table, or the status bar of a window, says something, among other things.
 bool pqHapticEventPlayer::checkText(QObject* object, const QString& part) const
 {
   const auto* label = qobject_cast<const QLabel*>(object);
   const auto* table = qobject_cast<const QTableWidget*>(object);
+  const auto* page = qobject_cast<const QPlainTextEdit*>(object);
   auto* window = qobject_cast<QMainWindow*>(object);
   const QString said = label    ? label->text()
+                       : page   ? page->toPlainText()
                        : table  ? TextOf(*table)
                        : window ? window->statusBar()->currentMessage()
                                 : QString();

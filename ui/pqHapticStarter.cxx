@@ -6,6 +6,7 @@
 #include "pqHapticController.h"
 #include "pqHapticEventPlayer.h"
 #include "pqHapticSourceMenu.h"
+#include "pqHapticSourceTexts.h"
 #include "pqTestUtility.h"
 
 pqHapticStarter::pqHapticStarter(QObject* parent) : Superclass(parent) {}
@@ -16,6 +17,7 @@ void pqHapticStarter::onStartup()
 {
   auto* controller = pqHapticController::instance();
   new pqHapticSourceMenu(controller);
+  new pqHapticSourceTexts(controller);
   pqEventPlayer* player = pqApplicationCore::instance()->testUtility()->eventPlayer();
   player->addWidgetEventPlayer(new pqHapticEventPlayer(controller, player));
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -7,21 +9,26 @@
 #include "testing/support/Random.h"
 #include "testing/support/Says.h"
 #include "testing/support/TemporaryFolder.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCubeSource.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkHapticMarkRecords.h"
 #include "vtkHapticMarksSource.h"
 #include "vtkHapticSurfaceDistance.h"
 #include "vtkHapticSurfacePath.h"
 #include "vtkImplicitPolyDataDistance.h"
 #include "vtkNew.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTrivialProducer.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkXMLPolyDataReader.h"
 
 namespace palpate::testing::measured
@@ -117,6 +124,127 @@ TEST(SurfaceDistance, FromAnOpenSurfaceHasNoSign)
     filter->GetOutput()->GetPoint(i, p);
     EXPECT_NEAR(filter->GetOutput()->GetPointData()->GetArray("Distance")->GetComponent(i, 0), std::abs(p[2]), 1e-12);
   }
+}
+
+/// z = rise x + base over the unit square. Columns of cells become wider with x, so that a mean over points is another.
+vtkSmartPointer<vtkPolyData> slope(double rise, double base, int columns, double power, double size = 1.0)
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetResolution(columns, 3);
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->Update();
+  vtkPolyData* const plane = source->GetOutput();
+  for (vtkIdType i = 0; i < plane->GetNumberOfPoints(); ++i)
+  {
+    const Vec3 p(plane->GetPoint(i));
+    const double x = std::pow(p.x() + 0.5, power);
+    plane->GetPoints()->SetPoint(i, size * x, size * p.y(), size * (rise * x + base));
+  }
+  return plane;
+}
+
+/// Mean, RMS and maximum of the distance to the plane z = 0.
+std::array<double, 3> distanceToGround(vtkPolyData* surface, double size = 1.0)
+{
+  vtkNew<vtkHapticSurfaceDistance> filter;
+  compare(filter, surface, makePlane(100.0 * size));
+  std::array<double, 3> found{};
+  const char* const names[] = { "MeanDistance", "RMSDistance", "MaximumDistance" };
+  for (int i = 0; i < 3; ++i)
+  {
+    vtkDataArray* const array = filter->GetOutput()->GetFieldData()->GetArray(names[i]);
+    found[i] = array ? array->GetComponent(0, 0) : std::numeric_limits<double>::infinity();
+  }
+  EXPECT_EQ(surface->GetFieldData()->GetNumberOfArrays(), 0) << "the input has no part in it";
+  return found;
+}
+
+TEST(SurfaceDistance, BetweenParallelPlanesIsEverywhereTheSameAtAnyScale)
+{
+  for (const double size : { 1e-9, 1.0, 1e9 })
+  {
+    for (const double value : distanceToGround(slope(0.0, 0.25, 5, 2.0, size), size))
+    {
+      EXPECT_NEAR(value, 0.25 * size, 1e-12 * size);
+    }
+  }
+}
+
+TEST(SurfaceDistance, OfASlopeHasMeanAndRmsOverItsAreaWhateverItsCellsAre)
+{
+  const double rise = 0.7, base = 0.2;
+  for (const double power : { 1.0, 3.0 })
+  {
+    const auto [mean, rms, maximum] = distanceToGround(slope(rise, base, 6, power));
+    EXPECT_NEAR(mean, rise / 2 + base, 1e-12); // the integral of z over x from 0 to 1
+    EXPECT_NEAR(rms, std::sqrt(rise * rise / 3 + rise * base + base * base), 1e-12);
+    EXPECT_NEAR(maximum, rise + base, 1e-12);
+  }
+}
+
+TEST(SurfaceDistance, OfASlopeThroughTheReferenceGoesToTheTruthWithTheSquareOfTheCells)
+{
+  for (const int columns : { 4, 8, 16, 32, 64 })
+  {
+    // |x - 1/3|: between 0 and 1 its mean is 5/18 and its mean square 1/9. In the one cell that has the crossing, f h
+    // and (1 - f) h from its ends, f = 1/3 or 2/3, the line between the ends encloses f (1 - f) h^2 more, and its
+    // square 2/3 f (1 - f) h^3 more.
+    const double h = 1.0 / columns, share = 2.0 / 9.0;
+    const auto [mean, rms, maximum] = distanceToGround(slope(1.0, -1.0 / 3.0, columns, 1.0));
+    EXPECT_NEAR(mean, 5.0 / 18.0 + share * h * h, 1e-12);
+    EXPECT_NEAR(rms, std::sqrt(1.0 / 9.0 + 2.0 / 3.0 * share * h * h * h), 1e-12);
+    EXPECT_NEAR(maximum, 2.0 / 3.0, 1e-12);
+  }
+}
+
+TEST(SurfaceDistance, CountsNoLinesNoGhostsAndNoPointThatIsNotFinite)
+{
+  const auto surface = slope(0.7, 0.2, 6, 1.0);
+  vtkNew<vtkUnsignedCharArray> ghosts; // 3 rows of 6 cells, the last column of which is another rank's
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->InsertNextValue(0); // of the line, which comes before the polygons
+  for (int cell = 0; cell < 18; ++cell)
+  {
+    ghosts->InsertNextValue(cell % 6 == 5 ? vtkDataSetAttributes::DUPLICATECELL : 0);
+  }
+  surface->GetPoints()->InsertNextPoint(0.0, 0.0, 50.0);
+  surface->GetPoints()->SetPoint(0, 0.0, std::nan(""), 0.2);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 1, 28 });
+  surface->SetLines(lines);
+  surface->GetCellData()->AddArray(ghosts);
+  const auto [mean, rms, maximum] = distanceToGround(surface);
+  // Without the triangle at the point that is not finite the height is that of x from 0 to 5/6, less half a cell of
+  // 1/18 x 1/6 whose centre is at 1/18; or a whole cell where the diagonal goes to that point.
+  const double height_half = 0.7 / 18.0 + 0.2, height_cell = 0.7 / 12.0 + 0.2, cell = 1.0 / 18.0;
+  const double whole = 15.0 * cell * (0.7 * 5.0 / 12.0 + 0.2);
+  const double half = (whole - 0.5 * cell * height_half) / (14.5 * cell);
+  const double both = (whole - cell * height_cell) / (14.0 * cell);
+  EXPECT_LT(std::min(std::abs(mean - half), std::abs(mean - both)), 1e-12) << mean;
+  EXPECT_GT(rms, mean);
+  EXPECT_NEAR(maximum, 0.7 * 5.0 / 6.0 + 0.2, 1e-12);
+}
+
+TEST(SurfaceDistance, OfPointsWithoutAreaHasTheMeanOverThePoints)
+{
+  const auto [mean, rms, maximum] = distanceToGround(makePath({ { 0, 0, 1 }, { 1, 0, -2 }, { 5, 0, 6 } }));
+  EXPECT_NEAR(mean, 3.0, 1e-12);
+  EXPECT_NEAR(rms, std::sqrt(41.0 / 3.0), 1e-12);
+  EXPECT_NEAR(maximum, 6.0, 1e-12);
+  for (const double value : distanceToGround(vtkNew<vtkPolyData>()))
+  {
+    EXPECT_TRUE(std::isnan(value));
+  }
+}
+
+TEST(SurfaceDistance, IsTheArrayThatColoursAndIsSaidInASentence)
+{
+  vtkNew<vtkHapticSurfaceDistance> filter;
+  EXPECT_STREQ(filter->GetText(), "");
+  compare(filter, slope(0.0, 0.25, 5, 1.0), cube(2.0));
+  ASSERT_TRUE(filter->GetOutput()->GetPointData()->GetScalars());
+  EXPECT_STREQ(filter->GetOutput()->GetPointData()->GetScalars()->GetName(), "Distance");
+  EXPECT_TRUE(test::says(filter->GetText(), { "mean 1.", "root mean square 1.", "maximum 1.75 u" }));
 }
 
 TEST(Measuring, OfAPartOfTheDataIsRefusedInWords)

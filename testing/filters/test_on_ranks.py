@@ -104,6 +104,18 @@ if rank == 0:
         self.assertGreater(force[2], 0.5)
         self.assertLess(force[2], 4.9)
 
+    def test_surfaces_are_compared_over_the_area_of_all_ranks(self):
+        slope = simple.Plane(Origin=[0, 0, 1], Point1=[1, 0, 2], Point2=[0, 1, 1], XResolution=7, YResolution=5)
+        dealt = simple.ExtractSurface(Input=simple.RedistributeDataSet(Input=slope))
+        ground = simple.Plane(Origin=[-9, -9, 0], Point1=[9, -9, 0], Point2=[-9, 9, 0])
+        compared = simple.CompareSurfaces(Input=dealt, Reference=ground)
+        compared.UpdatePipeline()
+        fields = compared.GetFieldDataInformation()
+        # The height x + 1 over x from 0 to 1.
+        for name, expected in (("MeanDistance", 1.5), ("RMSDistance", math.sqrt(7.0 / 3.0)), ("MaximumDistance", 2.0)):
+            for end in fields.GetArray(name).GetRange():  # of both ranks
+                self.assertAlmostEqual(end, expected, delta=1e-6)
+
     def test_what_fails_on_the_first_rank_keeps_no_other_waiting(self):
         path = simple.Line(Point1=[0.1, 0.2, 4.0], Point2=[0.1, 0.2, 2.0], Resolution=10)
         cells = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-2, 2, -2, 2, -2, 2]))

@@ -20,6 +20,7 @@
 #include "pqHapticPageUse.h"
 #include "pqHapticPages.h"
 #include "pqHapticReadout.h"
+#include "pqHapticSceneUnit.h"
 #include "pqHapticSearch.h"
 #include "pqHapticSettingRows.h"
 #include "pqHapticSoftGroup.h"
@@ -85,6 +86,7 @@ public:
     QString pqHapticReadout::*Text;
   };
   std::vector<Readout> Readouts;
+  pqHapticSceneUnit Unit;
   QPlainTextEdit* Scene;
   QTimer Refresh;
   pqPropertyLinks Links;
@@ -107,7 +109,6 @@ public:
   /// The rows that a search finds, which a read-out may have shown or hidden since.
   void showFound();
   void searched();
-  void showReasons(vtkHapticSession* session);
   /// The state of the session in the rows that are visible: a text that changes has its page laid out again.
   void showMeasured(vtkHapticSession* session, const pqHapticViewFollower& follower);
   void followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower);
@@ -297,15 +298,6 @@ void pqHapticPanel::Internals::searched()
   this->Pages->showAll(this->Search->active());
 }
 
-void pqHapticPanel::Internals::showReasons(vtkHapticSession* session)
-{
-  const QMap<QString, QString> reasons = pqHapticPageReasons(session);
-  for (auto reason = reasons.begin(); reason != reasons.end(); ++reason)
-  {
-    this->Pages->setReason(reason.key(), reason.value());
-  }
-}
-
 /// Settings can change without a frame, from a script.
 void pqHapticPanel::Internals::followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower)
 {
@@ -412,6 +404,7 @@ void pqHapticPanel::refresh()
     this->Widgets->followMaterials(*session, *controller->follower());
   }
   Internals& w = *this->Widgets;
+  w.Unit.refresh(*this, session, *controller->follower());
   w.Pages->fitWidth();
   w.Top->refresh(session);
   w.Help->refresh(session);
@@ -419,7 +412,7 @@ void pqHapticPanel::refresh()
   w.Main->refresh(session);
   w.Place->refresh(session);
   w.Marks->refresh(session);
-  w.showReasons(session);
+  w.Pages->setReasons(pqHapticPageReasons(session));
   w.showMeasured(session, *controller->follower());
   w.showFound();
 }
@@ -440,11 +433,11 @@ void pqHapticPanel::Internals::showMeasured(vtkHapticSession* session, const pqH
   {
     if (readout.Label->isVisible())
     {
-      readout.Label->setText(now.*readout.Text);
+      readout.Label->setText(pqHapticInUnits(now.*readout.Text));
     }
   }
   pqHapticSay(this->Reason, now.Reason);
-  const QString scene = follower.report() + now.Scene;
+  const QString scene = this->Unit.sentence() + "\n" + pqHapticInUnits(follower.report() + now.Scene);
   if (this->Scene->isVisible() && scene != this->Scene->toPlainText())
   {
     this->Scene->setPlainText(scene);

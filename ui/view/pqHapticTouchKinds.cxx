@@ -2,9 +2,9 @@
 #include "pqHapticTouchKinds.h"
 
 #include "pqActiveObjects.h"
-#include "pqCoreUtilities.h"
 #include "pqDataRepresentation.h"
 #include "pqHapticController.h"
+#include "pqHapticStatusBar.h"
 #include "pqHapticViewFollower.h"
 #include "pqPipelineSource.h"
 #include "pqUndoStack.h"
@@ -14,22 +14,6 @@
 #include "vtkNew.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
-
-#include <QMainWindow>
-#include <QStatusBar>
-
-namespace
-{
-constexpr int said_ms = 15000;
-
-void Say(const std::string& sentence)
-{
-  if (auto* const window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget()))
-  {
-    window->statusBar()->showMessage(QString::fromStdString(sentence), said_ms);
-  }
-}
-} // namespace
 
 pqHapticTouchKinds::pqHapticTouchKinds(pqHapticController* controller) : Superclass(controller), Controller(controller)
 {
@@ -52,7 +36,7 @@ bool pqHapticTouchKinds::touchAs(pqPipelineSource* source, const QString& kind)
   BEGIN_UNDO_SET(step.arg(source ? source->getSMName() : QString(), QString::fromStdString(asked)));
   const bool done = at->Touch(proxy, asked.c_str());
   END_UNDO_SET();
-  Say(at->GetText());
+  pqHapticSayInStatusBar(QString::fromStdString(at->GetText()));
   return done;
 }
 

@@ -90,6 +90,14 @@ QString pqHapticViewFollower::takeColorRange(vtkSMProxy* session) const
   return QString::fromStdString(this->Scene->TakeColorRange(session));
 }
 
+QString pqHapticViewFollower::lengthUnit(QString& reason) const
+{
+  std::string why;
+  const std::string unit = this->Scene->GetLengthUnit(why);
+  reason = QString::fromStdString(why);
+  return QString::fromStdString(unit);
+}
+
 QStringList pqHapticViewFollower::arrayNames() const
 {
   return QString::fromStdString(this->Scene->GetArrayNames()).split('\n', Qt::SkipEmptyParts);

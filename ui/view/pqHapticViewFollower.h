@@ -45,6 +45,8 @@ public:
   QString refusal() const;
   /// See vtkHapticViewScene::TakeColorRange().
   QString takeColorRange(vtkSMProxy* session) const;
+  /// See vtkHapticViewScene::GetLengthUnit().
+  QString lengthUnit(QString& reason) const;
   /// Of the points and cells of visible data, touched or not.
   QStringList arrayNames() const;
   /// Of all sources that are shown, however they are drawn, with so many components; 0: any.

@@ -27,6 +27,17 @@ vtkMultiProcessController* Others()
   return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
 }
 
+double Reduced(double own, int operation)
+{
+  vtkMultiProcessController* others = Others();
+  double reduced = own;
+  if (others)
+  {
+    others->AllReduce(&own, &reduced, 1, operation);
+  }
+  return reduced;
+}
+
 /// Those that have anything.
 std::vector<vtkSmartPointer<vtkDataObject>> FilledOf(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces)
 {
@@ -153,13 +164,12 @@ vtkSmartPointer<vtkDataSet> vtkHapticGatherDataSet(vtkDataSet* piece)
 
 double vtkHapticSumOfRanks(double own)
 {
-  vtkMultiProcessController* others = Others();
-  double sum = own;
-  if (others)
-  {
-    others->AllReduce(&own, &sum, 1, vtkCommunicator::SUM_OP);
-  }
-  return sum;
+  return Reduced(own, vtkCommunicator::SUM_OP);
+}
+
+double vtkHapticLargestOfRanks(double own)
+{
+  return Reduced(own, vtkCommunicator::MAX_OP);
 }
 
 bool vtkHapticHoldsOnAllRanks(bool own)

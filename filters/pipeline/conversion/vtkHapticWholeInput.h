@@ -31,8 +31,9 @@ VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkDataSet> vtkHapticGatherDataSet(vtkD
 /// Whether it holds on every rank. Who fails alone leaves the others waiting in the filter that comes next.
 VTKHAPTICPIPELINE_EXPORT bool vtkHapticHoldsOnAllRanks(bool own);
 
-/// Of a number that each rank has; and around the boxes of all.
+/// Of a number that each rank has: the sum and the largest; and around the boxes of all.
 VTKHAPTICPIPELINE_EXPORT double vtkHapticSumOfRanks(double own);
+VTKHAPTICPIPELINE_EXPORT double vtkHapticLargestOfRanks(double own);
 VTKHAPTICPIPELINE_EXPORT vtkBoundingBox vtkHapticBoxOfRanks(const vtkBoundingBox& own);
 
 /// The one piece of a path or of marks that has points or rows, on every rank; null if several have: nothing says in

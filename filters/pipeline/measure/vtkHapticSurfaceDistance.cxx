@@ -2,15 +2,19 @@
 #include "vtkHapticSurfaceDistance.h"
 
 #include <limits>
+#include <sstream>
 
 #include "haptics/geometry/measure/RayWalk.h"
 #include "haptics/geometry/simplify/SurfaceDistance.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkHapticMeasuredSurface.h"
 #include "vtkHapticPieces.h"
+#include "vtkHapticSurfaceMean.h"
 #include "vtkHapticWholeInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -45,7 +49,8 @@ vtkSmartPointer<vtkDoubleArray> AddArray(vtkPolyData* data, const char* name)
   return array;
 }
 
-void Measure(vtkPolyData* data, const palpate::SurfaceTree& reference)
+/// Adds the arrays of distances and returns Distance.
+vtkDataArray* Measure(vtkPolyData* data, const palpate::SurfaceTree& reference)
 {
   const bool closed = palpate::isClosed(reference);
   const vtkSmartPointer<vtkDoubleArray> distance = AddArray(data, "Distance");
@@ -60,6 +65,25 @@ void Measure(vtkPolyData* data, const palpate::SurfaceTree& reference)
       signedDistance->SetValue(i, SignOf(reference, x_W) * distance->GetValue(i));
     }
   }
+  data->GetPointData()->SetActiveScalars("Distance");
+  return distance;
+}
+
+void AddNumber(vtkPolyData* data, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  data->GetFieldData()->AddArray(array);
+}
+
+std::string SentenceOf(const vtkHapticMean& distance)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << "Distance to the reference: mean " << distance.Mean << " u, root mean square " << distance.RMS
+       << " u, maximum " << distance.Maximum << " u.";
+  return text.str();
 }
 } // namespace
 
@@ -73,6 +97,7 @@ vtkHapticSurfaceDistance::~vtkHapticSurfaceDistance() = default;
 void vtkHapticSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Text: " << this->Text << "\n";
 }
 
 void vtkHapticSurfaceDistance::SetReferenceConnection(vtkAlgorithmOutput* reference)
@@ -92,6 +117,7 @@ int vtkHapticSurfaceDistance::FillInputPortInformation(int port, vtkInformation*
 
 int vtkHapticSurfaceDistance::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
+  this->Text.clear();
   if (const std::string refusal = vtkHapticRefusePieces(output); !refusal.empty())
   {
     vtkErrorMacro("Nothing is measured: " << refusal);
@@ -106,6 +132,11 @@ int vtkHapticSurfaceDistance::RequestData(vtkInformation*, vtkInformationVector*
   }
   vtkPolyData* const measured = vtkPolyData::GetData(output);
   measured->ShallowCopy(vtkPolyData::GetData(input[0]));
-  Measure(measured, *reference); // a rank without points has empty arrays: where one lacks them, none are gathered
+  // A rank without points has empty arrays: where one lacks them, none are gathered.
+  const vtkHapticMean distance = vtkHapticMeanOver(measured, Measure(measured, *reference));
+  AddNumber(measured, "MeanDistance", distance.Mean);
+  AddNumber(measured, "RMSDistance", distance.RMS);
+  AddNumber(measured, "MaximumDistance", distance.Maximum);
+  this->Text = SentenceOf(distance);
   return 1;
 }

@@ -59,6 +59,7 @@ void AddForce(vtkPolyData* data, Points points)
     }
   }
   data->GetPointData()->AddArray(force);
+  data->GetPointData()->SetActiveScalars("Force"); // by which ParaView colours what it shows
 }
 
 /// First the hands, then the proxies, with their arrays; no cells.

@@ -21,6 +21,7 @@ struct TrajectoryPoint;
  * them. Port 1, *Path*: all of it, two polylines, first the hand's, then the proxy's. Point arrays of both ports: Force
  * (3) [N], Depth [u], Lateness (periods that were missed before the tick) [s], StiffnessShare [1], ExcessEnergy [J],
  * Contacts, Tick, Time (since the first tick) [s] and Part (0: the hand, 1: the proxy).
+ * Force is the active array of scalars, by whose magnitude ParaView colours both.
  * A file that cannot be used leaves both empty and reports one line with its name and the reason.
  */
 class VTKHAPTICPIPELINE_EXPORT vtkHapticRecordingReader : public vtkPolyDataAlgorithm

@@ -3,6 +3,7 @@
 
 #include "pqHapticFields.h"
 #include "pqHapticLabel.h"
+#include "pqHapticUnits.h"
 #include "vtkHapticSession.h"
 
 #include <QFormLayout>
@@ -27,7 +28,7 @@ QString Vector(const double v[3])
 }
 
 /// `unknown`: what is said instead of no number.
-QString Quantity(double value, const char* unit, const QString& unknown)
+QString Quantity(double value, const QString& unit, const QString& unknown)
 {
   return std::isnan(value) ? unknown : Shown(value) + " " + unit;
 }
@@ -36,7 +37,7 @@ QString Quantity(double value, const char* unit, const QString& unknown)
 QString CurvatureOf(vtkHapticSession& session)
 {
   const double* const curvature_per_u = session.GetContactCurvature();
-  const QString least = Quantity(curvature_per_u[1], "1/u", "not known");
+  const QString least = Quantity(curvature_per_u[1], pqHapticUnitIn("1/u"), "not known");
   return std::isnan(curvature_per_u[0]) ? least : Shown(curvature_per_u[0]) + " and " + least;
 }
 } // namespace
@@ -92,11 +93,11 @@ void pqHapticContactGroup::showContact(vtkHapticSession& session)
 {
   this->Source->setText(QString::fromUtf8(session.GetContactSource()));
   this->Ids->setText(QString("%1, %2").arg(session.GetContactCell()).arg(session.GetContactPoint()));
-  this->Position->setText(Vector(session.GetContactPosition()) + " u");
+  this->Position->setText(pqHapticInUnits(Vector(session.GetContactPosition()) + " u"));
   this->Normal->setText(Vector(session.GetContactNormal()));
-  this->Depth->setText(Quantity(session.GetDepth(), "u", QString()));
+  this->Depth->setText(pqHapticInUnits(Quantity(session.GetDepth(), "u", QString())));
   this->Curvature->setText(CurvatureOf(session));
-  this->Thickness->setText(Quantity(session.GetContactThickness(), "u", tr("no far wall")));
+  this->Thickness->setText(pqHapticInUnits(Quantity(session.GetContactThickness(), "u", tr("no far wall"))));
   const QString arrays = QString::fromUtf8(session.GetContactArrays()).trimmed();
   this->Arrays->setText(arrays.isEmpty() ? tr("none") : arrays);
 }

@@ -50,7 +50,7 @@ QString PositionOf(vtkHapticSession& session, int mark)
   double at[3];
   session.GetInspection()->GetMarkPosition(mark, at);
   const auto number = [](double value) { return QString::number(value, 'g', 6); };
-  return QString("(%1, %2, %3) u").arg(number(at[0]), number(at[1]), number(at[2]));
+  return pqHapticInUnits(QString("(%1, %2, %3) u").arg(number(at[0]), number(at[1]), number(at[2])));
 }
 
 double DistanceOf(vtkHapticSession& session, int one, int other)

@@ -122,6 +122,14 @@ void pqHapticPages::choose(QWidget* page)
   Q_EMIT this->chosen();
 }
 
+void pqHapticPages::setReasons(const QMap<QString, QString>& reasons)
+{
+  for (auto reason = reasons.begin(); reason != reasons.end(); ++reason)
+  {
+    this->setReason(reason.key(), reason.value());
+  }
+}
+
 void pqHapticPages::setReason(const QString& name, const QString& reason)
 {
   const auto named = [&name](const Page& page) { return page.Name == name; };

@@ -3,6 +3,7 @@
 #define pqHapticPages_h
 
 #include <QList>
+#include <QMap>
 #include <QString>
 #include <QWidget>
 
@@ -30,8 +31,8 @@ public:
 
   /// The page is named `name` and "Page", its button `name` and "Button". The first page is shown at the start.
   QVBoxLayout* add(const QString& name, const QString& title, const QString& tip);
-  /// `reason`: why the page has no use now; "" where it has one.
-  void setReason(const QString& name, const QString& reason);
+  /// By the names of pages, why they have no use now; "" where they have one.
+  void setReasons(const QMap<QString, QString>& reasons);
   QList<QWidget*> pages() const;
   /// The name of the page that was chosen last.
   QString chosenName() const;
@@ -49,6 +50,7 @@ Q_SIGNALS:
   void chosen();
 
 private:
+  void setReason(const QString& name, const QString& reason);
   struct Page
   {
     QString Name, Tip;

@@ -4,6 +4,7 @@
 #include "haptics/session/settings/SessionSettings.h"
 #include "pqHapticQuantityBox.h"
 #include "pqHapticSourceChoice.h"
+#include "pqHapticUnits.h"
 #include "pqSMAdaptor.h"
 
 #include <QCheckBox>
@@ -42,10 +43,18 @@ QString Text(std::string_view utf8)
   return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
 }
 
+/// A length of the hand is stored in m and shown in mm.
+bool IsOfHand(const palpate::Setting& setting)
+{
+  return setting.unit == "m";
+}
+
 /// The friction of 1 has none.
 QString SuffixOf(const palpate::Setting& setting)
 {
-  return setting.unit.empty() || setting.unit == "1" ? QString() : " " + Text(setting.unit);
+  return IsOfHand(setting)                             ? QObject::tr(" mm")
+         : setting.unit.empty() || setting.unit == "1" ? QString()
+                                                       : " " + pqHapticUnitIn(Text(setting.unit));
 }
 
 /// The property of Qt that has the name of a field's setting.
@@ -106,6 +115,7 @@ pqHapticQuantityBox* pqHapticNumber(QWidget* parent, const QString& name, const 
   pqHapticQuantityBox* const box =
     Named(ofScene ? new pqHapticQuantityBox(parent) : new pqHapticQuantityBox(decimals, parent), name, property);
   box->setSuffix(SuffixOf(setting));
+  box->setFactor(IsOfHand(setting) ? 1e3 : 1.0);
   box->setSpecialValueText(LeastOf(property));
   const double widest = setting.unit.empty() ? largestValue : largestQuantity;
   const double smallest = ofScene ? std::numeric_limits<double>::min() : std::pow(10.0, -decimals);
@@ -115,6 +125,17 @@ pqHapticQuantityBox* pqHapticNumber(QWidget* parent, const QString& name, const 
   box->setKeyboardTracking(false);
   box->setMinimumWidth(leastFieldWidth);
   return box;
+}
+
+void pqHapticFollowUnit(const QWidget& panel)
+{
+  for (pqHapticQuantityBox* const box : panel.findChildren<pqHapticQuantityBox*>())
+  {
+    if (const QString property = pqHapticProperty(*box); !property.isEmpty())
+    {
+      box->setSuffix(SuffixOf(*Described(property)));
+    }
+  }
 }
 
 QDoubleSpinBox* pqHapticNumberRow(QFormLayout* form, const char* name, const char* property, int decimals)

@@ -23,6 +23,9 @@ class vtkSMProperty;
 /// A number without a row of its own. Lengths of the scene and values of data can be of any size.
 pqHapticQuantityBox* pqHapticNumber(QWidget* parent, const QString& name, const QString& property, int decimals);
 
+/// Has the fields of a panel show the unit of the scene's lengths that holds from now on.
+void pqHapticFollowUnit(const QWidget& panel);
+
 /// A row with a number and its unit.
 QDoubleSpinBox* pqHapticNumberRow(QFormLayout* form, const char* name, const char* property, int decimals);
 /// A row with the three numbers of a vector, named name_x, name_y and name_z, and their unit.

@@ -2,6 +2,8 @@
 #ifndef pqHapticLabel_h
 #define pqHapticLabel_h
 
+#include "pqHapticUnits.h"
+
 #include <QLabel>
 #include <QString>
 
@@ -21,8 +23,8 @@ inline QLabel* pqHapticLabel(QWidget* parent, const char* name, const QString& t
 inline void pqHapticSay(QLabel* label, const QString& text)
 {
   const QRect room(0, 0, label->width(), QWIDGETSIZE_MAX);
-  label->setText(text);
-  label->setMinimumHeight(label->fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height());
+  label->setText(pqHapticInUnits(text));
+  label->setMinimumHeight(label->fontMetrics().boundingRect(room, Qt::TextWordWrap, label->text()).height());
   label->setVisible(!text.isEmpty());
 }
 

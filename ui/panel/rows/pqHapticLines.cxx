@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticLines.h"
 
+#include "pqHapticUnits.h"
+
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
@@ -22,8 +24,9 @@ pqHapticLines::pqHapticLines(QWidget* parent, const char* name, const QString& t
 
 pqHapticLines::~pqHapticLines() = default;
 
-void pqHapticLines::say(const QString& text)
+void pqHapticLines::say(const QString& said)
 {
+  const QString text = pqHapticInUnits(said);
   if (text != this->text())
   {
     this->setText(text);

@@ -20,7 +20,8 @@ public:
   pqHapticLines(QWidget* parent, const char* name, const QString& tip, int lines);
   ~pqHapticLines() override;
 
-  void say(const QString& text);
+  /// Lengths in u are shown in the unit of the scene.
+  void say(const QString& said);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;

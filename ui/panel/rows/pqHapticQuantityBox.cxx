@@ -53,15 +53,16 @@ QString pqHapticQuantityBox::textFromValue(double value) const
   {
     return tr("automatic");
   }
-  return this->decimals() == allDecimals ? QString::number(value, 'g', significant)
-                                         : pqHapticNumberText(value, this->decimals());
+  const double shown = this->Factor * value;
+  return this->decimals() == allDecimals ? QString::number(shown, 'g', significant)
+                                         : pqHapticNumberText(shown, this->decimals());
 }
 
 double pqHapticQuantityBox::valueFromText(const QString& text) const
 {
   return this->isSpecial(text)                        ? this->minimum()
          : this->Automatic && text == tr("automatic") ? this->value()
-                                                      : this->numberIn(text).toDouble();
+                                                      : this->numberIn(text).toDouble() / this->Factor;
 }
 
 QValidator::State pqHapticQuantityBox::validate(QString& text, int&) const
@@ -72,7 +73,7 @@ QValidator::State pqHapticQuantityBox::validate(QString& text, int&) const
   }
   const QString number = this->numberIn(text);
   bool isNumber = false;
-  const double value = number.toDouble(&isNumber);
+  const double value = number.toDouble(&isNumber) / this->Factor;
   if (isNumber && std::isfinite(value))
   {
     return value >= this->minimum() && value <= this->maximum() ? QValidator::Acceptable : QValidator::Intermediate;

@@ -22,6 +22,9 @@ public:
   /// Whether the number is found by the session, and the box says so instead; a number that is typed is shown.
   void setAutomatic(bool on);
 
+  /// A person reads and types so many times the value.
+  void setFactor(double factor) { this->Factor = factor; }
+
   QString textFromValue(double value) const override;
   double valueFromText(const QString& text) const override;
   QValidator::State validate(QString& text, int& position) const override;
@@ -32,6 +35,7 @@ private:
   QString numberIn(const QString& text) const;
 
   bool Automatic = false;
+  double Factor = 1.0;
 };
 
 #endif

@@ -156,7 +156,7 @@ void pqHapticMechanismGroup::fill(vtkHapticSession& session)
       {
         this->Table->setItem(row, column, new QTableWidgetItem);
       }
-      this->Table->item(row, column)->setText(text);
+      this->Table->item(row, column)->setText(pqHapticInUnits(text));
       this->Table->item(row, column)->setToolTip(kind);
     }
   }
