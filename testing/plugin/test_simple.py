@@ -121,6 +121,7 @@ class Functions(unittest.TestCase):
         session.Step(300)
         with self.assertRaisesRegex(HapticRefusal, "'Thickness' or 'Curvature'"):
             MapContact("Height")
+        vars(simple).pop("MapAroundContact", None)  # a script may have loaded the plugin into its own namespace alone
         for quantity, expected in (("Thickness", 100.0), ("Curvature", 0.0)):
             made = MapContact(quantity, radius=10.0)
             for found, place in zip(made.Centre, (50.0, 10.0, 20.0)):

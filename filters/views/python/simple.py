@@ -316,7 +316,12 @@ def MapContact(quantity="Thickness", radius=0.0, view=None):
         raise HapticRefusal(f"{session.GetContactSource()} has no polygons of its own: touch the result of ExtractSurface on that source.")
     centre = [0.0, 0.0, 0.0]
     session.GetInspection().GetContactInData(centre)
-    made = simple.MapAroundContact(Input=source, Quantity=quantity, Centre=centre, Radius=radius)
+    controller = servermanager.ParaViewPipelineController()
+    made = servermanager.filters.MapAroundContact()  # paraview.simple has it only if the plugin was loaded into that namespace
+    controller.PreInitializeProxy(made)
+    simple.SetProperties(made, Input=source, Quantity=quantity, Centre=centre, Radius=radius)
+    controller.PostInitializeProxy(made)
+    controller.RegisterPipelineProxy(made)
     simple.Show(made, view)
     simple.Hide(source, view)
     return made
