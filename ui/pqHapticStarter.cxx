@@ -5,8 +5,8 @@
 #include "pqEventPlayer.h"
 #include "pqHapticController.h"
 #include "pqHapticEventPlayer.h"
+#include "pqHapticMeasuring.h"
 #include "pqHapticSourceMenu.h"
-#include "pqHapticSourceTexts.h"
 #include "pqTestUtility.h"
 
 pqHapticStarter::pqHapticStarter(QObject* parent) : Superclass(parent) {}
@@ -17,7 +17,7 @@ void pqHapticStarter::onStartup()
 {
   auto* controller = pqHapticController::instance();
   new pqHapticSourceMenu(controller);
-  new pqHapticSourceTexts(controller);
+  new pqHapticMeasuring(controller);
   pqEventPlayer* player = pqApplicationCore::instance()->testUtility()->eventPlayer();
   player->addWidgetEventPlayer(new pqHapticEventPlayer(controller, player));
 }

@@ -116,6 +116,16 @@ if rank == 0:
             for end in fields.GetArray(name).GetRange():  # of both ranks
                 self.assertAlmostEqual(end, expected, delta=1e-6)
 
+    def test_a_map_on_the_half_of_one_rank_finds_the_wall_on_the_other(self):
+        top = (0.0, RADIUS, 0.0)
+        made = simple.MapAroundContact(Input=self.sphere, Quantity="Thickness", Centre=top, Radius=10.0)
+        ball = servermanager.Fetch(made)
+        values = ball.GetPointData().GetArray("Thickness")
+        near = [i for i in range(ball.GetNumberOfPoints()) if math.dist(ball.GetPoint(i), top) < 10.0]
+        self.assertGreater(len(near), 4)
+        for i in near:
+            self.assertAlmostEqual(values.GetValue(i), 2.0 * RADIUS, delta=4.0 * FACETS)
+
     def test_what_fails_on_the_first_rank_keeps_no_other_waiting(self):
         path = simple.Line(Point1=[0.1, 0.2, 4.0], Point2=[0.1, 0.2, 2.0], Resolution=10)
         cells = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-2, 2, -2, 2, -2, 2]))

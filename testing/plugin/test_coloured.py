@@ -27,7 +27,7 @@ class Coloured(unittest.TestCase):
         simple.Render(self.view)
         self.assertEqual(list(display.ColorArrayName), ["POINTS", array])
         self.assertEqual(display.LookupTable.VectorMode, "Magnitude")
-        display.RescaleTransferFunctionToDataRange(True)
+        display.RescaleTransferFunctionToDataRange()
         points = display.LookupTable.RGBPoints
         return points[0], points[-4]
 

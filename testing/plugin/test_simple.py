@@ -10,7 +10,8 @@ import unittest
 from paraview import servermanager, simple
 
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
-from palpate.simple import (ClearMarks, FitHand, GetHapticSession, GetMarks, HapticRefusal, HapticState, HoldTool, LetGo, Mark,  # noqa: E402
+from displays import move  # noqa: E402
+from palpate.simple import (ClearMarks, FitHand, GetHapticSession, GetMarks, HapticRefusal, HapticState, HoldTool, LetGo, MapContact, Mark,  # noqa: E402
                             PressBody, SaveMarks, SetHaptics, SetSource, TakeColorRange, Touch)
 
 TICKS_TO_ENGAGE = 1100  # arming, the ramp of 1 s, and some to spare
@@ -106,6 +107,47 @@ class Functions(unittest.TestCase):
                 SaveMarks(os.path.join(folder, "marks.doc"))
         ClearMarks()
         self.assertEqual(GetMarks(), [])
+
+    def test_a_map_around_the_contact_is_shown_in_place_of_the_source_wherever_the_source_is_drawn(self):
+        with self.assertRaisesRegex(HapticRefusal, "touch a surface first"):
+            MapContact()
+        box = simple.Box(XLength=100, YLength=100, ZLength=100)
+        move(simple.Show(box, self.view), [0.0, 0.0, 30.0])
+        session = GetHapticSession()
+        session.SetHandPosition(60, 10, 50)
+        Touch()
+        session.Step(TICKS_TO_ENGAGE)
+        session.SetHandPosition(50 - DEPTH, 10, 50)
+        session.Step(300)
+        with self.assertRaisesRegex(HapticRefusal, "'Thickness' or 'Curvature'"):
+            MapContact("Height")
+        vars(simple).pop("MapAroundContact", None)  # a script may have loaded the plugin into its own namespace alone
+        for quantity, expected in (("Thickness", 100.0), ("Curvature", 0.0)):
+            made = MapContact(quantity, radius=10.0)
+            for found, place in zip(made.Centre, (50.0, 10.0, 20.0)):
+                self.assertAlmostEqual(found, place, delta=1e-4)
+            display = simple.GetDisplayProperties(made, self.view)
+            self.assertEqual((display.Visibility, list(display.ColorArrayName)), (1, ["POINTS", quantity]))
+            self.assertEqual(simple.GetDisplayProperties(box, self.view).Visibility, 0)
+            points = servermanager.Fetch(made)
+            values = points.GetPointData().GetArray(quantity)
+            known = [i for i in range(points.GetNumberOfPoints()) if not math.isnan(values.GetValue(i))]
+            self.assertIn(len(known), (3, 4))  # corners of one or two triangles of the touched face
+            for i in known:
+                self.assertAlmostEqual(points.GetPoint(i)[0], 50.0, delta=1e-4)
+                self.assertAlmostEqual(values.GetValue(i), expected, delta=1e-4)
+
+    def test_a_map_of_cells_in_space_is_refused_with_the_remedy(self):
+        cells = simple.Tetrahedralize(Input=simple.Box(XLength=100, YLength=100, ZLength=100))
+        simple.Show(simple.AppendDatasets(Input=cells), self.view)
+        session = GetHapticSession()
+        session.SetHandPosition(60, 10, 20)
+        Touch()
+        session.Step(TICKS_TO_ENGAGE)
+        session.SetHandPosition(50 - DEPTH, 10, 20)
+        session.Step(300)
+        with self.assertRaisesRegex(HapticRefusal, "ExtractSurface"):
+            MapContact()
 
     def test_refusals_are_raised_in_words_each_time(self):
         for _ in range(2):

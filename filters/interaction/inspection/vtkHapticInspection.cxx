@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticInspection.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "vtkHapticContactState.h"
+#include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSessionInternals.h"
 
 vtkSmartPointer<vtkHapticInspection> vtkHapticInspection::Of(vtkHapticSession& session)
@@ -34,6 +36,18 @@ void vtkHapticInspection::GetMarks(vtkPolyData* points) const
 void vtkHapticInspection::GetMarksTable(vtkTable* table) const
 {
   this->Behind().Contact.Marks.FillTable(table);
+}
+
+void vtkHapticInspection::GetContactInData(double position[3]) const
+{
+  const auto& found = this->Behind().Contact.Found;
+  const auto source = found ? this->Behind().Surfaces.SourceNamed(found->Source) : std::nullopt;
+  palpate::Vec3 p = palpate::Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  if (source)
+  {
+    p = source->W_from_D.inverse() * palpate::Vec3(found->Number("X"), found->Number("Y"), found->Number("Z"));
+  }
+  std::copy(p.begin(), p.end(), position);
 }
 
 double vtkHapticInspection::GetValue(const char* name) const

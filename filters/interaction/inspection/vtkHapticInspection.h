@@ -48,7 +48,8 @@ public:
   void GetMarkPosition(int mark, double position[3]) const;       ///< in W; NaN where there is no such mark
   void GetMarks(vtkPolyData* points) const;
   void GetMarksTable(vtkTable* table) const;
-  double GetValue(const char* name) const; ///< of an array there, name_k of a vector; NaN where there is none
+  void GetContactInData(double position[3]) const; ///< in the frame of its source's data; NaN before InspectContact()
+  double GetValue(const char* name) const;         ///< of an array there, name_k of a vector; NaN where there is none
   ///@}
 
 private:

@@ -26,7 +26,7 @@ from palpate.vtkHapticViews import vtkHapticTouchAs, vtkHapticViewScene
 
 __all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "TakeColorRange", "LetGo", "FitHand", "HapticUpdate",
            "HapticState", "Mark", "GetMarks", "Marks", "AddMark", "RemoveMark", "RenameMark", "ClearMarks", "SaveMarks",
-           "LoadMarks", "SetSource", "TouchAs", "HoldTool", "PressBody", "SoftText",
+           "LoadMarks", "MapContact", "SetSource", "TouchAs", "HoldTool", "PressBody", "SoftText",
            "HoldMechanism", "Constraints", "AddConstraint", "RemoveConstraint", "BreakConstraint"]
 
 
@@ -301,6 +301,30 @@ def SaveMarks(file):
         raise HapticRefusal(f"{file!r} is not a file name; use a name that ends in .csv or .vtp.")
     with _Refusals() as session:
         session.GetInspection().WriteMarks(os.fspath(file))
+
+
+def MapContact(quantity="Thickness", radius=0.0, view=None):
+    """Shows a map of "Thickness" or "Curvature" around the contact, or the last one, in place of the touched source, and
+    returns the filter. radius [u] of the map; 0: a tenth of the diagonal of the surface. view: None for the active one."""
+    with _Refusals() as session:
+        if not session.InspectContact():
+            raise HapticRefusal("A map needs a contact: touch a surface first.")
+    if quantity not in ("Thickness", "Curvature"):
+        raise HapticRefusal(f"A map shows 'Thickness' or 'Curvature', not {quantity!r}.")
+    source = simple.FindSource(_source_name(session.GetContactSource()))
+    if source.GetDataInformation().GetDataClassName() != "vtkPolyData":
+        raise HapticRefusal(f"{session.GetContactSource()} has no polygons of its own: touch the result of ExtractSurface on that source.")
+    centre = [0.0, 0.0, 0.0]
+    session.GetInspection().GetContactInData(centre)
+    controller = servermanager.ParaViewPipelineController()
+    made = servermanager.filters.MapAroundContact()  # paraview.simple has it only if the plugin was loaded into that namespace
+    controller.PreInitializeProxy(made)
+    simple.SetProperties(made, Input=source, Quantity=quantity, Centre=centre, Radius=radius)
+    controller.PostInitializeProxy(made)
+    controller.RegisterPipelineProxy(made)
+    simple.Show(made, view)
+    simple.Hide(source, view)
+    return made
 
 
 def SetSource(source, touched=None, stiffness=None, friction=None):
