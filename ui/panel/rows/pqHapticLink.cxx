@@ -17,11 +17,33 @@ void pqHapticLink::add(pqPropertyLinks& links, QObject* field, const char* value
   links.addTraceablePropertyLink<pqHapticLink>(field, value, changed, session, session->GetProperty(setting), element);
 }
 
+pqHapticLink::pqHapticLink(QObject* field, const char* value, const char* changed, vtkSMProxy* session,
+  vtkSMProperty* setting, int element, bool unchecked, QObject* links)
+  : Superclass(field, value, changed, session, setting, element, unchecked, links)
+{
+  this->connect(static_cast<pqPropertyLinks*>(links), &pqPropertyLinks::qtWidgetChanged, this, &pqHapticLink::endStep);
+}
+
+pqHapticLink::~pqHapticLink()
+{
+  this->endStep();
+}
+
+void pqHapticLink::endStep()
+{
+  if (this->Begun)
+  {
+    this->Begun = false;
+    END_UNDO_SET();
+  }
+}
+
 void pqHapticLink::setServerManagerValue(bool unchecked, const QVariant& value)
 {
   vtkSMProxy* const session = this->proxySM();
   const char* const setting = session->GetPropertyName(this->propertySM());
-  SCOPED_UNDO_SET(pqHapticStepName(*session, setting));
-  this->Superclass::setServerManagerValue(unchecked, value);
-  session->UpdateVTKObjects(); // a step has what reaches the session before the step ends
+  this->endStep();
+  this->Begun = true;
+  BEGIN_UNDO_SET(pqHapticStepName(*session, setting));
+  this->Superclass::setServerManagerValue(unchecked, value); // the links tell the session next
 }

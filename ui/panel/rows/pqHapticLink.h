@@ -16,7 +16,10 @@ class pqHapticLink : public pqPropertyLinksConnection
   typedef pqPropertyLinksConnection Superclass;
 
 public:
-  using Superclass::Superclass;
+  /// As pqPropertyLinks makes its links: `links` is one.
+  pqHapticLink(QObject* field, const char* value, const char* changed, vtkSMProxy* session, vtkSMProperty* setting,
+    int element, bool unchecked, QObject* links);
+  ~pqHapticLink() override;
 
   /// `value` and `changed`: the field's property and signal of Qt; `element`: of a setting of several numbers, else -1.
   static void add(pqPropertyLinks& links, QObject* field, const char* value, const char* changed, vtkSMProxy* session,
@@ -24,6 +27,11 @@ public:
 
 protected:
   void setServerManagerValue(bool unchecked, const QVariant& value) override;
+
+private:
+  void endStep();
+
+  bool Begun = false; ///< a step of undo, which ends after the session was told
 };
 
 /// The name of an undo step that changes a setting: its title without a mnemonic, or its label where it has no title.
