@@ -2,6 +2,7 @@
 // The list of devices of the panel, without a window.
 #include <memory>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "pqHapticDeviceChoice.h"
@@ -68,7 +69,7 @@ TEST_F(HapticDeviceChoice, ADeviceThatIsPluggedInLaterIsThereWhenTheListIsOpened
 // A person alone can lead neither; a program that chose one sees it.
 TEST_F(HapticDeviceChoice, WhatOnlyAProgramCanLeadIsListedOnceAProgramHasChosenIt)
 {
-  for (const char* name : { "fed", "simulated-touch", "simulated-joystick" })
+  for (const char* name : { "fed", "simulated-ideal", "simulated-joystick", "simulated-6d" })
   {
     this->session_->SetSetting("DeviceName", "mouse");
     this->open();
@@ -80,6 +81,15 @@ TEST_F(HapticDeviceChoice, WhatOnlyAProgramCanLeadIsListedOnceAProgramHasChosenI
   this->session_->SetSetting("DeviceName", "mouse");
   this->open();
   EXPECT_GE(this->choice_->findText("replay"), 0);
+}
+
+TEST_F(HapticDeviceChoice, ASimulatedHandOnEachKindOfSoldDeviceIsListedAndItsTipSaysWhichDevice)
+{
+  for (const char* name : { "simulated-touch", "simulated-premium", "simulated-falcon", "simulated-omega" })
+  {
+    EXPECT_GE(this->choice_->findText(name), 0) << name;
+  }
+  EXPECT_THAT(this->tip("simulated-touch").toStdString(), ::testing::HasSubstr("a desktop stylus arm"));
 }
 
 TEST_F(HapticDeviceChoice, WhatAProgramChoosesIsShownWithoutTheListBeingOpened)

@@ -4,6 +4,7 @@
 #include "pqActiveObjects.h"
 #include "pqDataRepresentation.h"
 #include "pqHapticController.h"
+#include "pqHapticSimulatedHand.h"
 #include "pqHapticStatusBar.h"
 #include "pqHapticViewFollower.h"
 #include "pqPipelineSource.h"
@@ -15,7 +16,8 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
 
-pqHapticTouchKinds::pqHapticTouchKinds(pqHapticController* controller) : Superclass(controller), Controller(controller)
+pqHapticTouchKinds::pqHapticTouchKinds(pqHapticController* controller)
+  : Superclass(controller), Controller(controller), Simulated(new pqHapticSimulatedHand(controller))
 {
 }
 
@@ -52,14 +54,24 @@ void pqHapticTouchKinds::prepare(bool touching)
 {
   const vtkHapticSession* const session = this->Controller->session();
   const pqView* const view = pqActiveObjects::instance().activeView();
-  if (!touching || !session || !view || this->Controller->touching() ||
-      this->Controller->follower()->refusal().isEmpty())
+  if (!touching || !session || !view || this->Controller->touching())
+  {
+    return;
+  }
+  this->takeLikely(*view);
+  this->Simulated->prepare();
+}
+
+void pqHapticTouchKinds::takeLikely(const pqView& view)
+{
+  const vtkHapticSession* const session = this->Controller->session();
+  if (this->Controller->follower()->refusal().isEmpty())
   {
     return;
   }
   vtkNew<vtkHapticTouchAs> at;
   this->aim(*at);
-  for (pqRepresentation* const shown : view->getRepresentations())
+  for (pqRepresentation* const shown : view.getRepresentations())
   {
     const auto* const data = qobject_cast<pqDataRepresentation*>(shown);
     pqPipelineSource* const source = data && data->isVisible() ? data->getInput() : nullptr;

@@ -6,7 +6,9 @@
 #include <QString>
 
 class pqHapticController;
+class pqHapticSimulatedHand;
 class pqPipelineSource;
+class pqView;
 class vtkHapticTouchAs;
 
 /// Has sources touched as the kinds of vtkHapticTouchAs, each as one step of undo. ParaView's status bar says what was
@@ -26,13 +28,15 @@ public:
 
 public Q_SLOTS:
   /// Before a person touches: where nothing can be touched as it is shown, the first of the lines and volumes that are
-  /// shown can.
+  /// shown can. A simulated hand that was chosen gets a path.
   void prepare(bool touching);
 
 private:
   void aim(vtkHapticTouchAs& at) const;
+  void takeLikely(const pqView& view);
 
   pqHapticController* Controller;
+  pqHapticSimulatedHand* Simulated;
 };
 
 #endif

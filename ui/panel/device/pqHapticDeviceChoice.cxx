@@ -1,14 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticDeviceChoice.h"
 
+#include "devices/simulated/DeviceModels.h"
 #include "vtkHapticKnownDevices.h"
 #include "vtkHapticSession.h"
 
 #include <QSignalBlocker>
 
+namespace
+{
+/// Of a simulated hand that strokes by itself over the surface that is shown: on a model of a device that is sold and
+/// moves in space. "" for all others, which only a program can lead.
+QString SentenceOf(const QString& device)
+{
+  const palpate::DeviceModel* const model = palpate::deviceModel(device.toStdString());
+  const bool leads = model && model->provenance == palpate::Provenance::Listed && !model->planar && !model->turns();
+  return leads ? QObject::tr("Simulated hand on %1: strokes over the visible surface, with the forces of such a device")
+                   .arg(QString::fromStdString(model->what))
+               : QString();
+}
+} // namespace
+
 pqHapticDeviceChoice::pqHapticDeviceChoice(QWidget* parent) : Superclass(parent)
 {
-  this->setToolTip(tr("Device that moves the hand: the mouse in the view, a recording, or an attached device"));
+  this->setToolTip(
+    tr("Device that moves the hand: the mouse in the view, a simulated hand, a recording, or an attached device"));
 }
 
 pqHapticDeviceChoice::~pqHapticDeviceChoice() = default;
@@ -50,11 +66,12 @@ void pqHapticDeviceChoice::list()
   for (int i = 0; i < this->Session->GetDevices()->GetNumberOfDevices(); ++i)
   {
     const QString name = QString::fromUtf8(this->Session->GetDevices()->GetName(i));
-    if (name == chosen || !this->Session->GetDevices()->GetForPrograms(i))
+    const QString simulated = SentenceOf(name);
+    if (name == chosen || !simulated.isEmpty() || !this->Session->GetDevices()->GetForPrograms(i))
     {
       this->addItem(name);
-      this->setItemData(
-        this->count() - 1, QString::fromUtf8(this->Session->GetDevices()->GetProblem(i)), Qt::ToolTipRole);
+      const QString problem = QString::fromUtf8(this->Session->GetDevices()->GetProblem(i));
+      this->setItemData(this->count() - 1, problem.isEmpty() ? simulated : problem, Qt::ToolTipRole);
     }
   }
   if (this->findText(chosen) < 0)
