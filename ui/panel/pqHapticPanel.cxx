@@ -408,7 +408,7 @@ void pqHapticPanel::refresh()
   w.Pages->fitWidth();
   w.Top->refresh(session);
   w.Help->refresh(session);
-  w.Charts->refresh(session);
+  w.Charts->refresh(session, controller->follower()->report());
   w.Main->refresh(session);
   w.Place->refresh(session);
   w.Marks->refresh(session);

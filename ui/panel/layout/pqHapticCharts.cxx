@@ -11,6 +11,17 @@ namespace
 {
 constexpr double milliOfOne = 1e3; // m to mm, J to mJ
 constexpr int betweenStrips = 3;   // [pixels]
+
+/// The names of surfaces and field alone: a surface that moves or bends is the same.
+QStringList FeltOf(const vtkHapticSession* session, const QString& report)
+{
+  QStringList felt;
+  for (const QString& line : report.split('\n'))
+  {
+    felt << (line.startsWith("Touching ") ? QStringList(line) : QStringList());
+  }
+  return felt << (session ? QString::fromUtf8(session->GetFieldName()) : QString());
+}
 } // namespace
 
 pqHapticCharts::pqHapticCharts(QWidget* parent) : Superclass(parent)
@@ -45,14 +56,16 @@ void pqHapticCharts::clear()
   }
 }
 
-void pqHapticCharts::refresh(vtkHapticSession* session)
+void pqHapticCharts::refresh(vtkHapticSession* session, const QString& report)
 {
   const bool touches = session && session->GetTouching();
-  if (touches && !this->Touched)
+  const QStringList scene = FeltOf(session, report);
+  if (touches && (!this->Touched || scene != this->Scene))
   {
     this->clear();
   }
   this->Touched = touches;
+  this->Scene = scene;
   if (!touches)
   {
     for (pqHapticStrip* strip : { this->Force, this->Depth, this->Lateness, this->Energy })

@@ -2,14 +2,15 @@
 #ifndef pqHapticCharts_h
 #define pqHapticCharts_h
 
+#include <QStringList>
 #include <QWidget>
 
 class QVBoxLayout;
 class pqHapticStrip;
 class vtkHapticSession;
 
-/// Strip charts of the last ten seconds of a touch. After the touch they say that their values are the last ones; the
-/// next touch begins them anew.
+/// Strip charts of the last ten seconds of a touch. After the touch they say that their values are the last ones. The
+/// next touch begins the charts anew, and so does another scene: other surfaces or another field are felt.
 class pqHapticCharts : public QWidget
 {
   Q_OBJECT
@@ -19,8 +20,8 @@ public:
   explicit pqHapticCharts(QWidget* parent = nullptr);
   ~pqHapticCharts() override;
 
-  /// Null where there is no session. Ten times a second.
-  void refresh(vtkHapticSession* session);
+  /// Null where there is no session; `report`: pqHapticViewFollower::report(). Ten times a second.
+  void refresh(vtkHapticSession* session, const QString& report);
   /// Another session: nothing was measured.
   void clear();
 
@@ -32,6 +33,7 @@ private:
   pqHapticStrip* Lateness;
   pqHapticStrip* Energy;
   bool Touched = false; ///< at the last look
+  QStringList Scene;    ///< what was felt at the last look
 };
 
 #endif

@@ -80,6 +80,22 @@ void pqHapticStrip::clear()
   }
 }
 
+double pqHapticStrip::low() const
+{
+  return this->Values.empty() ? 0.0 : std::min(0.0, *std::min_element(this->Values.begin(), this->Values.end()));
+}
+
+double pqHapticStrip::high() const
+{
+  const double most = this->Values.empty() ? 0.0 : *std::max_element(this->Values.begin(), this->Values.end());
+  return std::max(this->low() + this->Least, most);
+}
+
+QString pqHapticStrip::scale() const
+{
+  return tr("to %1 %2").arg(Labelled(this->high()), this->Unit);
+}
+
 QString pqHapticStrip::sentence() const
 {
   if (this->Values.empty())
@@ -117,9 +133,7 @@ void pqHapticStrip::paintEvent(QPaintEvent*)
   painter.fillRect(this->rect(), this->palette().color(QPalette::Base));
   const QRectF words = QRectF(this->rect()).adjusted(margin, margin, -margin, -margin);
   const QRectF area = words.adjusted(0, this->fontMetrics().height(), 0, 0);
-  const auto range = std::minmax_element(this->Values.begin(), this->Values.end());
-  const double low = this->Values.empty() ? 0.0 : std::min(0.0, *range.first);
-  const double high = std::max(low + this->Least, this->Values.empty() ? 0.0 : *range.second);
+  const double low = this->low(), high = this->high();
   QPainterPath line;
   for (std::size_t i = 0; i < this->Values.size(); ++i)
   {
@@ -131,5 +145,5 @@ void pqHapticStrip::paintEvent(QPaintEvent*)
   painter.drawPath(line);
   painter.setPen(this->palette().color(QPalette::Text));
   painter.drawText(words, Qt::AlignLeft | Qt::AlignTop, this->sentence());
-  painter.drawText(words, Qt::AlignRight | Qt::AlignTop, tr("to %1 %2").arg(Labelled(high), this->Unit));
+  painter.drawText(words, Qt::AlignRight | Qt::AlignTop, this->scale());
 }

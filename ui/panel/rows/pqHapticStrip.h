@@ -17,6 +17,7 @@
 class pqHapticStrip : public QWidget
 {
   Q_OBJECT
+  Q_PROPERTY(QString scale READ scale)
   typedef QWidget Superclass;
 
 public:
@@ -33,6 +34,9 @@ public:
   /// Nothing was measured.
   void clear();
 
+  /// Upper end of the scale with its unit, as it is drawn.
+  QString scale() const;
+
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
@@ -42,6 +46,8 @@ protected:
 private:
   /// Title and value now, for the eye and for a reader of screens.
   QString sentence() const;
+  double high() const;
+  double low() const;
   /// From the left of the strip to its right, 0 to 1.
   double across(std::size_t value) const;
 
