@@ -6,7 +6,6 @@
 #include "vtkHapticConversionAhead.h"
 #include "vtkHapticDrafts.h"
 #include "vtkHapticHandedSources.h"
-#include "vtkHapticLengthUnit.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticNamedData.h"
 #include "vtkHapticRemoteField.h"
@@ -304,13 +303,6 @@ vtkHapticSession* vtkHapticViewScene::GetSession() const
 int vtkHapticViewScene::GetNumberOfSurfaces() const
 {
   return static_cast<int>(this->Impl->Scan.Surfaces.size());
-}
-
-std::string vtkHapticViewScene::GetLengthUnit(std::string& reason) const
-{
-  vtkHapticLengthUnit found = vtkHapticLengthUnitOf(this->Impl->View);
-  reason = std::move(found.Reason);
-  return found.Unit;
 }
 
 std::string vtkHapticViewScene::GetArrayNames() const

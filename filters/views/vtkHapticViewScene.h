@@ -92,9 +92,6 @@ public:
 
   int GetNumberOfSurfaces() const;
 
-  /// Unit of the lengths of what the view shows, "u" where it is not known, and by what it is known.
-  std::string GetLengthUnit(std::string& reason) const;
-
   /// Names of all arrays of points and cells with numbers that the view shows now, a line each, sorted.
   std::string GetArrayNames() const;
 

@@ -9,6 +9,7 @@
 #include "pqRenderView.h"
 #include "pqServerManagerModel.h"
 #include "vtkCommand.h"
+#include "vtkHapticLengthUnit.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticViewScene.h"
 #include "vtkSMRenderViewProxy.h"
@@ -92,10 +93,9 @@ QString pqHapticViewFollower::takeColorRange(vtkSMProxy* session) const
 
 QString pqHapticViewFollower::lengthUnit(QString& reason) const
 {
-  std::string why;
-  const std::string unit = this->Scene->GetLengthUnit(why);
-  reason = QString::fromStdString(why);
-  return QString::fromStdString(unit);
+  const vtkHapticLengthUnit found = vtkHapticLengthUnitOf(this->View ? this->View->getProxy() : nullptr);
+  reason = QString::fromStdString(found.Reason);
+  return QString::fromStdString(found.Unit);
 }
 
 QStringList pqHapticViewFollower::arrayNames() const

@@ -45,7 +45,7 @@ public:
   QString refusal() const;
   /// See vtkHapticViewScene::TakeColorRange().
   QString takeColorRange(vtkSMProxy* session) const;
-  /// See vtkHapticViewScene::GetLengthUnit().
+  /// See vtkHapticLengthUnitOf().
   QString lengthUnit(QString& reason) const;
   /// Of the points and cells of visible data, touched or not.
   QStringList arrayNames() const;

@@ -2,6 +2,8 @@
 #ifndef vtkHapticLengthUnit_h
 #define vtkHapticLengthUnit_h
 
+#include "vtkHapticViewsModule.h"
+
 #include <string>
 
 class vtkSMProxy;
@@ -16,6 +18,6 @@ struct vtkHapticLengthUnit
 /// Of the sources that a view shows, by the files that their data come from. Formats of medical images have millimetres
 /// by their definition; STL has no unit, but parts are made in millimetres, which is taken where their size allows it.
 /// Null has none.
-vtkHapticLengthUnit vtkHapticLengthUnitOf(vtkSMProxy* view);
+VTKHAPTICVIEWS_EXPORT vtkHapticLengthUnit vtkHapticLengthUnitOf(vtkSMProxy* view);
 
 #endif
