@@ -236,6 +236,30 @@ TEST_F(HapticMouseAdvance, TheWheelMovesThePlaneOfAFieldAndLeavingItEndsTheForce
   EXPECT_LT(this->force().norm(), 0.02 * force_N);
 }
 
+// The bar is 20 pixels from the left edge, from a quarter of the view's height on half of that height long. The data
+// are 60 u deep: 112 pixels up the bar are 112/150 of that, from -30 u on.
+TEST_F(HapticMouseAdvance, TheHandleOfTheDepthMovesThePlaneOfAFieldAndNotTheCamera)
+{
+  this->feelBall();
+  const int x_px = static_cast<int>(std::lround(pixelOf(this->eye_W_, true, Vec3(28.0, 0.0, 0.0)).first));
+  this->mouse_->SetPointer(x_px, 150.0);
+  this->rest(3 * framesToArrive);
+  int turned = 0;
+  this->count({ vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent }, turned);
+  this->say(vtkCommand::MouseMoveEvent, 20, 150);
+  const double before = this->hand().y();
+  this->say(vtkCommand::LeftButtonPressEvent, 20, 150);
+  this->say(vtkCommand::MouseMoveEvent, 60, 75 + 112);
+  this->rest(2 * framesToArrive);
+  EXPECT_NEAR(before, 0.0, 1e-6) << "in the middle";
+  EXPECT_NEAR(this->hand().y(), 60.0 * 112.0 / 150.0 - 30.0, 1e-6);
+  EXPECT_NEAR(this->hand().x(), 28.0, 0.5) << "under the place that the pointer came from";
+  this->say(vtkCommand::LeftButtonReleaseEvent, 60, 187);
+  EXPECT_EQ(turned, 0);
+  this->say(vtkCommand::LeftButtonPressEvent, 60, 187);
+  EXPECT_EQ(turned, 1) << "beside the bar a drag is the camera's";
+}
+
 // A cube of 10 u beside the origin of its data, which is in the hand.
 TEST_F(HapticMouseAdvance, AToolBesideTheOriginOfItsDataIsPressedUnderThePointer)
 {

@@ -117,7 +117,8 @@ QString pqHapticMouse::help() const
   if (this->Mouse->GetAdvances())
   {
     return tr("Move the pointer over the view to aim. Shift + left button advances until it is released, Shift + wheel "
-              "by 2 mm of the hand. Keys: arrows aim, Page Down advances, Page Up draws back, Home draws back to the "
+              "by 2 mm of the hand, the handle at the left edge of the view to any depth. Keys: arrows aim, Page Down "
+              "advances, Page Up draws back, Home draws back to the "
               "beginning. All other input moves the camera.");
   }
   QString text =

@@ -24,7 +24,8 @@ public:
     double Press;              ///< how far it goes on while it presses against nothing
     double PressOn;            ///< and against a resistance
     bool Pressing;
-    bool Held; ///< a thing is advanced, which stays where it is stopped; otherwise a hand, which comes back to its plane
+    bool
+      Held; ///< a thing is advanced, which stays where it is stopped; otherwise a hand, which comes back to its plane
   };
 
   bool IsPlaced() const { return this->Placed; }
@@ -36,6 +37,8 @@ public:
   /// The point of the axis that it has been advanced to: the pointer aims in the plane through it.
   palpate::Vec3 Middle() const { return this->Anchor + this->Along * this->Axis; }
   void Advance(double way_u) { this->Along = this->Chosen = this->Along + way_u; }
+  /// Which may be before where it began.
+  void AdvanceTo(double along_u) { this->Along = this->Chosen = along_u; }
   /// Back to where it began.
   void Retract() { this->Along = this->Chosen = 0.0; }
   double GetAlong() const { return this->Along; }

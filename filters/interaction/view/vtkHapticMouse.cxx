@@ -52,7 +52,8 @@ double vtkHapticMouse::Internals::Reach(double length_m) const
 Ray vtkHapticMouse::Internals::RayOfPointer() const
 {
   const double* middle = this->Rays.Renderer->GetCenter();
-  return this->Inside ? this->Rays.At(this->Led.x(), this->Led.y()) : this->Rays.At(middle[0], middle[1]);
+  return this->Inside || this->Steered ? this->Rays.At(this->Led.x(), this->Led.y())
+                                       : this->Rays.At(middle[0], middle[1]);
 }
 
 /// Whether a plane world is touched; if so, where the ray meets its plane, or the proxy where it does not. Walls across
@@ -239,6 +240,7 @@ void vtkHapticMouse::SetRenderer(vtkRenderer* renderer)
 {
   this->Leave();
   this->Impl->Rays.Renderer = renderer;
+  this->Impl->Bar.SetRenderer(renderer);
 }
 
 void vtkHapticMouse::SetSession(vtkHapticSession* session)
@@ -269,7 +271,8 @@ bool vtkHapticMouse::GetLeads() const
 void vtkHapticMouse::SetPointer(double x, double y)
 {
   Internals& impl = *this->Impl;
-  if (!impl.Sees() || !impl.Rays.Renderer->IsInViewport(static_cast<int>(x), static_cast<int>(y)))
+  const bool inView = impl.Sees() && impl.Rays.Renderer->IsInViewport(static_cast<int>(x), static_cast<int>(y));
+  if (!inView || impl.Bar.IsAt(x, y))
   {
     this->Leave();
     return;
@@ -292,6 +295,7 @@ void vtkHapticMouse::Leave()
 {
   this->Impl->Inside = false;
   this->Impl->Pressing = false;
+  this->Impl->Steered = false;
 }
 
 void vtkHapticMouse::SetPressing(bool on)
@@ -330,6 +334,33 @@ void vtkHapticMouse::Advance(double notches)
   }
 }
 
+bool vtkHapticMouse::GrabDepth(double x, double y)
+{
+  const bool grabs = this->GetAdvances() && this->Impl->Bar.IsAt(x, y);
+  this->Impl->Steered = grabs;
+  if (grabs)
+  {
+    this->Impl->Pressing = false;
+    this->DragDepth(y);
+  }
+  return grabs;
+}
+
+void vtkHapticMouse::DragDepth(double y)
+{
+  this->Impl->Depth.AdvanceTo(this->Impl->DepthAt(this->Impl->Bar.ShareAt(y)));
+}
+
+void vtkHapticMouse::DropDepth()
+{
+  this->Impl->Steered = false;
+}
+
+bool vtkHapticMouse::GetDragsDepth() const
+{
+  return this->Impl->Steered;
+}
+
 void vtkHapticMouse::Lift()
 {
   this->Impl->Pressing = false;
@@ -356,6 +387,7 @@ bool vtkHapticMouse::GetRay(double near_W[3], double far_W[3]) const
 
 void vtkHapticMouse::Update()
 {
+  this->Impl->ShowDepth(this->GetAdvances());
   if (this->GetLeads() && !this->Impl->Session->IsOn("Clutch"))
   {
     this->Impl->Session->GetSight()->SetEye(

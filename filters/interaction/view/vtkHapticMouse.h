@@ -82,6 +82,16 @@ public:
   void Advance(double notches);
   ///@}
 
+  ///@{
+  /// While the hand advances, a bar at the left edge of the view shows how far, from before all that can be met to
+  /// behind it. GrabDepth(): true where the pointer is on that bar, whose handle then follows DragDepth() until
+  /// DropDepth(), while the hand stays under the place where the pointer came from.
+  bool GrabDepth(double x, double y);
+  void DragDepth(double y);
+  void DropDepth();
+  bool GetDragsDepth() const;
+  ///@}
+
   /// Ends pressing, and has a hand that advanced go back to where it began.
   void Lift();
 

@@ -121,15 +121,34 @@ void vtkHapticMouse::Internals::PlaceDepth()
   double b[6];
   Vec3 middle_W = this->Hover_W;
   double before = 0.0;
+  this->Span = 0.0;
   if (this->Session->GetSight()->GetMetBounds(b))
   {
     met.SetBounds(b);
     met.GetCenter(middle_W.data());
-    Vec3 half;
-    met.GetLengths(half.data());
-    before = 0.5 * half.dot(this->Now.Axis.cwiseAbs()) + this->Reach(vtkHapticHover_m) + this->ReachOfHeld();
+    Vec3 lengths;
+    met.GetLengths(lengths.data());
+    this->Span = lengths.dot(this->Now.Axis.cwiseAbs());
+    before = 0.5 * this->Span + this->Reach(vtkHapticHover_m) + this->ReachOfHeld();
   }
   this->Depth.Place(middle_W - (this->AdvancesHeld() ? before : 0.0) * this->Now.Axis, this->Now.Axis);
+}
+
+/// A thing that is held begins before all that can be met, a hand in a field in the middle.
+double vtkHapticMouse::Internals::LeastAlong() const
+{
+  return this->AdvancesHeld() ? 0.0 : -0.5 * this->Span;
+}
+
+double vtkHapticMouse::Internals::DepthAt(double share) const
+{
+  return this->LeastAlong() + share * this->Span;
+}
+
+void vtkHapticMouse::Internals::ShowDepth(bool shown)
+{
+  const bool spans = shown && this->Depth.IsPlaced() && this->Span > 0.0;
+  spans ? this->Bar.Show((this->Depth.GetAlong() - this->LeastAlong()) / this->Span) : this->Bar.Hide();
 }
 
 /// Walls of a field that is not felt yet would not hold the hand back.
@@ -153,7 +172,8 @@ Vec3 vtkHapticMouse::Internals::NextAdvanced(const vtkHapticRay& ray)
     this->Way = Travel::Strokes;
   }
   const Vec3 aimed_W = this->Rays.AtDepth(ray, this->Rays.DepthOf(this->Depth.Middle()));
-  const Vec3 next_W = this->Inside ? this->Depth.Next(aimed_W, this->Now) : this->Depth.Rest(this->Now);
+  const Vec3 next_W =
+    this->Inside || this->Steered ? this->Depth.Next(aimed_W, this->Now) : this->Depth.Rest(this->Now);
   this->Hover_W = this->MayGoTo(next_W) ? next_W : this->Hover_W;
   return this->Hover_W;
 }

@@ -64,10 +64,19 @@ bool vtkHapticMouseInput::Internals::Take(unsigned long event)
       this->Mouse->Leave();
       return false;
     case vtkCommand::LeftButtonPressEvent:
+      if (this->Mouse->GrabDepth(at[0], at[1]))
+      {
+        return true;
+      }
       this->Mouse->SetPointer(at[0], at[1]);
       this->Mouse->SetPressing(this->Presses() && this->Interactor->GetShiftKey() != 0);
       return this->ButtonTaken = this->Mouse->GetPressing();
     case vtkCommand::LeftButtonReleaseEvent:
+      if (this->Mouse->GetDragsDepth())
+      {
+        this->Mouse->DropDepth();
+        return true;
+      }
       this->Mouse->SetPressing(this->Mouse->GetPressing() && !this->ButtonTaken);
       return std::exchange(this->ButtonTaken, false);
     case vtkCommand::MouseWheelForwardEvent:
@@ -77,6 +86,11 @@ bool vtkHapticMouseInput::Internals::Take(unsigned long event)
     case vtkCommand::KeyPressEvent:
       return this->TakeKey(this->Interactor->GetKeySym() ? this->Interactor->GetKeySym() : "");
     default: // it enters or moves
+      if (this->Mouse->GetDragsDepth())
+      {
+        this->Mouse->DragDepth(at[1]);
+        return true;
+      }
       this->Mouse->SetPointer(at[0], at[1]);
       return this->ButtonTaken && this->Mouse->GetPressing();
   }

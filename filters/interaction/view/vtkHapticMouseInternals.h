@@ -4,6 +4,7 @@
 
 #include "haptics/core/Types.h"
 #include "vtkHapticAdvance.h"
+#include "vtkHapticDepthBar.h"
 #include "vtkHapticMouse.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticViewRays.h"
@@ -52,10 +53,13 @@ public:
     vtkHapticPixels::Zero(); ///< the hand is under it: the pointer, but for what clutch and precision held back
   bool Inside = false;
   bool Pressing = false;
+  bool Steered = false; ///< its depth, by the handle of the bar
   Travel Way = Travel::Rises;
   palpate::Vec3 Hover_W = palpate::Vec3::Zero(); ///< the last free place it was led to
   palpate::Vec3 Tip_W = palpate::Vec3::Zero();   ///< from the hand to the point that the pointer leads
-  vtkHapticAdvance Depth;                        ///< while it advances
+  vtkHapticDepthBar Bar;
+  double Span = 0.0;      ///< of what can be met, along the axis [u]
+  vtkHapticAdvance Depth; ///< while it advances
   vtkHapticAdvance::Frame Now{};
   vtkTypeInt64 LastTick = 0; ///< of the session, when the hand was led last
 
@@ -77,6 +81,9 @@ public:
   void LookAround();
   double ReachOfHeld() const;
   void PlaceDepth();
+  double LeastAlong() const;
+  double DepthAt(double share) const;
+  void ShowDepth(bool shown);
   bool MayGoTo(const palpate::Vec3& tip_W) const;
   palpate::Vec3 Next(const vtkHapticRay& ray);
   palpate::Vec3 NextAdvanced(const vtkHapticRay& ray);
