@@ -26,8 +26,8 @@ QList<pqHapticTerm> ReadTerms()
 {
   QList<pqHapticTerm> terms;
   QFile page(":/palpate/glossary.md");
-  page.open(QIODevice::ReadOnly);
-  for (const QString& line : QString::fromUtf8(page.readAll()).split('\n'))
+  const QByteArray text = page.open(QIODevice::ReadOnly) ? page.readAll() : QByteArray();
+  for (const QString& line : QString::fromUtf8(text).split('\n'))
   {
     const QStringList cells = line.mid(2).split(" | ");
     if (line.startsWith("| ") && cells.size() == cellsOfRow && cells[0] != "term")
