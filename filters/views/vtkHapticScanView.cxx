@@ -138,8 +138,9 @@ std::string WhyNoSurface(vtkObject* active)
   if (active && (active->IsA("vtkVolumeRepresentation") || active->IsA("vtkImageVolumeRepresentation") ||
                   active->IsA("vtkUnstructuredGridVolumeRepresentation")))
   {
-    return "a volume has no surface; choose its values in the panel (page Field) for a field, or apply the filter "
-           "Contour and show its result";
+    return "a volume has no surface; choose it in the pipeline browser and press Touch for its isosurface, or apply "
+           "the "
+           "filter Contour and show its result";
   }
   return "not drawn as a surface; choose the representation Surface";
 }

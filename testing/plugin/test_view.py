@@ -117,7 +117,7 @@ class TouchInAView(ViewTest):
 
     def test_a_volume_is_refused_with_what_to_do(self):
         said = self.refusal("Volume")
-        self.assertIn("a volume has no surface; choose its values in the panel (page Field)", said)
+        self.assertIn("a volume has no surface; choose it in the pipeline browser and press Touch", said)
         self.assertIn("or apply the filter Contour", said)
 
     def test_an_outline_is_refused_with_what_to_do(self):
