@@ -167,7 +167,7 @@ QString pqHapticLabyrinths::refusal(const QString& world) const
 }
 
 /// One source for all games, so that filters on it and its place in the pipeline stay.
-void pqHapticLabyrinths::open(const QString& world)
+void pqHapticLabyrinths::openWorld(const QString& world)
 {
   pqObjectBuilder* const builder = pqApplicationCore::instance()->getObjectBuilder();
   this->hideWalls(false); // where it was shown until now
@@ -200,7 +200,7 @@ void pqHapticLabyrinths::play()
     this->Message->setText(refused);
     return;
   }
-  this->open(world);
+  this->openWorld(world);
   this->begin();
 }
 

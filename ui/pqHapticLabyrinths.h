@@ -44,7 +44,7 @@ private:
   void zoom();
   void readOut();
   /// Gives the world to the source of the game in the pipeline, shown in the active view.
-  void open(const QString& world);
+  void openWorld(const QString& world);
   /// Why the chosen world cannot be played, or nothing.
   QString refusal(const QString& world) const;
   /// Plays the labyrinth of the source. The settings for the game go to the session's proxy too, so that panel and
