@@ -3,27 +3,17 @@
 
 #include "pqRenderView.h"
 #include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticSight.h"
 #include "vtkHapticToolProps.h"
 #include "vtkMapper.h"
-#include "vtkMath.h"
 #include "vtkPVRenderView.h"
 #include "vtkSMRenderViewProxy.h"
 
-#include <algorithm>
-
 namespace
 {
-/// A frame begins so long after the one before, and leaves the person's own events so long in any case [ms].
-constexpr int frameToFrame = 25, leastPause = 4;
-/// A frame of full quality that takes longer is drawn as while the camera turns: less than 20 a second are seen [ms].
-constexpr int slowFrame = 50;
-/// A hand that stops is drawn in full quality after this time [ms].
-constexpr qint64 moment = 400;
-/// The hand is seen to move by this share of its distance from the eye.
-constexpr double seenShare = 1e-3;
+/// Time for the person's own events between two frames [ms].
+constexpr int pauseBetweenFrames = 16;
 /// A hidden view never ends a frame: ask again after this long [ms].
 constexpr int pauseWhenHidden = 250;
 /// Balls this large, as a fraction of the scene's diagonal, are seen beside ParaView's panels too.
@@ -158,7 +148,6 @@ void pqHapticFrames::takeState()
   {
     return;
   }
-  this->Frame.start();
   this->Session->GetSight()->FollowCamera(this->View->getRenderViewProxy()->GetActiveCamera());
   this->Session->Update();
   Q_EMIT this->updated();
@@ -171,30 +160,14 @@ void pqHapticFrames::nextFrame()
   {
     this->takeState(); // a hidden view draws nothing, and what it touches goes on
     this->Pause.start(pauseWhenHidden);
-    this->Whole = this->Took <= slowFrame || !this->handMoves();
-    this->Whole ? this->View->render() : this->View->getRenderViewProxy()->InteractiveRender();
+    this->View->render();
   }
-}
-
-bool pqHapticFrames::handMoves()
-{
-  const double* const hand = this->Session->GetHandPosition();
-  const double* const eye = this->View->getRenderViewProxy()->GetActiveCamera()->GetPosition();
-  const double far2 = vtkMath::Distance2BetweenPoints(hand, eye);
-  if (vtkMath::Distance2BetweenPoints(hand, this->Hand.data()) > seenShare * seenShare * far2)
-  {
-    this->Moved.start();
-  }
-  std::copy(hand, hand + 3, this->Hand.begin());
-  return this->Moved.isValid() && this->Moved.elapsed() < moment;
 }
 
 void pqHapticFrames::frameEnded()
 {
   if (this->Active)
   {
-    const qint64 took = this->Frame.isValid() ? this->Frame.elapsed() : 0;
-    this->Took = this->Whole ? took : this->Took;
-    this->Pause.start(std::max(leastPause, frameToFrame - static_cast<int>(took)));
+    this->Pause.start(pauseBetweenFrames);
   }
 }

@@ -2,12 +2,9 @@
 #ifndef pqHapticFrames_h
 #define pqHapticFrames_h
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
-
-#include <array>
 
 #include "pqRenderView.h" // QPointer needs the whole class
 #include "vtkNew.h"
@@ -50,8 +47,6 @@ private:
   /// Takes the newest state into the picture.
   void takeState();
   void frameEnded();
-  /// Whether the hand moves, or did so a moment ago.
-  bool handMoves();
   void attach();
   void detach();
   /// Without a tool: the view after the end of a touch.
@@ -61,12 +56,7 @@ private:
   vtkSmartPointer<vtkHapticSession> Session;
   QPointer<pqRenderView> View;
   QMetaObject::Connection FrameBegins, FrameEnded;
-  QTimer Pause;                 ///< between the end of a frame and the request for the next
-  QElapsedTimer Frame;          ///< since it began
-  QElapsedTimer Moved;          ///< since the hand did
-  qint64 Took = 0;              ///< the last frame of full quality [ms]
-  bool Whole = true;            ///< the frame that is being drawn
-  std::array<double, 3> Hand{}; ///< in the last frame
+  QTimer Pause; ///< between the end of a frame and the request for the next
   bool Active = false;
   bool Attached = false;
 };
