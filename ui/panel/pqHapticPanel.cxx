@@ -301,11 +301,13 @@ void pqHapticPanel::Internals::searched()
 /// Settings can change without a frame, from a script.
 void pqHapticPanel::Internals::followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower)
 {
-  if (this->Material->isVisible() || (this->Main->isVisible() && this->Refreshes++ % refreshesInSecond == 0))
+  if (this->Material->isVisible()) // looking at all sources costs too much for what nobody sees
   {
-    const QStringList names = follower.arrayNames();
-    this->Main->setArrayNames(names);
-    this->Material->setArrayNames(names);
+    this->Material->setArrayNames(follower.arrayNames());
+  }
+  if (this->Main->isVisible() && this->Refreshes++ % refreshesInSecond == 0)
+  {
+    this->Main->setArrayNames(follower.shownArrays());
   }
   const bool read = session.GetSceneProgress() < 1.0; // in the background: a hidden view asks for no frame
   if (session.GetSight()->GetMaterialTime() != this->MaterialTime || read)

@@ -11,6 +11,7 @@
 #include "vtkCommand.h"
 #include "vtkHapticLengthUnit.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticShownArrays.h"
 #include "vtkHapticViewScene.h"
 #include "vtkSMRenderViewProxy.h"
 
@@ -101,6 +102,16 @@ QString pqHapticViewFollower::lengthUnit(QString& reason) const
 QStringList pqHapticViewFollower::arrayNames() const
 {
   return QString::fromStdString(this->Scene->GetArrayNames()).split('\n', Qt::SkipEmptyParts);
+}
+
+QStringList pqHapticViewFollower::shownArrays() const
+{
+  QStringList names;
+  for (const std::string& name : vtkHapticShownArrays(this->View ? this->View->getProxy() : nullptr))
+  {
+    names << QString::fromStdString(name);
+  }
+  return names;
 }
 
 QStringList pqHapticViewFollower::fieldNames(int components) const

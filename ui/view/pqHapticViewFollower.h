@@ -49,6 +49,8 @@ public:
   QString lengthUnit(QString& reason) const;
   /// Of the points and cells of visible data, touched or not.
   QStringList arrayNames() const;
+  /// See vtkHapticShownArrays().
+  QStringList shownArrays() const;
   /// Of all sources that are shown, however they are drawn, with so many components; 0: any.
   QStringList fieldNames(int components) const;
 
