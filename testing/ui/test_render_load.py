@@ -32,8 +32,9 @@ def wait(time_ms):
 
 
 def making_ready():
-    """Touched, given up while it is turned into a scene, touched again and looked at until it is there."""
-    lines = python("load.prepare()", "load.touch()") + wait(100) + python("load.cancel()") + wait(500)
+    """Touched, given up at once, for a wait is as long as the pictures that are drawn in it and the scene may be there by then; touched
+    again and looked at until it is there."""
+    lines = python("load.prepare()", "load.touch()", "load.cancel()") + wait(500)
     lines += python("load.note_cancelled()", "load.let_go()", "load.show_another()", "load.first_touch()")
     return lines + (wait(20) + python("load.look()")) * 12
 

@@ -13,6 +13,7 @@
 #include "vtkHapticSession.h"
 #include "vtkHapticShownArrays.h"
 #include "vtkHapticViewScene.h"
+#include "vtkPVRenderView.h"
 #include "vtkSMRenderViewProxy.h"
 
 #include <algorithm>
@@ -170,8 +171,20 @@ void pqHapticViewFollower::refresh()
   }
 }
 
+/// While a camera turns ParaView may draw coarser data, which nobody wants to touch.
+bool pqHapticViewFollower::drewCoarser() const
+{
+  auto* const drawn =
+    this->View ? vtkPVRenderView::SafeDownCast(this->View->getRenderViewProxy()->GetClientSideObject()) : nullptr;
+  return drawn && drawn->GetUsedLODForLastRender();
+}
+
 void pqHapticViewFollower::handOver()
 {
+  if (this->drewCoarser())
+  {
+    return;
+  }
   this->Scene->SetDrawing(this->newDrawing());
   this->Scene->Update();
 }

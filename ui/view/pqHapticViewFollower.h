@@ -68,6 +68,7 @@ Q_SIGNALS:
 private:
   void viewRemoved(pqView* view);
   void connectView();
+  bool drewCoarser() const;
   /// The active source, if it was made and not applied yet and its widget is shown; else null.
   vtkSMProxy* newDrawing();
 

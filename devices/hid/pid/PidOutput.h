@@ -77,9 +77,9 @@ private:
     int block = 0; ///< 0: the device has none
     std::int64_t started_ns = never;
     std::int64_t stopped_ns = never; ///< when a stop was sent to it last
-    bool lapses = false;    ///< nobody renews it, so it ends by itself
-    bool lingers = false;   ///< stopped with all others, not yet by itself
-    bool unsettled = false; ///< its conditions changed after its settings were sent
+    bool lapses = false;             ///< nobody renews it, so it ends by itself
+    bool lingers = false;            ///< stopped with all others, not yet by itself
+    bool unsettled = false;          ///< its conditions changed after its settings were sent
   };
   static constexpr std::int64_t never = -1;
   using Conditions = std::array<Condition, 4>; ///< the springs of the x and the y axis, then their dampers
