@@ -139,8 +139,7 @@ std::string WhyNoSurface(vtkObject* active)
                   active->IsA("vtkUnstructuredGridVolumeRepresentation")))
   {
     return "a volume has no surface; choose it in the pipeline browser and press Touch for its isosurface, or apply "
-           "the "
-           "filter Contour and show its result";
+           "the filter Contour and show its result";
   }
   return "not drawn as a surface; choose the representation Surface";
 }

@@ -40,13 +40,17 @@ class Functions(unittest.TestCase):
         """2 u into the face x = 50 of a box."""
         box = simple.Box(XLength=100, YLength=100, ZLength=100)
         simple.Show(box, self.view)
+        self.press_face(20)
+        return box
+
+    def press_face(self, z):
+        """2 u into the face x = 50 of what is shown, at this height."""
         session = GetHapticSession()
-        session.SetHandPosition(60, 10, 20)
+        session.SetHandPosition(60, 10, z)
         Touch()
         session.Step(TICKS_TO_ENGAGE)
-        session.SetHandPosition(50 - DEPTH, 10, 20)
+        session.SetHandPosition(50 - DEPTH, 10, z)
         session.Step(300)
-        return box
 
     def test_touch_feels_what_the_view_shows_and_let_go_ends_it(self):
         self.press_box()
@@ -113,12 +117,7 @@ class Functions(unittest.TestCase):
             MapContact()
         box = simple.Box(XLength=100, YLength=100, ZLength=100)
         move(simple.Show(box, self.view), [0.0, 0.0, 30.0])
-        session = GetHapticSession()
-        session.SetHandPosition(60, 10, 50)
-        Touch()
-        session.Step(TICKS_TO_ENGAGE)
-        session.SetHandPosition(50 - DEPTH, 10, 50)
-        session.Step(300)
+        self.press_face(50)
         with self.assertRaisesRegex(HapticRefusal, "'Thickness' or 'Curvature'"):
             MapContact("Height")
         vars(simple).pop("MapAroundContact", None)  # a script may have loaded the plugin into its own namespace alone
@@ -140,12 +139,7 @@ class Functions(unittest.TestCase):
     def test_a_map_of_cells_in_space_is_refused_with_the_remedy(self):
         cells = simple.Tetrahedralize(Input=simple.Box(XLength=100, YLength=100, ZLength=100))
         simple.Show(simple.AppendDatasets(Input=cells), self.view)
-        session = GetHapticSession()
-        session.SetHandPosition(60, 10, 20)
-        Touch()
-        session.Step(TICKS_TO_ENGAGE)
-        session.SetHandPosition(50 - DEPTH, 10, 20)
-        session.Step(300)
+        self.press_face(20)
         with self.assertRaisesRegex(HapticRefusal, "ExtractSurface"):
             MapContact()
 

@@ -87,6 +87,11 @@ class RenderLoad:
         self.ready["shares"].append(self.session().GetSceneProgress())
         self.begin_slice()
 
+    def turn_once(self):
+        """As while a person turns the camera: ParaView draws so many triangles coarser."""
+        self.view.SMProxy.InteractiveRender()
+        self.ready["turned"] = [self.view.GetClientSideObject().GetUsedLODForLastRender(), self.session().GetSceneProgress()]
+
     def cancel(self):
         self.proxy.InvokeCommand("CancelScene")
 

@@ -36,7 +36,7 @@ def making_ready():
     again and looked at until it is there."""
     lines = python("load.prepare()", "load.touch()", "load.cancel()") + wait(500)
     lines += python("load.note_cancelled()", "load.let_go()", "load.show_another()", "load.first_touch()")
-    return lines + (wait(20) + python("load.look()")) * 12
+    return lines + (wait(20) + python("load.look()")) * 12 + python("load.turn_once()")
 
 
 def touching():
@@ -87,6 +87,9 @@ class RenderLoad(unittest.TestCase):
         warning, report = self.found["ready"]["cancelled"]
         self.assertIn("cancelled", warning)
         self.assertEqual(report, "")  # nothing came of it
+
+    def test_the_coarser_picture_of_a_turning_camera_is_not_read_as_other_data(self):
+        self.assertEqual(self.found["ready"]["turned"], [1, 1.0])  # drawn coarser, and nothing is being made ready
 
     def test_what_touching_does_beside_drawing_is_a_twentieth_of_a_picture_at_most(self):
         free, touched = (self.found["middle"][name] for name in ("free", "touched"))

@@ -4,6 +4,7 @@
 #include "pqHapticArrayChoice.h"
 #include "pqHapticFields.h"
 #include "pqHapticLabel.h"
+#include "pqHapticLink.h"
 #include "pqHapticRecordingRows.h"
 #include "pqPropertyLinks.h"
 #include "vtkHapticSession.h"
@@ -43,8 +44,7 @@ void pqHapticMainGroup::setProxy(vtkSMProxy* proxy, pqPropertyLinks& links)
   {
     this->Recording->link(proxy, links);
     this->Rows.link(links, proxy);
-    links.addTraceablePropertyLink(
-      this->Stiffness, "array", SIGNAL(arrayChanged()), proxy, proxy->GetProperty("StiffnessArray"));
+    pqHapticLink::add(links, this->Stiffness, "array", SIGNAL(arrayChanged()), proxy, "StiffnessArray");
   }
 }
 

@@ -43,7 +43,7 @@ bool vtkHapticAdvance::IsResisted(const Frame& frame) const
 }
 
 /// The tip is advanced no further than to there. A hand in a field keeps the plane that was chosen: otherwise the force
-/// would depend on the way by which the hand came.
+/// would depend on the path of the hand.
 void vtkHapticAdvance::Stop(const Vec3& at_W, const Frame& frame)
 {
   const double reached = this->GetAlongOf(at_W);
@@ -55,6 +55,7 @@ void vtkHapticAdvance::Stop(const Vec3& at_W, const Frame& frame)
 void vtkHapticAdvance::Press(const Frame& frame)
 {
   const bool resisted = this->IsResisted(frame);
+  this->Gap = frame.Pressing && resisted ? this->Gap : frame.Depth;
   if (frame.Pressing && resisted)
   {
     this->Gap = std::clamp(this->Gap + frame.PressOn, frame.Depth, std::max(frame.Firm, frame.Depth));
@@ -72,7 +73,6 @@ void vtkHapticAdvance::Press(const Frame& frame)
   {
     this->Chosen = this->Along;
   }
-  this->Gap = frame.Pressing && resisted ? this->Gap : frame.Depth;
   this->Pressed = frame.Pressing;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticLengthUnit.h"
 
+#include "vtkHapticNamedData.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
@@ -45,8 +46,8 @@ vtkHapticLengthUnit UnitOfFile(const std::string& path, vtkSMSourceProxy& reader
   {
     return { "mm", "Lengths are in mm, the unit of the format of " + NameOf(path) + "." };
   }
-  const double size = DiagonalOf(reader);
-  if (isOf(".stl") && size >= smallestPart_mm && size <= largestPart_mm)
+  const double size = isOf(".stl") ? DiagonalOf(reader) : 0.0;
+  if (size >= smallestPart_mm && size <= largestPart_mm)
   {
     return { "mm", "Lengths are taken for mm, as in most STL files: " + NameOf(path) + " names no unit." };
   }
@@ -92,18 +93,9 @@ vtkHapticLengthUnit vtkHapticLengthUnitOf(vtkSMProxy* view)
 {
   vtkHapticLengthUnit found;
   std::set<vtkSMProxy*> seen;
-  if (!view || !view->GetProperty("Representations"))
+  for (vtkSMProxy* const shown : view ? vtkHapticVisibleRepresentations(view) : std::vector<vtkSMProxy*>())
   {
-    return found;
-  }
-  const vtkSMPropertyHelper representations(view, "Representations");
-  for (unsigned int i = 0; i < representations.GetNumberOfElements() && found.Reason.empty(); ++i)
-  {
-    vtkSMProxy* const shown = representations.GetAsProxy(i);
-    if (shown->GetProperty("Input") && vtkSMPropertyHelper(shown, "Visibility", true).GetAsInt() != 0)
-    {
-      found = UnitOf(vtkSMPropertyHelper(shown, "Input").GetAsProxy(), seen);
-    }
+    found = found.Reason.empty() ? UnitOf(vtkHapticInputOf(shown), seen) : found;
   }
   return found;
 }

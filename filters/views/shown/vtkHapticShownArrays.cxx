@@ -1,48 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticShownArrays.h"
 
-#include "vtkPVArrayInformation.h"
-#include "vtkPVDataInformation.h"
-#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkHapticNamedData.h"
+#include "vtkHapticRemoteField.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkType.h"
-
-namespace
-{
-void AddNames(vtkPVDataSetAttributesInformation* attributes, std::set<std::string>& names)
-{
-  for (int i = 0; attributes && i < attributes->GetNumberOfArrays(); ++i)
-  {
-    vtkPVArrayInformation* const array = attributes->GetArrayInformation(i);
-    if (array && array->GetDataType() != VTK_STRING && array->GetName())
-    {
-      names.insert(array->GetName());
-    }
-  }
-}
-} // namespace
 
 std::set<std::string> vtkHapticShownArrays(vtkSMProxy* view)
 {
+  constexpr int any = 0; // number of components
   std::set<std::string> names;
-  if (!view || !view->GetProperty("Representations"))
+  for (vtkSMProxy* const shown : view ? vtkHapticVisibleRepresentations(view) : std::vector<vtkSMProxy*>())
   {
-    return names;
-  }
-  const vtkSMPropertyHelper representations(view, "Representations");
-  for (unsigned int i = 0; i < representations.GetNumberOfElements(); ++i)
-  {
-    vtkSMProxy* const shown = representations.GetAsProxy(i);
-    if (!shown->GetProperty("Input") || vtkSMPropertyHelper(shown, "Visibility", true).GetAsInt() == 0)
+    if (auto* const source = vtkSMSourceProxy::SafeDownCast(vtkHapticInputOf(shown)))
     {
-      continue;
+      const auto found = vtkHapticRemoteArrayNames(source, vtkSMPropertyHelper(shown, "Input").GetOutputPort(), any);
+      names.insert(found.begin(), found.end());
     }
-    const vtkSMPropertyHelper input(shown, "Input");
-    auto* const source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-    vtkPVDataInformation* const data = source ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
-    AddNames(data ? data->GetPointDataInformation() : nullptr, names);
-    AddNames(data ? data->GetCellDataInformation() : nullptr, names);
   }
   return names;
 }

@@ -12,11 +12,6 @@ QString& Unit()
 }
 } // namespace
 
-QString pqHapticLengthUnit()
-{
-  return Unit();
-}
-
 bool pqHapticSetLengthUnit(const QString& unit)
 {
   const bool another = unit != Unit();

@@ -4,9 +4,7 @@
 
 #include <QString>
 
-/// The unit of the scene's lengths that the panel shows; "u": not known.
-QString pqHapticLengthUnit();
-/// True: that is another unit than before.
+/// The unit of the scene's lengths that the panel shows from now on; "u": not known. True: another one than before.
 bool pqHapticSetLengthUnit(const QString& unit);
 
 /// A text with quantities in u, in the unit of the scene's lengths: "2.5 u" becomes "2.5 mm".
