@@ -31,8 +31,8 @@ struct vtkHapticTransfer
 struct VTKHAPTICPIPELINE_EXPORT vtkHapticMaterialSettings
 {
   vtkHapticTransfer Stiffness{ {}, -1, { 0.0, 0.0 }, { 50.0, 500.0 } }; ///< to [N/m]
-  vtkHapticTransfer Friction{ {}, -1, { 0.0, 0.0 }, { 0.0, 1.0 } };       ///< to [1], at rest and sliding alike
-  vtkHapticTransfer Texture{ {}, -1, { 0.0, 0.0 }, { 0.0, 1.0 } }; ///< to a height [u], felt from the largest down
+  vtkHapticTransfer Friction{ {}, -1, { 0.0, 0.0 }, { 0.0, 1.0 } };     ///< to [1], at rest and sliding alike
+  vtkHapticTransfer Texture{ {}, -1, { 0.0, 0.0 }, { 0.0, 1.0 } };      ///< to a height [u], felt from the largest down
 
   [[nodiscard]] bool Empty() const;
   /// Empty, or one sentence that names the range that cannot be used.
