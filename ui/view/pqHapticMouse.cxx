@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticMouse.h"
 
-#include "pqCoreUtilities.h"
+#include "pqHapticStatusBar.h"
 #include "vtkCommand.h"
 #include "vtkHapticMouse.h"
 #include "vtkHapticMouseInput.h"
@@ -11,22 +11,13 @@
 #include "vtkSMRenderViewProxy.h"
 
 #include <QApplication>
-#include <QMainWindow>
-#include <QStatusBar>
 #include <QWidget>
 
 namespace
 {
 /// Rounding of a depth that nothing limits.
 constexpr double sameDepth = 1.0 - 1e-9;
-
-void ShowStatus(const QString& text)
-{
-  if (auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget()))
-  {
-    text.isEmpty() ? window->statusBar()->clearMessage() : window->statusBar()->showMessage(text);
-  }
-}
+constexpr int untilTheNext = 0; ///< [ms]
 
 bool Holds(const QWidget* parent, const QWidget* child)
 {
@@ -97,7 +88,7 @@ void pqHapticMouse::showStatus()
   if (text != this->Status)
   {
     this->Status = text;
-    ShowStatus(text);
+    pqHapticSayInStatusBar(text, untilTheNext);
   }
 }
 
