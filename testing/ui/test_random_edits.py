@@ -9,20 +9,15 @@ import os
 import pathlib
 import random
 import re
-import subprocess
 import tempfile
 import unittest
-from xml.sax.saxutils import quoteattr
+
+from played import event, play
 
 FULL = bool(os.environ.get("PALPATE_TEST_FULL"))
 SEED = int(os.environ.get("PALPATE_TEST_SEED", "1"))
 COUNT = int(os.environ.get("PALPATE_TEST_COUNT", "1000" if FULL else "60"))
-HERE = pathlib.Path(__file__).resolve().parent
 SETTLE = 60  # ms: some ticks and a look of the panel
-
-
-def event(command, arguments):
-    return f'  <pqevent object="pqClientMainWindow" command="{command}" arguments={quoteattr(str(arguments))}/>\n'
 
 
 def events(touching, report):
@@ -41,18 +36,15 @@ def events(touching, report):
         if i == COUNT // 4:
             lines += [event("hapticPython", "edits.clear()"), event("hapticWait", 1000), event("hapticPython", "edits.remember_memory()")]
     lines += [event("hapticPython", "edits.clear()"), event("hapticWait", 1000), event("hapticPython", f"edits.report({str(report)!r})")]
-    return "<pqevents>\n" + "".join(lines) + "</pqevents>\n"
+    return "".join(lines)
 
 
 class RandomEdits(unittest.TestCase):
     def play(self, touching):
         """MB that the process grew by, how often there was a force, how often the proxy was compared with a body."""
         with tempfile.TemporaryDirectory() as folder:
-            script, report = pathlib.Path(folder, "edits.xml"), pathlib.Path(folder, "report.txt")
-            script.write_text(events(touching, report), encoding="utf-8")
-            environment = os.environ | {"PYTHONPATH": f"{HERE}:{os.environ['PYTHONPATH']}", "HOME": folder, "XDG_CONFIG_HOME": folder}
-            run = subprocess.run(["paraview", "--dr", "--plugin-search-paths=" + os.environ["PV_PLUGIN_PATH"], "--plugins=Palpate",
-                f"--test-script={script}", "--exit"], env=environment, capture_output=True, text=True, check=False)
+            report = pathlib.Path(folder, "report.txt")
+            run = play(events(touching, report), folder)
             self.assertEqual(run.returncode, 0, f"seed {SEED}:\n{run.stdout[-3000:]}{run.stderr[-6000:]}")
             said = report.read_text(encoding="utf-8")
         print(said, end="")

@@ -5,30 +5,17 @@ what a tick costs beside drawing. Side by side in one run, as ratios; with PALPA
 import json
 import os
 import pathlib
-import subprocess
 import tempfile
 import unittest
-from xml.sax.saxutils import quoteattr
 
-HERE = pathlib.Path(__file__).resolve().parent
+from played import play, python, wait
+
 FULL = bool(os.environ.get("PALPATE_TEST_FULL"))
 PAIRS = 8 if FULL else 1
 PART_MS = 4000 if FULL else 800
 SETTLE_MS = 800  # a hand comes down on the ball
 MOST_TICK_RATIO = 3.0
 MOST_SHARE = 0.05  # of a picture of so many triangles
-
-
-def event(command, arguments):
-    return f'  <pqevent object="pqClientMainWindow" command="{command}" arguments={quoteattr(str(arguments))}/>\n'
-
-
-def python(*statements):
-    return "".join(event("hapticPython", statement) for statement in statements)
-
-
-def wait(time_ms):
-    return event("hapticWait", time_ms)
 
 
 def making_ready():
@@ -51,18 +38,15 @@ def touching():
 
 def events(report):
     lines = python("import render_load; load = render_load.RenderLoad()") + wait(500) + making_ready() + python("load.let_go()")
-    return "<pqevents>\n" + lines + touching() + python(f"load.report({str(report)!r})") + "</pqevents>\n"
+    return lines + touching() + python(f"load.report({str(report)!r})")
 
 
 class RenderLoad(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         with tempfile.TemporaryDirectory() as folder:
-            script, report = pathlib.Path(folder, "load.xml"), pathlib.Path(folder, "report.json")
-            script.write_text(events(report), encoding="utf-8")
-            environment = os.environ | {"PYTHONPATH": f"{HERE}:{os.environ['PYTHONPATH']}", "HOME": folder, "XDG_CONFIG_HOME": folder}
-            run = subprocess.run(["paraview", "--dr", "--plugin-search-paths=" + os.environ["PV_PLUGIN_PATH"], "--plugins=Palpate",
-                f"--test-script={script}", "--exit"], env=environment, capture_output=True, text=True, check=False)
+            report = pathlib.Path(folder, "report.json")
+            run = play(events(report), folder)
             assert run.returncode == 0, run.stdout[-2000:] + run.stderr[-4000:]
             cls.found = json.loads(report.read_text(encoding="utf-8"))
         print(json.dumps({name: cls.found[name] for name in ("middle", "costs")}))

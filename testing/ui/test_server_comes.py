@@ -5,24 +5,19 @@ ParaView there. While events are played, releases after 5.11 end without that di
 
 import os
 import pathlib
-import subprocess
 import tempfile
 import unittest
-from xml.sax.saxutils import quoteattr
 
+from played import PLUGIN, environment, event, play, wait
+from played import python as statements
 from pvserver import server
 
-HERE = pathlib.Path(__file__).resolve().parent
 EXIT = "pqClientMainWindow/1QMessageBox0/qt_msgbox_buttonbox/1QPushButton1"
 STATUS = "pqClientMainWindow/pqHapticPanel/panel/top/status"
 
 
-def event(command, arguments, widget="pqClientMainWindow"):
-    return f'  <pqevent object="{widget}" command="{command}" arguments={quoteattr(str(arguments))}/>\n'
-
-
 def python(statement, wait_ms=0):
-    return event("hapticPython", statement) + (event("hapticWait", wait_ms) if wait_ms else "")
+    return statements(statement) + (wait(wait_ms) if wait_ms else "")
 
 
 def pressing():
@@ -42,7 +37,7 @@ def killed(server, died):
     """ParaView finds out with the next thing that is asked for."""
     lines = python(f"trial.die({server})") + python(f"open({str(died)!r}, 'w').close()") + event("activate", "menuSources", "pqClientMainWindow/menubar")
     lines += event("activate", "SphereSource", "pqClientMainWindow/menubar/menuSources/Alphabetical")
-    return lines + event("hapticWait", 1500) + python("trial.check_free()")
+    return lines + wait(1500) + python("trial.check_free()")
 
 
 def events(servers, died, done):
@@ -50,19 +45,15 @@ def events(servers, died, done):
     lines = python("import server_comes; trial = server_comes.ServerComes()") + pressing()
     lines += connected(port) + left() + connected(port_of_killed) + killed(server, died) + left()
     lines += python(f"open({str(done)!r}, 'w').close()")
-    return "<pqevents>\n" + lines + event("activate", "", EXIT) + "</pqevents>\n"
+    return lines + event("activate", "", EXIT)
 
 
 class ServerComes(unittest.TestCase):
     def test_a_server_that_comes_and_goes_or_dies_while_a_hand_presses_leaves_no_force_and_says_so(self):
         with tempfile.TemporaryDirectory() as name:
-            script, died, done = (pathlib.Path(name) / one for one in ("comes.xml", "died", "done"))
-            environment = os.environ | {"PYTHONPATH": f"{HERE}:{os.environ['PYTHONPATH']}", "HOME": name, "XDG_CONFIG_HOME": name}
-            plugin = ["--plugin-search-paths=" + os.environ["PV_PLUGIN_PATH"], "--plugins=Palpate"]
-            with server(environment, plugin) as one, server(environment, plugin) as other:
-                script.write_text(events((one, other), died, done), encoding="utf-8")
-                run = subprocess.run(["paraview", "--dr", *plugin, f"--test-script={script}", "--exit"], env=environment,
-                    capture_output=True, text=True, check=False)
+            died, done = (pathlib.Path(name) / one for one in ("died", "done"))
+            with server(environment(name), PLUGIN) as one, server(environment(name), PLUGIN) as other:
+                run = play(events((one, other), died, done), name)
             said = run.stdout[-3000:] + run.stderr[-6000:]
             self.assertTrue(died.exists(), said)  # a check that fails ends the events
             if os.environ["PALPATE_PARAVIEW"] == "5.11":

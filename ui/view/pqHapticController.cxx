@@ -98,6 +98,7 @@ pqHapticController::pqHapticController(QObject* parent)
   this->connect(this->Follower, &pqHapticViewFollower::viewChanged, this->Marks, &pqHapticMarks::setView);
   this->connect(this->Follower, &pqHapticViewFollower::viewClosing, this->Marks, &pqHapticMarks::leaveView);
   this->connect(this->Frames, &pqHapticFrames::updated, this->Mouse, &pqHapticMouse::update);
+  this->connect(this->Frames, &pqHapticFrames::handDrawn, this->Follower, &pqHapticViewFollower::refresh);
   this->connect(this->Mouse, &pqHapticMouse::depthChanged, this, &pqHapticController::setPressDepth);
   this->connect(this->Follower, &pqHapticViewFollower::viewClosing, this, &pqHapticController::release);
 }

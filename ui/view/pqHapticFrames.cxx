@@ -2,6 +2,7 @@
 #include "pqHapticFrames.h"
 
 #include "pqRenderView.h"
+#include "pqServer.h"
 #include "vtkActor.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticSight.h"
@@ -9,6 +10,9 @@
 #include "vtkMapper.h"
 #include "vtkPVRenderView.h"
 #include "vtkSMRenderViewProxy.h"
+#include "vtkSMSession.h"
+
+#include <QWidget>
 
 namespace
 {
@@ -25,6 +29,15 @@ vtkRenderer* RendererOf(pqRenderView* view)
 {
   auto* object = vtkPVRenderView::SafeDownCast(view->getRenderViewProxy()->GetClientSideObject());
   return object ? object->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER) : nullptr;
+}
+
+/// Whether a picture can be drawn at once: a view that closes has no widget, then no proxy, and one that waits for an
+/// answer draws later.
+bool CanDraw(pqRenderView& view)
+{
+  const QWidget* const widget = view.widget();
+  return widget && widget->isVisible() && view.getViewProxy() &&
+         !view.getViewProxy()->GetSession()->GetPendingProgress() && !view.getServer()->isProcessingPending();
 }
 } // namespace
 
@@ -120,6 +133,7 @@ void pqHapticFrames::attach()
   if (renderer && !this->Attached)
   {
     this->Props->AddToRenderer(renderer);
+    this->Kept.SetRenderer(renderer);
     this->FrameBegins = this->connect(this->View.data(), &pqView::beginRender, this, &pqHapticFrames::takeState);
     this->FrameEnded = this->connect(this->View.data(), &pqView::endRender, this, &pqHapticFrames::frameEnded);
     this->Attached = true;
@@ -132,6 +146,7 @@ void pqHapticFrames::detach()
   this->disconnect(this->FrameEnded);
   if (this->Attached)
   {
+    this->Kept.SetRenderer(nullptr);
     this->Props->RemoveFromRenderer();
     this->Attached = false;
     if (this->View)
@@ -160,8 +175,20 @@ void pqHapticFrames::nextFrame()
   {
     this->takeState(); // a hidden view draws nothing, and what it touches goes on
     this->Pause.start(pauseWhenHidden);
+    if (this->onlyTheHandMoved())
+    {
+      this->Kept.DrawHand();
+      this->frameEnded();
+      Q_EMIT this->handDrawn();
+      return;
+    }
     this->View->render();
   }
+}
+
+bool pqHapticFrames::onlyTheHandMoved() const
+{
+  return CanDraw(*this->View) && !this->View->getViewProxy()->GetNeedsUpdate() && this->Kept.IsCurrent();
 }
 
 void pqHapticFrames::frameEnded()

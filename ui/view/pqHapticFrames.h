@@ -7,6 +7,7 @@
 #include <QTimer>
 
 #include "pqRenderView.h" // QPointer needs the whole class
+#include "vtkHapticKeptPicture.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
@@ -41,18 +42,23 @@ public Q_SLOTS:
 Q_SIGNALS:
   /// The newest state is known; the hand may be led on before it is drawn.
   void updated();
+  /// A picture ended that ParaView knows nothing of, as only the hand was drawn anew.
+  void handDrawn();
 
 private:
   void nextFrame();
   /// Takes the newest state into the picture.
   void takeState();
   void frameEnded();
+  /// Whether nothing but the hand is to be drawn anew.
+  bool onlyTheHandMoved() const;
   void attach();
   void detach();
   /// Without a tool: the view after the end of a touch.
   void follow();
 
   vtkNew<vtkHapticToolProps> Props;
+  vtkHapticKeptPicture Kept;
   vtkSmartPointer<vtkHapticSession> Session;
   QPointer<pqRenderView> View;
   QMetaObject::Connection FrameBegins, FrameEnded;
