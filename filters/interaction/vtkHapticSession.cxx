@@ -49,6 +49,7 @@ void vtkHapticSession::Internals::ShowState()
 {
   this->State = this->Core.state();
   this->Report = this->Core.report();
+  this->ForgetAround();
   this->Warning = this->Core.running() ? palpate::warning(this->State, this->Report) : std::string();
   if (this->Core.running() && this->Warning.empty())
   {

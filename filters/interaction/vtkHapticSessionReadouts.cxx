@@ -113,6 +113,8 @@ const std::map<std::string_view, const char* (*)(I&)> Texts = {
   { "Problem", [](I& s) { return s.Problem.c_str(); } },
   { "RecordedFile", [](I& s) { return s.Recorded.File.c_str(); } },
   { "RecordingText", [](I& s) { return s.Recorded.Say(); } },
+  { "SceneDamage", [](I& s) { return s.Scene.built().damaged.c_str(); } },
+  { "SceneRefusal", [](I& s) { return s.Scene.built().refused.c_str(); } },
   { "SceneReport", [](I& s) { return s.Scene.built().report.c_str(); } },
   { "SchedulingReport", [](I& s) { return s.Scheduling.c_str(); } },
   { "ServerText", [](I& s) { return s.Server.GetSentence().c_str(); } },

@@ -109,6 +109,16 @@ void vtkHapticSession::Internals::StayOutside(const std::optional<palpate::CameA
     this->Core.engage(); // waits until the force would start small
   }
   this->Around = verdict.sentence;
+  this->AroundSaid_s = this->Now();
+}
+
+void vtkHapticSession::Internals::ForgetAround()
+{
+  constexpr double read_s = 5.0;
+  if (this->State.engage == palpate::EngageState::Engaged && this->Now() > this->AroundSaid_s + read_s)
+  {
+    this->Around.clear();
+  }
 }
 
 void vtkHapticSession::CancelScene()

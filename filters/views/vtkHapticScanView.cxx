@@ -15,6 +15,7 @@
 #include "vtkHapticShapes.h"
 #include "vtkImageSliceRepresentation.h"
 #include "vtkMapper.h"
+#include "vtkPVDataInformation.h"
 #include "vtkPVImageSliceMapper.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
@@ -22,6 +23,7 @@
 #include "vtkPolyData.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRepresentationProxy.h"
+#include "vtkSMSourceProxy.h"
 
 namespace
 {
@@ -112,9 +114,24 @@ Drawn CountDrawn(vtkDataObject* shown)
   return drawn;
 }
 
-/// What helps depends on what is drawn: lines can be felt as they are, points become a surface by a filter.
-std::string WhyNoPolygons(vtkObject* active, vtkDataObject* shown)
+/// Whether a source gives no point at all, as a reader does that found its file damaged.
+bool GivesNothing(vtkSMProxy* representation)
 {
+  auto* const input = vtkSMSourceProxy::SafeDownCast(vtkHapticInputOf(representation));
+  const unsigned int port = vtkSMPropertyHelper(representation, "Input").GetOutputPort();
+  return input && input->GetDataInformation(port)->GetNumberOfPoints() == 0;
+}
+
+constexpr const char* NothingGiven = "no points came from this source; if it reads a file, the file may be damaged or "
+                                     "cut short: see View > Output Messages";
+
+/// What helps depends on what is drawn: lines can be felt as they are, points become a surface by a filter.
+std::string WhyNoPolygons(vtkSMProxy* proxy, vtkObject* active, vtkDataObject* shown)
+{
+  if (GivesNothing(proxy))
+  {
+    return NothingGiven;
+  }
   const Drawn drawn = CountDrawn(shown);
   const bool asItIs = active->IsA("vtkOutlineRepresentation") || active->IsA("vtkFeatureEdgesRepresentation");
   if (asItIs)
@@ -133,8 +150,12 @@ std::string WhyNoPolygons(vtkObject* active, vtkDataObject* shown)
   return "no polygons are shown; choose the representation Surface, or apply Extract Surface";
 }
 
-std::string WhyNoSurface(vtkObject* active)
+std::string WhyNoSurface(vtkSMProxy* proxy, vtkObject* active)
 {
+  if (GivesNothing(proxy))
+  {
+    return NothingGiven;
+  }
   if (active && (active->IsA("vtkVolumeRepresentation") || active->IsA("vtkImageVolumeRepresentation") ||
                   active->IsA("vtkUnstructuredGridVolumeRepresentation")))
   {
@@ -288,7 +309,7 @@ void ScanRepresentation(
   const Seen seen = also.Remote ? SeenThere(proxy, active, *also.Remote) : SeenOf(active, shapes);
   if (!seen.Actor || !seen.Shape.Problem.empty())
   {
-    scan.Refusals.push_back(name + ": " + (seen.Actor ? seen.Shape.Problem : WhyNoSurface(active)) + ".");
+    scan.Refusals.push_back(name + ": " + (seen.Actor ? seen.Shape.Problem : WhyNoSurface(proxy, active)) + ".");
     return;
   }
   if (IsTransparent(proxy))
@@ -309,7 +330,7 @@ void ScanRepresentation(
   }
   if (!AddSurface(name, shown, seen.Actor->GetMatrix(), also, scan))
   {
-    scan.Refusals.push_back(name + ": " + WhyNoPolygons(active, shown) + ".");
+    scan.Refusals.push_back(name + ": " + WhyNoPolygons(proxy, active, shown) + ".");
     return;
   }
   scan.Surfaces.back().Part = also.Remote ? also.Remote->PartOf(proxy) : 0;

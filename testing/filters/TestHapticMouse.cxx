@@ -286,7 +286,7 @@ TEST_P(HapticMouseInBothViews, WhatAppearsAroundThePressingHandIsPressedFromOuts
   this->touch_->Update();
   ASSERT_TRUE(this->session_->FinishScene());
   this->rest(1);
-  EXPECT_NE(std::string(this->session_->GetWarning()).find(" moved over the hand"), std::string::npos)
+  EXPECT_NE(std::string(this->session_->GetWarning()).find(" now covers the hand"), std::string::npos)
     << this->session_->GetWarning();
   for (int i = 0; i < 3 * framesToArrive; ++i)
   {

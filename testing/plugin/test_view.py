@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The plugin in pvpython: its proxies touch what a view shows, in virtual time, without Qt."""
 
+import pathlib
 import sys
+import tempfile
 import unittest
 
 from paraview import simple
@@ -15,6 +17,11 @@ DEFAULT_SCALE = 1000.0  # u/m
 
 
 class TouchInAView(ViewTest):
+    def setUp(self):
+        super().setUp()
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
     def test_a_face_pushes_with_stiffness_times_depth(self):
         self.show(simple.Box())
         self.assertTrue(self.follow())
@@ -30,6 +37,32 @@ class TouchInAView(ViewTest):
         display.DiffuseColor = [1.0, 0.0, 0.0]
         simple.Render(self.view)
         self.assertFalse(self.follow())
+
+    def write_stl(self, name, *heights):
+        """An ASCII file of a triangle a height, whose third corner is that high."""
+        path = pathlib.Path(self.folder.name, name)
+        corners = (f"vertex 0 {i} 0\nvertex 1 {i} 0\nvertex 0 {i} {height}" for i, height in enumerate(heights))
+        facets = "".join(f"facet normal 0 1 0\nouter loop\n{three}\nendloop\nendfacet\n" for three in corners)
+        path.write_text(f"solid s\n{facets}endsolid s\n", encoding="utf-8")
+        return str(path)
+
+    def test_a_damaged_file_is_named_with_what_is_wrong(self):
+        bad = simple.STLReader(registrationName="bad.stl", FileNames=[self.write_stl("bad.stl", "nan", "inf")])
+        self.show(bad)
+        self.follow()
+        self.assertEqual(self.session.GetSceneRefusal(),
+            "bad.stl: none of its 2 triangles can be touched (all non-finite or without area)")
+        simple.Delete(bad)
+        self.show(simple.STLReader(registrationName="half.stl", FileNames=[self.write_stl("half.stl", "1", "nan", "2")]))
+        self.follow()
+        self.assertEqual(self.session.GetSceneRefusal(), "")
+        self.assertTrue(self.session.GetSceneDamage().startswith("half.stl: 1 of 3 triangles are left out"))
+
+    def test_a_source_that_gives_nothing_is_said_to_be_damaged_not_to_be_drawn_wrongly(self):
+        nothing = simple.Threshold(registrationName="none.vtu", Input=simple.Wavelet(), LowerThreshold=1e6, UpperThreshold=2e6)
+        self.show(nothing)
+        self.follow()
+        self.assertIn("none.vtu: no points came from this source", self.scene.GetRefusal())
 
     def test_an_array_is_felt_and_a_change_of_it_or_of_its_range_is_noticed(self):
         height = simple.Elevation(Input=simple.Box(), LowPoint=[0.0, -0.5, 0.0], HighPoint=[0.0, 0.5, 0.0])

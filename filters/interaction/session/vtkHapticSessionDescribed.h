@@ -90,6 +90,8 @@
   vtkHapticTextMacro(SchedulingReport) \
   vtkHapticTextMacro(PlanText) \
   vtkHapticReadoutMacro(SceneProgress, double) \
+  vtkHapticTextMacro(SceneDamage) \
+  vtkHapticTextMacro(SceneRefusal) \
   vtkHapticTextMacro(SceneReport) \
   /* the end of the read-outs */
 // clang-format on

@@ -102,7 +102,8 @@ public:
   std::string Warning;
   std::string Cancelled; ///< that the newest data are not touched; "" once there are others
   int ScenesCancelled = 0;
-  std::string Around;                 ///< message on a surface that moved over the hand; "" with the next scene
+  std::string Around; ///< message on a surface that came over the hand; "" with the next scene, and when it was read
+  double AroundSaid_s = 0;            ///< when that was
   std::optional<palpate::Vec3> Eye_W; ///< of the view that the mouse is in
   std::string Problem;
   std::string ProblemOf; ///< subject of the problem, which is taken back when the subject succeeds
@@ -211,6 +212,8 @@ public:
   /// How simpler surfaces are looked for now.
   palpate::SimplifyPlan PlanNow() const;
   /// Surfaces that moved over the hand: the action and the message.
+  /// Takes back that message once it could be read, and the force that ended with it is there again.
+  void ForgetAround();
   void StayOutside(const std::optional<palpate::CameAround>& around);
   /// The surface that would contain a device's hand under this map.
   std::optional<palpate::CameAround> PutInto(const palpate::WorkspaceMap& map);

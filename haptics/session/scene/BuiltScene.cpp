@@ -49,6 +49,24 @@ std::vector<SurfaceInput> inputsOf(const std::vector<SceneSurface>& surfaces)
   return inputs;
 }
 
+namespace
+{
+/// What a person is told of a damaged surface that is felt without a part of it.
+std::string damageOf(const SurfaceReport& report)
+{
+  const CleanReport& clean = report.clean;
+  return clean.nonFinite == 0 ? ""
+                              : report.name + ": " + std::to_string(clean.nonFinite) + " of " +
+                                  std::to_string(clean.trianglesIn) + (clean.segments ? " segments" : " triangles") +
+                                  " are left out, as they have coordinates that are not numbers (NaN or infinite)";
+}
+
+void takeFirst(std::string& kept, const std::string& next)
+{
+  kept = kept.empty() ? next : kept;
+}
+} // namespace
+
 BuiltScene buildScene(
   SceneBuilder& builder, const std::vector<SceneSurface>& surfaces, const Scene* felt, BuildWatch* watch)
 {
@@ -61,8 +79,10 @@ BuiltScene buildScene(
     if (!report.refusal.empty())
     {
       result.report += report.name + ": refused: " + report.refusal + "\n";
+      takeFirst(result.refused, result.scene ? "" : report.name + ": " + report.refusal);
       continue;
     }
+    takeFirst(result.damaged, damageOf(report));
     const std::size_t place = result.traits.deforms.size(); // refused surfaces are not in the scene
     result.report += describe(report, *built.scene->surfaces()[place].tree, *built.scene, surfaces[i].materialNote);
     result.traits.deforms.push_back(report.refitted);

@@ -36,8 +36,10 @@ struct ScenePart
 struct BuiltScene
 {
   std::shared_ptr<const Scene> scene; ///< null when nothing is touchable
-  std::string report;                 ///< a line a surface: what was repaired, refused and planned
-  std::array<double, 6> bounds{};     ///< of what is touchable: low and high x, y, z [u]
+  std::string refused;                ///< without one: the first surface that was refused and the reason
+  std::string damaged; ///< the first surface that has coordinates that are not finite, and what is left out; or ""
+  std::string report;  ///< a line a surface: what was repaired, refused and planned
+  std::array<double, 6> bounds{};                                   ///< of what is touchable: low and high x, y, z [u]
   double largestRadius_u = std::numeric_limits<double>::infinity(); ///< whose work fits into a tick
   std::optional<Pose> plane_WP; ///< of the walls, where all that is touchable stands across one plane
   SurfaceTraits traits;         ///< of the surfaces of the scene

@@ -264,7 +264,7 @@ StayOutside stayOutside(
   const bool tooHard = parameters.stiffness_N_per_m * depth_m > parameters.safety.maxForce_N;
   StayOutside verdict;
   verdict.letGo = holder == HandHolder::Device && tooHard;
-  verdict.sentence = around.surface + " moved over the hand, which stays outside: " +
+  verdict.sentence = around.surface + " now covers the hand, which stays outside: " +
                      (holder == HandHolder::Mouse ? "contact restarts in front of the surface"
                        : verdict.letGo            ? "move out of the surface, then the force returns"
                                                   : "contact continues from there");

@@ -360,7 +360,7 @@ TEST(StayOutside, AHandThatWouldBePushedHarderThanIsAllowedIsLetGoUntilItIsOut)
   EXPECT_TRUE(verdict(HandHolder::Device, 6.1).letGo);
   EXPECT_FALSE(verdict(HandHolder::Mouse, 6.1).letGo);
   EXPECT_FALSE(verdict(HandHolder::Program, 6.1).letGo);
-  EXPECT_THAT(verdict(HandHolder::Device, 6.1).sentence, HasSubstr("Sphere2 moved over the hand"));
+  EXPECT_THAT(verdict(HandHolder::Device, 6.1).sentence, HasSubstr("Sphere2 now covers the hand"));
   EXPECT_TRUE(test::says(verdict(HandHolder::Mouse, 1.0).sentence, { "restarts", "front", "surface" }));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One line says how it is, why, and what to do.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "haptics/core/Fault.h"
@@ -50,6 +51,25 @@ TEST(StateText, DataThatAreBeingPreparedAreNotSaidToBeMissingAndADeviceThatIsLos
   glance.fault = describe(Fault::DeviceLost);
   glance.refusal = "";
   EXPECT_EQ(stateText(glance), "No force: The device stopped answering: plug the device in again, then engage again.");
+}
+
+TEST(StateText, ASurfaceThatWasRefusedIsNamedWhereNothingElseIsLeftAndADamagedOneWhereThereIsNoOtherTrouble)
+{
+  SessionGlance glance;
+  glance.refused = "bad.stl: none of its 3 triangles can be touched";
+  EXPECT_EQ(stateText(glance), "Press Touch to touch the visible data.") << "the session found no fault yet";
+  glance.fault = describe(Fault::SceneRefused);
+  EXPECT_EQ(stateText(glance), "No force: bad.stl: none of its 3 triangles can be touched.");
+  glance.fault = describe(Fault::DeviceLost);
+  EXPECT_THAT(stateText(glance), ::testing::HasSubstr("The device stopped answering"));
+  glance = {};
+  glance.damaged = "skull.stl: 42 of 3040 triangles are left out";
+  EXPECT_EQ(stateText(glance), "skull.stl: 42 of 3040 triangles are left out.");
+  glance.touching = true;
+  glance.engage = EngageState::Engaged;
+  EXPECT_EQ(stateText(glance), "Touching. skull.stl: 42 of 3040 triangles are left out.");
+  glance.problem = "the file is gone: choose another";
+  EXPECT_EQ(stateText(glance), "Touching. The file is gone: choose another.");
 }
 
 TEST(StateText, AForceThatIsCutIsSaidWithItsSizeBeforeWhatElseThereIs)

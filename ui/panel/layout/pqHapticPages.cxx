@@ -57,29 +57,22 @@ pqHapticPages::pqHapticPages(QWidget* parent) : Superclass(parent)
   body->setObjectName("body");
   this->Column = new QVBoxLayout(body);
   this->Column->setSpacing(rowSpacing);
+  this->Column->setContentsMargins(0, 0, rowSpacing, 0);
   this->Note = pqHapticLabel(body, "searchNote", tr("Result of the search"));
   this->Column->addWidget(this->Note);
   this->Column->addStretch(1);
   this->Choice = Scrolled(this, "choice", list);
   this->Scroll = Scrolled(this, "scroll", body);
+  this->Scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // rows keep their width where a text above folds
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(this->Choice);
   row->addWidget(this->Scroll, 1);
   this->Scroll->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding); // no wider than its pages need
-  this->connect(this->Scroll->verticalScrollBar(), &QScrollBar::rangeChanged, this, &pqHapticPages::leaveRoom);
-  this->leaveRoom();
   this->setNote(QString());
 }
 
 pqHapticPages::~pqHapticPages() = default;
-
-void pqHapticPages::leaveRoom()
-{
-  const QScrollBar* const bar = this->Scroll->verticalScrollBar();
-  const int room = bar->maximum() > bar->minimum() ? 0 : bar->sizeHint().width();
-  this->Column->setContentsMargins(0, 0, rowSpacing + room, 0);
-}
 
 QVBoxLayout* pqHapticPages::add(const QString& name, const QString& title, const QString& tip)
 {
@@ -196,10 +189,8 @@ void pqHapticPages::fitWidth()
   {
     this->Scroll->setMinimumWidth(width);
   }
-  const QWidget* const list = this->Choice->widget();
-  const bool scrolls = list->sizeHint().height() > this->Choice->height();
-  const int choice = scrolls ? WidthOf(*this->Choice, list->sizeHint().width())
-                             : list->sizeHint().width() + 2 * this->Choice->frameWidth();
+  // With room for its scroll bar, which comes and goes with the height that texts leave to the list.
+  const int choice = WidthOf(*this->Choice, this->Choice->widget()->sizeHint().width());
   if (choice != this->Choice->minimumWidth())
   {
     this->Choice->setFixedWidth(choice);

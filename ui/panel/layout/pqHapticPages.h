@@ -58,8 +58,6 @@ private:
     QWidget* Body;
   };
   void choose(QWidget* page);
-  /// Room for the scroll bar while there is none, so that one that comes makes no row narrower.
-  void leaveRoom();
 
   std::vector<Page> All;
   QWidget* Chosen = nullptr;

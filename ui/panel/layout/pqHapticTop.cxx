@@ -134,6 +134,8 @@ QString pqHapticTop::statusOf(vtkHapticSession* session) const
     glance.touching = session->GetTouching();
     glance.preparing = session->GetSceneProgress() < 1.0;
     glance.engage = static_cast<palpate::EngageState>(session->GetEngageState());
+    glance.refused = session->GetSceneRefusal();
+    glance.damaged = session->GetSceneDamage();
     glance.fault = session->GetFaultText();
     glance.warning = session->GetWarning();
     glance.problem = session->GetProblem();
