@@ -53,7 +53,10 @@ std::string stateText(const SessionGlance& glance)
   if (!glance.touching)
   {
     const std::string& trouble = first(glance.problem, glance.damaged);
-    return trouble.empty() ? "Press Touch to touch the visible data." : asSentence(trouble);
+    const std::string limited = glance.limitedFrom_m > 0.0 ? " The force grows no more from a depth of " +
+                                                               quantity(1e3 * glance.limitedFrom_m, "mm") + " on."
+                                                           : "";
+    return trouble.empty() ? "Press Touch to touch the visible data." + limited : asSentence(trouble);
   }
   const std::string& trouble = first(glance.warning, glance.problem);
   if (glance.engage == EngageState::Engaged)

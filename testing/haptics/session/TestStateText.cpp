@@ -86,6 +86,16 @@ TEST(StateText, AForceThatIsCutIsSaidWithItsSizeBeforeWhatElseThereIs)
   EXPECT_EQ(stateText(glance), "Touching, force limited to 3 N. The file is gone: choose another.");
 }
 
+TEST(StateText, ADepthThatAsksForMoreThanTheLargestForceIsSaidBeforeTheTouch)
+{
+  SessionGlance glance;
+  glance.limitedFrom_m = 3.0 / 2000.0; // N by N/m
+  EXPECT_EQ(
+    stateText(glance), "Press Touch to touch the visible data. The force grows no more from a depth of 1.5 mm on.");
+  glance.problem = "the file is gone: choose another";
+  EXPECT_EQ(stateText(glance), "The file is gone: choose another.");
+}
+
 TEST(StateText, AnotherDeviceThanTheOneThatRunsIsSaid)
 {
   EXPECT_EQ(otherDeviceText("mouse", "mouse"), "");

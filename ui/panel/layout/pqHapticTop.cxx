@@ -13,6 +13,7 @@
 #include "pqHapticTouchKinds.h"
 #include "pqPropertyLinks.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSight.h"
 #include "vtkSMProxy.h"
 
 #include <QHBoxLayout>
@@ -124,6 +125,16 @@ void pqHapticTop::setProxy(vtkSMProxy* proxy, pqPropertyLinks& links)
   link(this->Touch, "checked", SIGNAL(toggled(bool)), "Touching");
 }
 
+namespace
+{
+/// Stiffness and *Mouse goes in by* may ask for more than the largest force.
+double LimitedFrom_m(vtkHapticSession& session)
+{
+  const double largest_m = session.GetSight()->GetLargestDepth();
+  return session.GetFollowsMouse() && session.GetSetting("PressDepth") > largest_m ? largest_m : 0.0;
+}
+} // namespace
+
 QString pqHapticTop::statusOf(vtkHapticSession* session) const
 {
   const pqHapticController* controller = pqHapticController::instance();
@@ -139,6 +150,7 @@ QString pqHapticTop::statusOf(vtkHapticSession* session) const
     glance.fault = session->GetFaultText();
     glance.warning = session->GetWarning();
     glance.problem = session->GetProblem();
+    glance.limitedFrom_m = LimitedFrom_m(*session);
     glance.limitedTo_N = session->GetForceLimited() ? session->GetForceMagnitude() : 0.0;
   }
   return QString::fromStdString(palpate::stateText(glance));
