@@ -61,6 +61,7 @@ vtkHapticColourMap vtkHapticColourMapOf(vtkSMProxy* representation)
     map.Low = points.front();
     map.High = points[points.size() - each];
     const std::vector<double> opacity = NumbersOf(ProxyOf(representation, "ScalarOpacityFunction"), "Points");
+    map.Drawn = opacity.size() > 2 * each;
     map.Opaque = OpaqueFrom(opacity, 0.5 * (map.Low + map.High));
   }
   return map;

@@ -11,6 +11,7 @@ struct vtkHapticColourMap
 {
   std::string Array; ///< "": a representation that is hidden, or coloured by none
   double Low = 0.0, High = 0.0;
+  bool Drawn = false;  ///< a person drew the opacity: it is more than one straight line
   double Opaque = 0.0; ///< values below it are less than half as opaque as the most opaque value
 };
 /// `representation`: null has none.

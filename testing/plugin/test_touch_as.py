@@ -5,7 +5,9 @@ import os
 import sys
 import unittest
 
-from paraview import simple
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
 from palpate.simple import GetHapticSession, HapticRefusal, LetGo, SetHaptics, Touch, TouchAs  # noqa: E402
@@ -85,6 +87,23 @@ class Kinds(unittest.TestCase):
         self.assertAlmostEqual(self.number("FieldIsovalue"), half, delta=1e-9)
         Touch()
         self.assertEqual(GetHapticSession().GetFieldName(), "volume")
+
+    def test_a_volume_whose_middle_level_is_open_at_its_border_is_felt_at_a_closed_one(self):
+        wavelet = simple.Wavelet(registrationName="wavelet")
+        self.show(wavelet, "Volume", "RTData")
+        data = servermanager.Fetch(wavelet)
+        values = vtk_to_numpy(data.GetPointData().GetArray("RTData")).astype(float).reshape(21, 21, 21)
+        inside = values[1:-1, 1:-1, 1:-1]
+        border = numpy.ma.masked_array(values, numpy.zeros(values.shape, bool))
+        border.mask[1:-1, 1:-1, 1:-1] = True
+        middle, highest = 0.5 * (values.min() + values.max()), values.max()
+        self.assertGreater((border > middle).sum(), 0.02 * border.count())
+        self.assertGreater(inside.max(), border.max())
+        said = TouchAs("wavelet")
+        level = self.number("FieldIsovalue")
+        self.assertAlmostEqual(level, 0.5 * (border.max() + highest), delta=1e-6 * highest)
+        self.assertEqual((border > level).sum(), 0)
+        self.assertIn("is open where the data end", said)
 
     def test_a_flow_that_is_coloured_by_its_vectors_leads_the_hand(self):
         flow = simple.KnownFlow(registrationName="flow", Flow="Lamb-Oseen", Cells="Image")

@@ -3,6 +3,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkHapticAskedField.h"
+#include "vtkHapticClosedLevel.h"
 #include "vtkHapticColourRange.h"
 #include "vtkHapticNamedData.h"
 #include "vtkHapticSession.h"
@@ -273,13 +274,8 @@ std::string vtkHapticTouchAs::FieldArray() const
   return has ? coloured : scalars.empty() ? all.front() : scalars.front();
 }
 
-double vtkHapticTouchAs::IsovalueOf(const std::string& array) const
+double vtkHapticTouchAs::MiddleOf(const std::string& array) const
 {
-  const vtkHapticColourMap map = vtkHapticColourMapOf(this->Representation());
-  if (map.Array == array && map.High > map.Low)
-  {
-    return map.Opaque;
-  }
   vtkPVDataInformation* const data = this->Source->GetDataInformation(0);
   vtkPVArrayInformation* const ofPoints = data->GetArrayInformation(array.c_str(), vtkDataObject::POINT);
   vtkPVArrayInformation* const found =
@@ -290,6 +286,17 @@ double vtkHapticTouchAs::IsovalueOf(const std::string& array) const
     found->GetComponentRange(0, range);
   }
   return 0.5 * (range[0] + range[1]);
+}
+
+/// Half of the largest opacity, or the middle of the values where the array colours nothing.
+vtkHapticTouchAs::Level vtkHapticTouchAs::LevelOf(const std::string& array) const
+{
+  const vtkHapticColourMap map = vtkHapticColourMapOf(this->Representation());
+  const bool coloured = map.Array == array && map.High > map.Low;
+  const double seen = coloured ? map.Opaque : this->MiddleOf(array);
+  auto* const here = vtkAlgorithm::SafeDownCast(this->Source->GetClientSideObject());
+  const bool free = here && !(coloured && map.Drawn);
+  return { seen, free ? vtkHapticClosedLevel(here->GetOutputDataObject(0), array, seen) : seen };
 }
 
 void vtkHapticTouchAs::FollowStreamlines(const std::string& array)
@@ -311,9 +318,15 @@ void vtkHapticTouchAs::FeelIsosurface(const std::string& array)
   Put(this->Session, "FieldVectors", "");
   Put(this->Session, "FieldArray", array);
   Put(this->Session, "FieldIsosurface", 1.0);
-  Put(this->Session, "FieldIsovalue", this->IsovalueOf(array));
+  const Level level = this->LevelOf(array);
+  Put(this->Session, "FieldIsovalue", level.Felt);
   std::ostringstream text;
-  text << this->Name << " is touched as field: its isosurface at " << array << " = " << this->IsovalueOf(array) << ".";
+  text << this->Name << " is touched as field: its isosurface at " << array << " = " << level.Felt;
+  if (level.Felt != level.Seen)
+  {
+    text << ", as the isosurface at " << level.Seen << " is open where the data end";
+  }
+  text << ".";
   this->Text = text.str();
 }
 

@@ -67,7 +67,13 @@ private:
   void FeelIsosurface(const std::string& array);
   std::string FieldArray() const;
   std::vector<std::string> ArraysOf(int components) const;
-  double IsovalueOf(const std::string& array) const;
+  /// A level as it is seen, and as it is felt.
+  struct Level
+  {
+    double Seen, Felt;
+  };
+  Level LevelOf(const std::string& array) const;
+  double MiddleOf(const std::string& array) const;
   double LongestSide() const;
   vtkSMProxy* Representation() const;
 
