@@ -166,8 +166,9 @@ MadeDevice calibrated(MadeDevice made, const DeviceOptions& options)
   KeptCalibration kept = knownOf(info, options.calibrationFolder, options.felt);
   if (made.hasTwin && (kept.value || !kept.problem.empty()))
   {
-    made.warning = twinNote;
-    return wheelIfSaid(std::move(made), options.wheel);
+    MadeDevice twin = wheelIfSaid(std::move(made), options.wheel);
+    twin.warning = twinNote;
+    return twin;
   }
   if (!kept.value && !kept.problem.empty())
   {

@@ -15,6 +15,7 @@
 #include "vtkHapticFieldData.h"
 #include "vtkHapticFlowSource.h"
 #include "vtkHapticFlows.h"
+#include "vtkHapticVtkVersions.h"
 #include "vtkImageData.h"
 #include "vtkLinearToQuadraticCellsFilter.h"
 #include "vtkNew.h"
@@ -244,10 +245,8 @@ TEST(FieldTypes, QuadraticCellsAreQuadraticBetweenTheirPoints)
 TEST(FieldTypes, WhatIsRefinedOfAnAmrHasTheValuesOfItsFinestLevel)
 {
   vtkNew<vtkOverlappingAMR> amr;
-  const int blocks[2] = { 1, 1 };
-  amr->Initialize(2, blocks);
+  vtkHapticSizeLevels(*amr, { 1, 1 });
   const double origin[3] = { 0.0, 0.0, 0.0 };
-  amr->SetGridDescription(VTK_XYZ_GRID);
   amr->SetOrigin(origin);
   amr->SetRefinementRatio(0, 2);
   const Vec3 low = Vec3::Constant(2.0);
@@ -261,7 +260,7 @@ TEST(FieldTypes, WhatIsRefinedOfAnAmrHasTheValuesOfItsFinestLevel)
     grid->SetSpacing(spacing);
     addArray(*grid, [level](const Vec3& p) { return tilted(p) + 8.0 * level; });
     int dimensions[3] = { 9, 9, 9 };
-    amr->SetAMRBox(level, 0, vtkAMRBox(grid->GetOrigin(), dimensions, spacing, origin, VTK_XYZ_GRID));
+    amr->SetAMRBox(level, 0, vtkAMRBox(grid->GetOrigin(), dimensions, spacing, origin, vtkHapticThreeAxes));
     amr->SetDataSet(level, 0, grid);
   }
   amr->GenerateParentChildInformation();

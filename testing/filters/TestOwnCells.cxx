@@ -19,6 +19,7 @@
 #include "vtkFloatArray.h"
 #include "vtkHapticFieldData.h"
 #include "vtkHapticFieldPacket.h"
+#include "vtkHapticVtkVersions.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
@@ -306,17 +307,15 @@ TEST(OwnCells, ThatAreQuadraticOrPolyhedraAreFeltOnALatticeWhichIsSaidWithItsSpa
 TEST(OwnCells, OfSeveralLevelsAndOfMoreThanFourMillionAreFeltOnALatticeWhichIsSaid)
 {
   vtkNew<vtkOverlappingAMR> levels;
-  const int blocks[] = { 1 };
-  levels->Initialize(1, blocks);
+  vtkHapticSizeLevels(*levels, { 1 });
   const double origin[3] = { 0.0, 0.0, 0.0 }, spacing[3] = { 1.0, 1.0, 1.0 };
-  levels->SetGridDescription(VTK_XYZ_GRID);
   levels->SetOrigin(origin);
   levels->SetSpacing(0, spacing);
   vtkNew<vtkUniformGrid> grid;
   const int dimensions[3] = { 6, 6, 6 };
   grid->SetDimensions(dimensions);
   addSlope(grid.Get());
-  levels->SetAMRBox(0, 0, vtkAMRBox(origin, dimensions, spacing, origin, VTK_XYZ_GRID));
+  levels->SetAMRBox(0, 0, vtkAMRBox(origin, dimensions, spacing, origin, vtkHapticThreeAxes));
   levels->SetDataSet(0, 0, grid);
   EXPECT_THAT(saidOf(levels, 2.0, Vec3(2, 2, 2)), HasSubstr("grids of several levels"));
   vtkNew<vtkImageData> many;

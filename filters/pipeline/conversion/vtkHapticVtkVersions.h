@@ -9,16 +9,26 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkOverlappingAMR.h"
+#include "vtkStructuredData.h"
 #include "vtkUniformGrid.h"
 #include "vtkUniformGridAMR.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 
+#include <vector>
+
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 #include "vtkCellTypeUtilities.h"
 #else
 #include "vtkCellTypes.h"
+#endif
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+inline constexpr int vtkHapticThreeAxes = vtkStructuredData::VTK_STRUCTURED_XYZ_GRID;
+#else
+inline constexpr int vtkHapticThreeAxes = VTK_XYZ_GRID;
 #endif
 
 /// The type of each cell; null without cells.
@@ -48,6 +58,17 @@ inline unsigned vtkHapticNumberOfGrids(vtkUniformGridAMR& levels, unsigned level
 #else
   return levels.GetNumberOfDataSets(level);
 #endif
+}
+
+/// Names the number of grids of each level, which lie along three axes.
+inline void vtkHapticSizeLevels(vtkOverlappingAMR& levels, const std::vector<unsigned int>& grids)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  levels.Initialize(grids);
+#else
+  levels.Initialize(static_cast<int>(grids.size()), std::vector<int>(grids.begin(), grids.end()).data());
+#endif
+  levels.SetGridDescription(vtkHapticThreeAxes);
 }
 
 /// Null where a level has a hole.

@@ -107,7 +107,6 @@ TEST_P(Bending, FrictionHoldsAHandAtTheSamePointOfItsTriangle)
   const auto pointAt = [&](double t_s, const Vec3& inMesh) { return stretch(inMesh, t_s); };
   // The foot of where it landed, back in the mesh: the map of the plane is linear in x and y.
   const double t0 = 2e-3;
-  Eigen::Matrix3d turned;
   const auto normalAt = [&](double t_s)
   {
     const Vec3 u = pointAt(t_s, { 1, 0, 0 }) - pointAt(t_s, Vec3::Zero());
