@@ -122,8 +122,8 @@ bool GivesNothing(vtkSMProxy* representation)
   return input && input->GetDataInformation(port)->GetNumberOfPoints() == 0;
 }
 
-constexpr const char* NothingGiven = "no points came from this source; if it reads a file, the file may be damaged or "
-                                     "cut short: see View > Output Messages";
+constexpr const char* NothingGiven = "the source has no points: it may be empty at this time, or its file damaged or "
+                                     "cut short; see View > Output Messages";
 
 /// What helps depends on what is drawn: lines can be felt as they are, points become a surface by a filter.
 std::string WhyNoPolygons(vtkSMProxy* proxy, vtkObject* active, vtkDataObject* shown)

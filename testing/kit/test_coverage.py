@@ -112,7 +112,7 @@ class Elsewhere(Case):
         self.assertIn("feels the same along the path of the hand, but", said)
         self.assertIn("2 separate pieces, and had 3", said)
         self.assertIn("gone, and never touched: a piece of area 6 around (30, -30, 5)", said)
-        self.assertNotIn("96", said)
+        self.assertNotIn("area 96", said)
         self.write(together(plate(), cube(4.0, far)), path=WAY)
         said = self.difference(both)
         self.assertIn("new, and not touched: a piece of area 6 around (30, -30, 5)", said)

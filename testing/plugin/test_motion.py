@@ -115,7 +115,7 @@ class MotionInAView(ViewTest):
                 self.session.Step(1500)  # the blend has faded
                 self.expect_wall(y, TILTS[step])
             self.show_time(3)
-            self.assertIn("no polygons are shown", self.scene.GetReport())
+            self.assertIn("the source has no points: it may be empty at this time", self.scene.GetReport())
             self.session.Step(100)
             self.assertEqual(self.session.GetForceMagnitude(), 0.0)
             self.show_time(4)

@@ -62,7 +62,7 @@ class TouchInAView(ViewTest):
         nothing = simple.Threshold(registrationName="none.vtu", Input=simple.Wavelet(), LowerThreshold=1e6, UpperThreshold=2e6)
         self.show(nothing)
         self.follow()
-        self.assertIn("none.vtu: no points came from this source", self.scene.GetRefusal())
+        self.assertIn("none.vtu: the source has no points", self.scene.GetRefusal())
 
     def test_an_array_is_felt_and_a_change_of_it_or_of_its_range_is_noticed(self):
         height = simple.Elevation(Input=simple.Box(), LowPoint=[0.0, -0.5, 0.0], HighPoint=[0.0, 0.5, 0.0])
