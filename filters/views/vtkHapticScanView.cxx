@@ -159,8 +159,8 @@ std::string WhyNoSurface(vtkSMProxy* proxy, vtkObject* active)
   if (active && (active->IsA("vtkVolumeRepresentation") || active->IsA("vtkImageVolumeRepresentation") ||
                   active->IsA("vtkUnstructuredGridVolumeRepresentation")))
   {
-    return "a volume has no surface; choose it in the pipeline browser and press Touch for its isosurface, or apply "
-           "the filter Contour and show its result";
+    return "a volume has no surface; choose it in the pipeline browser and press Touch (while touching: Let Go, then "
+           "Touch) for its isosurface, or apply the filter Contour and show its result";
   }
   return "not drawn as a surface; choose the representation Surface";
 }

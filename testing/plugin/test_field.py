@@ -29,7 +29,7 @@ class FieldInAView(ViewTest):
     def test_a_volume_says_that_it_can_be_felt_as_a_field_and_then_is(self):
         self.show_wavelet("Volume")
         self.follow()
-        self.assertIn("press Touch for its isosurface", self.scene.GetReport())
+        self.assertIn("for its isosurface", self.scene.GetReport())
         self.assertTrue(self.feel(FieldArray="RTData", FieldIsosurface=1, FieldIsovalue=150.0))
         self.scene.Update()
         self.assertIn("Feeling Wavelet1: RTData on 21 x 21 x 21 points, 1 u apart", self.scene.GetReport())

@@ -70,6 +70,12 @@ class KeptPicture:
         self.display.DiffuseColor = [1.0, 0.0, 0.0]
         self.display.AmbientColor = [1.0, 0.0, 0.0]
 
+    def stereo(self, on):
+        """Red and blue: a picture for each eye."""
+        self.view.StereoType = "Red-Blue"
+        self.view.StereoRender = on
+        simple.Render(self.view)
+
     def turn(self):
         self.view.GetActiveCamera().Azimuth(30.0)
 

@@ -23,7 +23,8 @@ def events(report):
     lines += settle() + python("kept.compare('rest')", "kept.move(1.2)") + settle() + python("kept.compare('moved')")
     lines += python("kept.redness('white')", "kept.colour()") + settle() + python("kept.redness('red')")
     lines += python("kept.begin()", "kept.turn()") + wait(300) + python("kept.end('turned')") + settle()
-    lines += python("kept.compare('turned and rest')", "kept.touch_with_the_mouse()") + wait(500)
+    lines += python("kept.compare('turned and rest')", "kept.stereo(1)", "kept.begin()") + wait(300) + python("kept.end('stereo')", "kept.stereo(0)")
+    lines += python("kept.touch_with_the_mouse()") + wait(500)
     lines += event("hapticGlide", "0.45,0.45,0.55,0.55,20", VIEW) + python("kept.begin()") + event("hapticGlide", "0.55,0.55,0.45,0.45,20", VIEW)
     return lines + python("kept.end('hovered')", f"kept.report({str(report)!r})")
 
@@ -47,6 +48,10 @@ class KeptPicture(unittest.TestCase):
         for name in ("rest", "moved", "turned and rest"):
             self.assertEqual(self.found[name + " drawn"], 0)
             self.assertEqual(self.found[name], 0)
+
+    def test_of_two_eyes_both_pictures_are_drawn_whole(self):
+        self.assertEqual(self.found["stereo"]["ball"], 2 * self.found["stereo"]["window"])
+        self.assertGreater(self.found["stereo"]["window"], 1)
 
     def test_colours_and_cameras_that_change_are_seen_in_the_next_picture(self):
         self.assertGreater(self.found["red"], self.found["white"] + 10.0)

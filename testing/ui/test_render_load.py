@@ -23,7 +23,7 @@ def making_ready():
     again and looked at until it is there."""
     lines = python("load.prepare()", "load.touch()", "load.cancel()") + wait(500)
     lines += python("load.note_cancelled()", "load.let_go()", "load.show_another()", "load.first_touch()")
-    return lines + (wait(20) + python("load.look()")) * 12 + python("load.turn_once()")
+    return lines + (wait(250) + python("load.look()")) * 12 + python("load.turn_once()")
 
 
 def touching():

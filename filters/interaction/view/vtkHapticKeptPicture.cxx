@@ -121,12 +121,18 @@ void vtkHapticKeptPicture::SetRenderer(vtkRenderer* hand)
 void vtkHapticKeptPicture::Release()
 {
   vtkOpenGLRenderWindow* const window = this->Window();
-  if (window && this->Size[0] > 0)
+  if (window && this->Holds())
   {
     window->MakeCurrent();
     this->Kept->ReleaseGraphicsResources(window);
   }
   this->Size[0] = this->Size[1] = 0;
+}
+
+/// A window whose context ended, as where a view is moved into another window, released what was kept.
+bool vtkHapticKeptPicture::Holds() const
+{
+  return this->Size[0] > 0 && this->Kept->GetFBOIndex() != 0;
 }
 
 void vtkHapticKeptPicture::LayersAreDrawn()
@@ -141,7 +147,7 @@ void vtkHapticKeptPicture::Keep(vtkOpenGLRenderWindow& window)
 {
   const int* const size = window.GetSize();
   const int samples = window.GetRenderFramebuffer()->GetMultiSamples();
-  if (this->Size[0] == 0 || samples != this->Samples)
+  if (!this->Holds() || samples != this->Samples)
   {
     this->Kept->ReleaseGraphicsResources(&window);
     this->Kept->SetContext(&window);
@@ -174,7 +180,9 @@ void vtkHapticKeptPicture::PutBack(vtkOpenGLRenderWindow& window)
 bool vtkHapticKeptPicture::IsCurrent() const
 {
   vtkOpenGLRenderWindow* const window = this->Window();
-  if (!window || this->Size[0] == 0 || window->GetSize()[0] != this->Size[0] || window->GetSize()[1] != this->Size[1])
+  const bool twoEyes = window && window->GetStereoRender() != 0; // each of which has a picture of its own
+  if (!window || twoEyes || !this->Holds() || window->GetSize()[0] != this->Size[0] ||
+      window->GetSize()[1] != this->Size[1])
   {
     return false;
   }

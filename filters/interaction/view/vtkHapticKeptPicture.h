@@ -40,6 +40,7 @@ private:
   void Keep(vtkOpenGLRenderWindow& window);
   void PutBack(vtkOpenGLRenderWindow& window);
   void Release();
+  bool Holds() const;
   vtkOpenGLRenderWindow* Window() const;
 
   vtkWeakPointer<vtkRenderer> Hand;
