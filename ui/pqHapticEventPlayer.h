@@ -37,10 +37,10 @@ class pqHapticController;
  *   hapticPlaces ""                  remembers where the widgets of the object are
  *   hapticStill ""                   fails if one of them has moved since, or is gone
  *   hapticSeen "whole|across"        fails if one is cut off, or is cut off at a side
- *   hapticExplains "name,name,..."   the terms of the glossary that stand in titles of the object; fails unless the
- * tips of these titles have the definitions hapticTip "words"                in the tip that a pointer which rests on
- * the widget brings up hapticText "contrast,ratio"      pqHapticHasReadableText(); hapticDark "": all windows are light
- * on dark hapticWatchFiles ""              from now on, files for other programs (a browser) are noted and not opened
+ *   hapticExplains "name,name,..."   terms of the glossary that stand in titles of the object, whose tips define them
+ *   hapticTip "words"                in the tip that a pointer which rests on the widget brings up
+ *   hapticText "contrast,ratio"      pqHapticHasReadableText(); hapticDark "": all windows are light on dark
+ *   hapticWatchFiles ""              from now on, files for other programs (a browser) are noted and not opened
  *   hapticOpened "page.html#anchor"  the noted file leads there; the page exists, beside the file, and has the anchor
  *   hapticAnotherSession ""          registers one as a script does; fails if the one before still touches or checks
  *

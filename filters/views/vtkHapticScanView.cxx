@@ -122,16 +122,18 @@ bool GivesNothing(vtkSMProxy* representation)
   return input && input->GetDataInformation(port)->GetNumberOfPoints() == 0;
 }
 
-constexpr const char* NothingGiven = "the source has no points: it may be empty at this time, or its file damaged or "
-                                     "cut short; see View > Output Messages";
+/// The reason of a representation that shows nothing to touch, but for a source that has nothing to show.
+std::string ReasonOf(vtkSMProxy* representation, const std::string& otherwise)
+{
+  return GivesNothing(representation)
+           ? "the source has no points: it may be empty at this time, or its file damaged or "
+             "cut short; see View > Output Messages"
+           : otherwise;
+}
 
 /// What helps depends on what is drawn: lines can be felt as they are, points become a surface by a filter.
-std::string WhyNoPolygons(vtkSMProxy* proxy, vtkObject* active, vtkDataObject* shown)
+std::string WhyNoPolygons(vtkObject* active, vtkDataObject* shown)
 {
-  if (GivesNothing(proxy))
-  {
-    return NothingGiven;
-  }
   const Drawn drawn = CountDrawn(shown);
   const bool asItIs = active->IsA("vtkOutlineRepresentation") || active->IsA("vtkFeatureEdgesRepresentation");
   if (asItIs)
@@ -150,12 +152,8 @@ std::string WhyNoPolygons(vtkSMProxy* proxy, vtkObject* active, vtkDataObject* s
   return "no polygons are shown; choose the representation Surface, or apply Extract Surface";
 }
 
-std::string WhyNoSurface(vtkSMProxy* proxy, vtkObject* active)
+std::string WhyNoSurface(vtkObject* active)
 {
-  if (GivesNothing(proxy))
-  {
-    return NothingGiven;
-  }
   if (active && (active->IsA("vtkVolumeRepresentation") || active->IsA("vtkImageVolumeRepresentation") ||
                   active->IsA("vtkUnstructuredGridVolumeRepresentation")))
   {
@@ -309,7 +307,8 @@ void ScanRepresentation(
   const Seen seen = also.Remote ? SeenThere(proxy, active, *also.Remote) : SeenOf(active, shapes);
   if (!seen.Actor || !seen.Shape.Problem.empty())
   {
-    scan.Refusals.push_back(name + ": " + (seen.Actor ? seen.Shape.Problem : WhyNoSurface(proxy, active)) + ".");
+    scan.Refusals.push_back(
+      name + ": " + (seen.Actor ? seen.Shape.Problem : ReasonOf(proxy, WhyNoSurface(active))) + ".");
     return;
   }
   if (IsTransparent(proxy))
@@ -330,7 +329,7 @@ void ScanRepresentation(
   }
   if (!AddSurface(name, shown, seen.Actor->GetMatrix(), also, scan))
   {
-    scan.Refusals.push_back(name + ": " + WhyNoPolygons(proxy, active, shown) + ".");
+    scan.Refusals.push_back(name + ": " + ReasonOf(proxy, WhyNoPolygons(active, shown)) + ".");
     return;
   }
   scan.Surfaces.back().Part = also.Remote ? also.Remote->PartOf(proxy) : 0;

@@ -15,7 +15,7 @@ namespace
 bool beginsWithName(const std::string& text)
 {
   const std::string word = text.substr(0, text.find(' '));
-  return word.find('.') < word.size() - 1 || word.back() == ':';
+  return !word.empty() && (word.find('.') < word.size() - 1 || word.back() == ':');
 }
 
 std::string asSentence(std::string text)

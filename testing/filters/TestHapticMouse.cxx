@@ -295,6 +295,9 @@ TEST_P(HapticMouseInBothViews, WhatAppearsAroundThePressingHandIsPressedFromOuts
   }
   EXPECT_NEAR(this->force().norm(), force_N, 0.05 * force_N);
   EXPECT_GT(this->force().dot(this->proxy()), 0.0);
+  this->session_->Step(6000); // 5 s are enough to read the message
+  this->session_->Update();
+  EXPECT_STREQ(this->session_->GetWarning(), "");
   this->mouse_->SetPressing(false);
   this->rest(framesToArrive);
   EXPECT_LT(this->force().norm(), 1e-6); // free air is free

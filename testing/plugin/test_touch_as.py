@@ -105,6 +105,13 @@ class Kinds(unittest.TestCase):
         self.assertEqual((border > level).sum(), 0)
         self.assertIn("is open where the data end", said)
 
+    def test_a_volume_without_a_closed_level_is_felt_at_its_middle(self):
+        ramp = simple.Calculator(registrationName="ramp", Input=simple.Wavelet(), Function="coordsX", ResultArrayName="x")
+        self.show(ramp, "Volume", "x")
+        said = TouchAs("ramp")
+        self.assertAlmostEqual(self.number("FieldIsovalue"), 0.0, delta=1e-9)
+        self.assertNotIn("is open", said)
+
     def test_a_flow_that_is_coloured_by_its_vectors_leads_the_hand(self):
         flow = simple.KnownFlow(registrationName="flow", Flow="Lamb-Oseen", Cells="Image")
         self.show(flow, "Outline", "Velocity")

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Events that a test writes and ParaView plays, with the plugin loaded and settings of its own."""
 
+import json
 import os
 import pathlib
 import subprocess
+import tempfile
 from xml.sax.saxutils import quoteattr
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -32,3 +34,12 @@ def play(events, folder):
     script.write_text(f"<pqevents>\n{events}</pqevents>\n", encoding="utf-8")
     return subprocess.run(["paraview", "--dr", *PLUGIN, f"--test-script={script}", "--exit"], env=environment(folder),
         capture_output=True, text=True, check=False)
+
+
+def report_of(events):
+    """What the events wrote as JSON: they are made by events(path), and must all succeed."""
+    with tempfile.TemporaryDirectory() as folder:
+        report = pathlib.Path(folder, "report.json")
+        run = play(events(report), folder)
+        assert run.returncode == 0, run.stdout[-2000:] + run.stderr[-4000:]
+        return json.loads(report.read_text(encoding="utf-8"))

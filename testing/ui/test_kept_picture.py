@@ -2,12 +2,9 @@
 """A picture in which only the hand moved draws the hand alone, before a kept picture of the data: it looks as if all were drawn, and what
 changes is drawn at once."""
 
-import json
-import pathlib
-import tempfile
 import unittest
 
-from played import event, play, python, wait
+from played import event, python, report_of, wait
 
 VIEW = ("pqClientMainWindow/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/Container/Frame.0/"
         "CentralWidgetFrame/Viewport/1QVTKOpenGLNativeWidget0")
@@ -32,11 +29,7 @@ def events(report):
 class KeptPicture(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        with tempfile.TemporaryDirectory() as folder:
-            report = pathlib.Path(folder, "report.json")
-            run = play(events(report), folder)
-            assert run.returncode == 0, run.stdout[-2000:] + run.stderr[-4000:]
-            cls.found = json.loads(report.read_text(encoding="utf-8"))
+        cls.found = report_of(events)
         print(cls.found)
 
     def test_the_data_are_not_drawn_for_a_hand_that_moves(self):

@@ -4,11 +4,9 @@ what a tick costs beside drawing. Side by side in one run, as ratios; with PALPA
 
 import json
 import os
-import pathlib
-import tempfile
 import unittest
 
-from played import play, python, wait
+from played import python, report_of, wait
 
 FULL = bool(os.environ.get("PALPATE_TEST_FULL"))
 PAIRS = 8 if FULL else 1
@@ -44,11 +42,7 @@ def events(report):
 class RenderLoad(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        with tempfile.TemporaryDirectory() as folder:
-            report = pathlib.Path(folder, "report.json")
-            run = play(events(report), folder)
-            assert run.returncode == 0, run.stdout[-2000:] + run.stderr[-4000:]
-            cls.found = json.loads(report.read_text(encoding="utf-8"))
+        cls.found = report_of(events)
         print(json.dumps({name: cls.found[name] for name in ("middle", "costs")}))
         print(cls.found["ready"])
 

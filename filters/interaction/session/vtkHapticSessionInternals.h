@@ -102,8 +102,8 @@ public:
   std::string Warning;
   std::string Cancelled; ///< that the newest data are not touched; "" once there are others
   int ScenesCancelled = 0;
-  std::string Around; ///< message on a surface that came over the hand; "" with the next scene, and when it was read
-  double AroundSaid_s = 0;            ///< when that was
+  std::string Around;                 ///< message on a surface that came over the hand; "" with the next scene
+  double AroundSaid_s = 0.0;          ///< time of that message
   std::optional<palpate::Vec3> Eye_W; ///< of the view that the mouse is in
   std::string Problem;
   std::string ProblemOf; ///< subject of the problem, which is taken back when the subject succeeds
@@ -211,10 +211,10 @@ public:
   double Now();
   /// How simpler surfaces are looked for now.
   palpate::SimplifyPlan PlanNow() const;
-  /// Surfaces that moved over the hand: the action and the message.
-  /// Takes back that message once it could be read, and the force that ended with it is there again.
-  void ForgetAround();
+  /// Surfaces that came over the hand: the action and the message.
   void StayOutside(const std::optional<palpate::CameAround>& around);
+  /// Takes back that message once a person could read the message, and a force that ended with it has returned.
+  void ForgetAround();
   /// The surface that would contain a device's hand under this map.
   std::optional<palpate::CameAround> PutInto(const palpate::WorkspaceMap& map);
   /// Takes the worker's scene, or with `wait` the last commit. A hand that it surrounds stays outside.

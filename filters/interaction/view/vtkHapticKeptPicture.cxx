@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -17,6 +18,8 @@
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 namespace
 {
@@ -42,14 +45,18 @@ std::vector<vtkRenderer*> LayersBelow(vtkRenderer& hand)
 /// When what a prop draws was last modified; its pipeline is not brought up to date, as this is no picture of it.
 vtkMTimeType DrawnSince(vtkProp& prop)
 {
-  vtkMTimeType time = prop.GetMTime();
   auto* const actor = vtkActor::SafeDownCast(&prop);
-  vtkMapper* const mapper = actor ? actor->GetMapper() : nullptr;
-  if (mapper)
+  auto* const volume = vtkVolume::SafeDownCast(&prop);
+  vtkAbstractMapper3D* const mapper = actor    ? static_cast<vtkAbstractMapper3D*>(actor->GetMapper())
+                                      : volume ? volume->GetMapper()
+                                               : nullptr;
+  const bool fed = mapper && mapper->GetNumberOfInputConnections(0) > 0;
+  vtkMTimeType time = prop.GetMTime();
+  for (vtkObject* part :
+    { static_cast<vtkObject*>(mapper), static_cast<vtkObject*>(volume ? volume->GetProperty() : nullptr),
+      static_cast<vtkObject*>(fed ? mapper->GetInputDataObject(0, 0) : nullptr) })
   {
-    time = std::max(time, mapper->GetMTime());
-    vtkDataObject* const data = mapper->GetNumberOfInputConnections(0) > 0 ? mapper->GetInputDataObject(0, 0) : nullptr;
-    time = std::max(time, data ? data->GetMTime() : vtkMTimeType{ 0 });
+    time = std::max(time, part ? part->GetMTime() : vtkMTimeType{ 0 });
   }
   return time;
 }
@@ -209,5 +216,4 @@ void vtkHapticKeptPicture::DrawHand()
   {
     renderer->DrawOn();
   }
-  this->KeptAt.Modified(); // the layers were not modified but by this
 }

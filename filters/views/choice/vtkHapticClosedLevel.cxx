@@ -75,6 +75,10 @@ double vtkHapticClosedLevel(vtkDataObject* data, const std::string& array, doubl
   {
     return level;
   }
+  if (std::min({ size[0], size[1], size[2] }) < 2) // all of an image of one slice is its border
+  {
+    return level;
+  }
   const Border border = BorderOf(*values, size, level);
   double range[2];
   values->GetFiniteRange(range, 0);

@@ -30,6 +30,13 @@ constexpr int statusLines = 4;
 constexpr int betweenRows = 4; // [pixels]
 /// Of forces [N] and depths [mm]: a hand feels no more.
 constexpr int feltDecimals = 2;
+
+/// Stiffness and *Mouse goes in by* may ask for more than the largest force.
+double LimitedFrom_m(vtkHapticSession& session)
+{
+  const double largest_m = session.GetSight()->GetLargestDepth();
+  return session.GetFollowsMouse() && session.GetSetting("PressDepth") > largest_m ? largest_m : 0.0;
+}
 } // namespace
 
 pqHapticTop::pqHapticTop(QWidget* parent) : Superclass(parent)
@@ -124,16 +131,6 @@ void pqHapticTop::setProxy(vtkSMProxy* proxy, pqPropertyLinks& links)
   link(this->Device, "currentText", SIGNAL(currentTextChanged(const QString&)), "DeviceName");
   link(this->Touch, "checked", SIGNAL(toggled(bool)), "Touching");
 }
-
-namespace
-{
-/// Stiffness and *Mouse goes in by* may ask for more than the largest force.
-double LimitedFrom_m(vtkHapticSession& session)
-{
-  const double largest_m = session.GetSight()->GetLargestDepth();
-  return session.GetFollowsMouse() && session.GetSetting("PressDepth") > largest_m ? largest_m : 0.0;
-}
-} // namespace
 
 QString pqHapticTop::statusOf(vtkHapticSession* session) const
 {
