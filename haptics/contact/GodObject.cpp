@@ -5,6 +5,7 @@
 #include "haptics/contact/feel/ShadedMove.h"
 #include "haptics/contact/feel/SurfaceResponse.h"
 #include "haptics/contact/moves/Seat.h"
+#include "haptics/contact/sweep/KeptFaces.h"
 #include "haptics/contact/view/PlanFor.h"
 #include "haptics/contact/view/SceneView.h"
 
@@ -12,6 +13,12 @@ namespace palpate
 {
 namespace
 {
+
+/// True if a tick took so little that it can make lists for those that follow. Long ticks are not made longer.
+bool isCheap(const ContactResult& result) noexcept
+{
+  return result.passes <= 4 && result.sweeps <= 3 && !result.overBudget;
+}
 
 template<SceneView AnyScene>
 ContactResult move(
@@ -32,8 +39,13 @@ ContactResult move(
     state.placed = true;
     state.device_W = p_W;
   }
+  const Vec3 before_W = state.x_W;
   ContactResult result =
     plan.shading ? moveShaded(scene, plan, p_W, state, sink) : moveUnshaded(scene, plan, p_W, state, sink);
+  if (isCheap(result))
+  {
+    renewKept(scene, plan.radius_u, before_W, state);
+  }
   result.pull_W = result.proxy_W - p_W;
   result.held_u2 = result.pull_W.squaredNorm();
   if (sceneOf(scene).hasMaterials())

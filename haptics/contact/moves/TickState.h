@@ -11,6 +11,7 @@
 #include "haptics/contact/moves/DepartedFaces.h"
 #include "haptics/contact/planes/ContactSet.h"
 #include "haptics/contact/planes/VertexFan.h"
+#include "haptics/contact/sweep/KeptFaces.h"
 #include "haptics/contact/sweep/Neighbourhood.h"
 #include "haptics/contact/sweep/Sweep.h"
 #include "haptics/contact/sweep/Work.h"
@@ -41,6 +42,7 @@ struct TickState
       scale_u(plan.radius_u + sceneOf(scene).leastCoat_u()), contacts(scene, plan.radius_u, state)
   {
     this->contacts.include(p_W);
+    openKept(scene, state.around);
   }
 
   [[nodiscard]] bool isBall() const noexcept { return this->plan.radius_u > 0.0; }
@@ -74,6 +76,8 @@ struct TickState
   /// The longest way round which there are few enough faces to gather them [u]. For a ball it is a share of the ball's
   /// radius, for a point about the size of the touched face.
   [[nodiscard]] double gatheredWay_u() const noexcept;
+  /// A list that covers the way, if there is one; `work` says how much it took to make it.
+  [[nodiscard]] const FaceList* listFor(const SweepQuery& query, std::uint32_t budget, std::uint32_t& work) noexcept;
   [[nodiscard]] SweepHit sweepOnce(const Vec3& from_W, const Vec3& to_W) noexcept;
   /// The same for a way past features that are known to be touched.
   [[nodiscard]] SweepHit sweepPast(
@@ -103,8 +107,8 @@ struct TickState
   Vec3 reconsideredAt_W = nowhere_W(); ///< where the holders of a point at a vertex were last looked for
   int reconsidered = 0;                ///< how often they were looked for there
   double lastWay_u = 0.0;              ///< length of the last move
-  Neighbourhood near;
-  std::optional<VertexFan> fan; ///< the last one that fanAt() was asked for; large, and most ticks ask for none
+  bool crowded = false;                ///< the faces around are too many for a list
+  std::optional<VertexFan> fan;        ///< the last one that fanAt() was asked for; large, and most ticks ask for none
   std::uint32_t fanVertex = SurfaceData::none, fanSurface = SurfaceData::none;
   ProjectionResult solution;
   ContactResult result;
@@ -150,6 +154,23 @@ SweepHit TickState<AnyScene>::sweepOnce(const Vec3& from_W, const Vec3& to_W) no
 }
 
 template<SceneView AnyScene>
+const FaceList* TickState<AnyScene>::listFor(
+  const SweepQuery& query, std::uint32_t budget, std::uint32_t& work) noexcept
+{
+  const SweptBall m = sweptBallOf(query);
+  FacesAround& around = this->state.around;
+  const FaceList* const kept = keptFor(m, sceneOf(this->scene).mostCoat_u(), around, work);
+  // Half of the ticks need one sweep only: gathering the surroundings is worthwhile from the second on.
+  if (kept != nullptr || this->crowded || this->result.sweeps == 0 || m.length > this->gatheredWay_u())
+  {
+    return kept;
+  }
+  this->crowded =
+    !gatherFaces(this->scene, reachFor(m), query.resolution, FaceList::capacity, budget, work, around.near);
+  return this->crowded ? nullptr : &around.near;
+}
+
+template<SceneView AnyScene>
 SweepHit TickState<AnyScene>::sweepPast(
   std::span<const ActiveFeature> touched, const Vec3& from_W, const Vec3& to_W) noexcept
 {
@@ -161,9 +182,11 @@ SweepHit TickState<AnyScene>::sweepPast(
   query.resolution.include(to_W);
   query.touched = touched;
   const std::uint32_t left = this->plan.workBudget - std::min(this->plan.workBudget, this->result.work);
-  // Half of the ticks need one sweep only: gathering the surroundings is worthwhile from the second on.
-  const bool gather = this->result.sweeps >= 1 && (to_W - from_W).norm() <= this->gatheredWay_u();
-  const SweepHit hit = sweepBall(this->scene, query, left, gather ? &this->near : nullptr);
+  std::uint32_t listing = 0;
+  const FaceList* const list = this->listFor(query, left, listing);
+  SweepHit hit = list != nullptr ? sweepListed(this->scene, query, *list, left - std::min(left, listing))
+                                 : sweepBall(this->scene, query, left - std::min(left, listing));
+  hit.work += listing;
   ++this->result.sweeps;
   this->result.work += hit.work;
   this->result.overBudget |= hit.freeUntil < 1.0;

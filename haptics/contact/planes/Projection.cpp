@@ -78,9 +78,12 @@ private:
 
   [[nodiscard]] const PlaneRow& row(int i) const noexcept { return this->rows_[this->order_[i]]; }
 
+  /// True once a set of that size is taken: of one size the first in canonical order stays.
+  [[nodiscard]] bool has(int size) const noexcept { return this->found_ && this->best_.count == size; }
+
   void trySingles() noexcept
   {
-    for (int i = 0; i < this->count_; ++i)
+    for (int i = 0; i < this->count_ && !this->has(1); ++i)
     {
       const double l = this->row(i).bound - this->row(i).n.dot(this->q_);
       if (l >= 0.0)
@@ -94,7 +97,7 @@ private:
   {
     for (int i = 0; i < this->count_; ++i)
     {
-      for (int j = i + 1; j < this->count_; ++j)
+      for (int j = i + 1; j < this->count_ && !this->has(2); ++j)
       {
         this->tryPair(i, j);
       }
@@ -107,7 +110,7 @@ private:
     {
       for (int j = i + 1; j < this->count_; ++j)
       {
-        for (int k = j + 1; k < this->count_; ++k)
+        for (int k = j + 1; k < this->count_ && !this->has(3); ++k)
         {
           this->tryTriple(i, j, k);
         }
@@ -197,11 +200,6 @@ private:
       {
         return;
       }
-    }
-    // A larger set replaces a smaller one; of one size the first in canonical order stays.
-    if (this->found_ && size <= this->best_.count)
-    {
-      return;
     }
     this->found_ = true;
     this->worst_ = worst;

@@ -27,6 +27,31 @@ public:
     const double lost = 1e-5 * (q.cwiseAbs().maxCoeff() + d.cwiseAbs().maxCoeff() + reach + extent);
     this->lost_ = _mm_set1_ps(float(lost));
     this->reach_ = _mm_set1_ps(float(reach + lost));
+    const Vec3 middle = q + 0.5 * d;
+    this->middle_ = { _mm_set1_ps(float(middle.x())), _mm_set1_ps(float(middle.y())), _mm_set1_ps(float(middle.z())) };
+    const double around = reach + 0.5 * d.norm() + 2 * lost, lost2 = 0.1 * lost * (lost / 1e-5);
+    this->around2_ = _mm_set1_ps(float(around * around + lost2));
+    this->lost2_ = _mm_set1_ps(float(lost2));
+  }
+
+  /// The same for the ball around the whole way, without a division or a root: few more lanes where the way is short.
+  [[nodiscard]] int near(const DiscQuad& quad) const noexcept
+  {
+    const Triple q = { _mm_sub_ps(this->middle_.x, _mm_load_ps(quad.cx.data())),
+      _mm_sub_ps(this->middle_.y, _mm_load_ps(quad.cy.data())),
+      _mm_sub_ps(this->middle_.z, _mm_load_ps(quad.cz.data())) };
+    const Triple n = { _mm_load_ps(quad.nx.data()), _mm_load_ps(quad.ny.data()), _mm_load_ps(quad.nz.data()) };
+    const __m128 radius = _mm_add_ps(_mm_load_ps(quad.radius.data()), this->lost_),
+                 radius2 = _mm_mul_ps(radius, radius);
+    const __m128 h = dot(n, q), q2 = dot(q, q);
+    const __m128 lateral2 = _mm_add_ps(_mm_sub_ps(q2, _mm_mul_ps(h, h)), this->lost2_);
+    // (lateral - radius)^2 + h^2 > around^2, where the centre is beside the disc
+    const __m128 beyond = _mm_sub_ps(_mm_add_ps(q2, radius2), this->around2_);
+    const __m128 far = _mm_and_ps(_mm_cmpgt_ps(beyond, _mm_setzero_ps()),
+      _mm_cmpgt_ps(_mm_mul_ps(beyond, beyond), _mm_mul_ps(_mm_set1_ps(4.0f), _mm_mul_ps(radius2, lateral2))));
+    const __m128 beside = _mm_and_ps(far, _mm_cmpgt_ps(lateral2, radius2));
+    const __m128 above = _mm_cmpgt_ps(_mm_mul_ps(h, h), this->around2_);
+    return ~_mm_movemask_ps(_mm_or_ps(beside, above)) & 15;
   }
 
   [[nodiscard]] int touched(const DiscQuad& quad) const noexcept
@@ -72,8 +97,8 @@ private:
   static __m128 at(__m128 q, __m128 d, __m128 t) noexcept { return _mm_add_ps(q, _mm_mul_ps(t, d)); }
   static __m128 absolute(__m128 v) noexcept { return _mm_andnot_ps(_mm_set1_ps(-0.0f), v); }
 
-  Triple q_, d_;
-  __m128 lost_, reach_;
+  Triple q_, d_, middle_;
+  __m128 lost_, reach_, around2_, lost2_;
 };
 
 } // namespace palpate

@@ -2,6 +2,7 @@
 #include "haptics/contact/sweep/Neighbourhood.h"
 
 #include <algorithm>
+#include <array>
 
 #include "haptics/contact/sweep/BoxTest.h"
 #include "haptics/contact/sweep/DiscFilter.h"
@@ -14,13 +15,6 @@ namespace palpate
 namespace
 {
 
-/// A face's disc where the surface is now.
-struct Placed
-{
-  Vec3 origin_W, centre_W, normal_W;
-  double radius_u, extent_u;
-};
-
 Vec3 centreOf(const DiscQuad& quad, std::uint32_t k) noexcept
 {
   return { quad.cx[k], quad.cy[k], quad.cz[k] };
@@ -31,7 +25,7 @@ Vec3 normalOf(const DiscQuad& quad, std::uint32_t k) noexcept
   return { quad.nx[k], quad.ny[k], quad.nz[k] };
 }
 
-Placed place(const SurfaceData&, const SurfaceData& data, std::uint32_t leaf, std::uint32_t lane) noexcept
+PlacedDisc place(const SurfaceData&, const SurfaceData& data, std::uint32_t leaf, std::uint32_t lane) noexcept
 {
   const DiscQuad& quad = data.discs[2 * leaf + lane / 4];
   const Vec3& origin = data.leaves[leaf].origin_W;
@@ -41,7 +35,7 @@ Placed place(const SurfaceData&, const SurfaceData& data, std::uint32_t leaf, st
 }
 
 /// The disc of a face that is on its way, where the face is now: the tree has only a ball there.
-Placed placeBent(const BentSurface& shape, std::uint32_t triangle) noexcept
+PlacedDisc placeBent(const BentSurface& shape, std::uint32_t triangle) noexcept
 {
   const auto corners = shape.cornersOf(triangle);
   const Disc disc = discOf(corners);
@@ -54,9 +48,9 @@ Placed placeBent(const BentSurface& shape, std::uint32_t triangle) noexcept
     disc.radius_u };
 }
 
-Placed place(const PosedSurface& posed, const SurfaceData& data, std::uint32_t leaf, std::uint32_t lane) noexcept
+PlacedDisc place(const PosedSurface& posed, const SurfaceData& data, std::uint32_t leaf, std::uint32_t lane) noexcept
 {
-  Placed placed =
+  PlacedDisc placed =
     posed.shape().bends() ? placeBent(posed.shape(), data.leaves[leaf].first + lane) : place(data, data, leaf, lane);
   placed.origin_W = posed.toWorld(placed.origin_W);
   placed.centre_W = posed.toWorld(placed.centre_W);
@@ -65,107 +59,130 @@ Placed place(const PosedSurface& posed, const SurfaceData& data, std::uint32_t l
   return placed;
 }
 
+/// One walk that fills a list.
+template<SceneView AnyScene>
+class Gathering
+{
+public:
+  Gathering(const AnyScene& scene, int most, std::uint32_t budget, std::uint32_t& nodes, FaceList& list) noexcept
+    : scene_(scene), most_(most), budget_(budget), nodes_(nodes), list_(list)
+  {
+  }
+
+  [[nodiscard]] bool run(const SweptBall& still) noexcept
+  {
+    const BoxTest test(still); // of whole surfaces: their boxes are in W
+    return walkWithin(sceneOf(this->scene_).surfaceTree().nodes, test, this->budget_, this->nodes_,
+      [&](std::uint32_t s) noexcept { return this->surface(surfaceOf(this->scene_, s), s, still); });
+  }
+
+private:
+  template<class View>
+  [[nodiscard]] bool surface(const View& view, std::uint32_t surface, const SweptBall& still) noexcept
+  {
+    return askTree(view, still,
+      [&](const SweptBall& inSurface) noexcept {
+        return askShape(
+          view, [&](const auto& shape) noexcept { return this->leaves(view, shape, surface, inSurface); });
+      });
+  }
+
+  template<class View, class Shape>
+  [[nodiscard]] bool leaves(
+    const View& view, const Shape& shape, std::uint32_t surface, const SweptBall& inSurface) noexcept
+  {
+    std::array<std::uint32_t, mostLeaves> met;
+    std::size_t count = 0;
+    const SurfaceData& data = dataOf(view);
+    const bool fits = walkWithin(nodesOf(shape), BoxTest(inSurface), this->budget_, this->nodes_,
+      [&](std::uint32_t leaf) noexcept
+      {
+        if (count == mostLeaves)
+        {
+          return false;
+        }
+        met[count++] = leaf;
+        prefetch(data, leaf);
+        return true;
+      });
+    return fits && std::all_of(met.begin(), met.begin() + count,
+                     [&](std::uint32_t leaf) { return this->leaf(view, shape, surface, inSurface, leaf); });
+  }
+
+  template<class View, class Shape>
+  [[nodiscard]] bool leaf(const View& view, const Shape& shape, std::uint32_t surface, const SweptBall& inSurface,
+    std::uint32_t index) noexcept
+  {
+    const SurfaceData& data = dataOf(view);
+    const Leaf& leaf = data.leaves[index];
+    const DiscFilter filter(inSurface, leaf.origin_W, leaf.perUnit);
+    int lanes = filter.touched(discsOf(shape, 2 * index)) | filter.touched(discsOf(shape, 2 * index + 1)) << 4;
+    lanes &= (1 << leaf.count) - 1;
+    if (this->list_.count() + __builtin_popcount(static_cast<unsigned>(lanes)) > this->most_)
+    {
+      return false;
+    }
+    for (; lanes != 0; lanes &= lanes - 1)
+    {
+      const auto lane = static_cast<std::uint32_t>(__builtin_ctz(static_cast<unsigned>(lanes)));
+      this->list_.add(place(view, data, index, lane), { surface, leaf.first + lane });
+    }
+    return true;
+  }
+
+  /// Leaves of a large mesh are not in the cache, and are fetched while the walk goes on.
+  static void prefetch(const SurfaceData& data, std::uint32_t leaf) noexcept
+  {
+    const auto* const discs = reinterpret_cast<const char*>(&data.discs[2 * std::size_t{ leaf }]);
+    for (std::size_t line = 0; line < 2 * sizeof(DiscQuad); line += 64)
+    {
+      __builtin_prefetch(discs + line);
+    }
+    __builtin_prefetch(&data.leaves[leaf]);
+  }
+
+  static constexpr std::size_t mostLeaves = FaceList::capacity;
+  const AnyScene& scene_;
+  const int most_;
+  const std::uint32_t budget_;
+  std::uint32_t& nodes_;
+  FaceList& list_;
+};
+
 } // namespace
 
-bool Neighbourhood::covers(const SweptBall& m) const noexcept
+/// A ball of that reach that stands still.
+SweptBall standing(const Reach& reach, const Resolution& resolution) noexcept
 {
-  const double furthest = std::max((m.x_W - this->centre_W_).norm(), (m.e_W - this->centre_W_).norm());
-  return this->reach_u_ > 0.0 && furthest + m.r + 2 * m.tol <= this->reach_u_;
+  SweepQuery query{ reach.centre_W, reach.centre_W, reach.reach_u, resolution, {} };
+  query.resolution.include(reach.centre_W);
+  return sweptBallOf(query);
 }
 
-template<SceneView AnyScene>
-bool Neighbourhood::gather(
-  const AnyScene& scene, const SweptBall& m, std::uint32_t budget, std::uint32_t& nodes) noexcept
+Reach reachFor(const SweptBall& m) noexcept
 {
-  if (this->crowded_)
-  {
-    return false;
-  }
   // Later motions of a tick are mostly shorter than this one and start where this one ends. Room in radii, and the 1.1
   // below in lengths of the motion, were found by trying on a noisy sphere: more gathers faces that nobody asks for.
   constexpr double room = 0.15;
-  this->centre_W_ = m.x_W + 0.5 * m.d;
-  this->reach_u_ = 1.1 * m.length + (1.0 + room) * m.r + 8 * m.tol;
-  this->count_ = 0;
-  this->perUnit_ = 1.0 / this->reach_u_;
-  this->extent_ = 0.0;
-  SweptBall still = m;
-  still.x_W = still.e_W = this->centre_W_;
-  still.d = Vec3::Zero();
-  still.dd = still.length = 0.0;
-  still.r = this->reach_u_;
-  const BoxTest test(still); // of whole surfaces: their boxes are in W
-  const bool fits = walkWithin(sceneOf(scene).surfaceTree().nodes, test, budget, nodes,
-    [&](std::uint32_t s) noexcept { return this->gatherSurface(surfaceOf(scene, s), s, still, budget, nodes); });
+  return { m.x_W + 0.5 * m.d, 1.1 * m.length + (1.0 + room) * m.r + 8 * m.tol };
+}
+
+template<SceneView AnyScene>
+bool gatherFaces(const AnyScene& scene, const Reach& reach, const Resolution& resolution, int most,
+  std::uint32_t budget, std::uint32_t& nodes, FaceList& list) noexcept
+{
+  list.begin(reach);
+  const bool fits = Gathering(scene, most, budget, nodes, list).run(standing(reach, resolution));
   if (!fits)
   {
-    this->crowded_ = true;
-    this->reach_u_ = -1.0;
+    list.clear();
   }
   return fits;
 }
 
-template<class View>
-bool Neighbourhood::gatherSurface(
-  const View& view, std::uint32_t surface, const SweptBall& still, std::uint32_t budget, std::uint32_t& nodes) noexcept
-{
-  return askTree(view, still,
-    [&](const SweptBall& inSurface) noexcept
-    {
-      return askShape(view,
-        [&](const auto& shape) noexcept { return this->gatherLeaves(view, shape, surface, inSurface, budget, nodes); });
-    });
-}
-
-template<class View, class Shape>
-bool Neighbourhood::gatherLeaves(const View& view, const Shape& shape, std::uint32_t surface,
-  const SweptBall& inSurface, std::uint32_t budget, std::uint32_t& nodes) noexcept
-{
-  const SurfaceData& data = dataOf(view);
-  const BoxTest test(inSurface);
-  return walkWithin(nodesOf(shape), test, budget, nodes,
-    [&](std::uint32_t index) noexcept
-    {
-      const Leaf& leaf = data.leaves[index];
-      const DiscFilter filter(inSurface, leaf.origin_W, leaf.perUnit);
-      const int lanes = filter.touched(discsOf(shape, 2 * index)) | filter.touched(discsOf(shape, 2 * index + 1)) << 4;
-      for (std::uint32_t lane = 0; lane < leaf.count; ++lane)
-      {
-        if ((lanes >> lane) & 1)
-        {
-          if (this->count_ == capacity)
-          {
-            return false;
-          }
-          this->add(view, surface, index, lane);
-        }
-      }
-      return true;
-    });
-}
-
-template<class View>
-void Neighbourhood::add(const View& view, std::uint32_t surface, std::uint32_t leaf, std::uint32_t lane) noexcept
-{
-  const SurfaceData& data = dataOf(view);
-  const Placed placed = place(view, data, leaf, lane);
-  const Vec3 centre = this->perUnit_ * (placed.centre_W - this->centre_W_);
-  // Discs of one leaf lie within its extent, also where it has been turned.
-  const Vec3 origin = placed.origin_W - this->centre_W_;
-  this->extent_ = std::max(this->extent_, this->perUnit_ * (placed.extent_u + origin.cwiseAbs().maxCoeff()));
-  DiscQuad& to = this->discs_[this->count_ / 4];
-  const int at = this->count_ % 4;
-  to.cx[at] = static_cast<float>(centre.x());
-  to.cy[at] = static_cast<float>(centre.y());
-  to.cz[at] = static_cast<float>(centre.z());
-  to.nx[at] = static_cast<float>(placed.normal_W.x());
-  to.ny[at] = static_cast<float>(placed.normal_W.y());
-  to.nz[at] = static_cast<float>(placed.normal_W.z());
-  to.radius[at] = static_cast<float>(this->perUnit_ * placed.radius_u);
-  this->faces_[this->count_++] = { surface, data.leaves[leaf].first + lane };
-}
-
-template bool Neighbourhood::gather(const Scene&, const SweptBall&, std::uint32_t, std::uint32_t&) noexcept;
-template bool Neighbourhood::gather(const MovingScene&, const SweptBall&, std::uint32_t, std::uint32_t&) noexcept;
+template bool gatherFaces(
+  const Scene&, const Reach&, const Resolution&, int, std::uint32_t, std::uint32_t&, FaceList&) noexcept;
+template bool gatherFaces(
+  const MovingScene&, const Reach&, const Resolution&, int, std::uint32_t, std::uint32_t&, FaceList&) noexcept;
 
 } // namespace palpate

@@ -110,7 +110,8 @@ private:
       const int next = (k + 1) % 3;
       if (face.owned & (ownsEdge0 << k))
       {
-        this->testEdge(std::min(corners[k], corners[next]), std::max(corners[k], corners[next]));
+        const auto [low, high] = corners[k] < corners[next] ? std::array{ k, next } : std::array{ next, k };
+        this->testEdge(corners[low], corners[high], face.corner_W[low], face.corner_W[high]);
       }
       if (face.owned & (ownsVertex0 << k))
       {
@@ -199,13 +200,17 @@ private:
     return out > t && distance + out * rate < limit;
   }
 
-  void testEdge(std::uint32_t i, std::uint32_t j) noexcept
+  /// a, b: the places of vertices i and j.
+  void testEdge(std::uint32_t i, std::uint32_t j, const Vec3& a, const Vec3& b) noexcept
   {
     const SweptBall& m = this->m_;
-    const Vec3& a = this->shape_.vertex(i);
-    const Vec3 e = this->shape_.vertex(j) - a;
+    const Vec3 e = b - a;
     const double length2 = e.squaredNorm();
     const Vec3 away = m.x_W - a;
+    if (this->keepsFromLine(away, e, length2))
+    {
+      return;
+    }
     const double awayAlong = away.dot(e) / length2, dAlong = m.d.dot(e) / length2;
     const Vec3 w = away - awayAlong * e, d = m.d - dAlong * e;
     double t = this->roundHit(w, d);
@@ -214,6 +219,23 @@ private:
     {
       this->offer(t, { this->surface_, i, j, FeatureKind::Edge, 1, false });
     }
+  }
+
+  /// True if the ball surely goes away from the line of an edge, or keeps further from it than its radius: the quick
+  /// answer for most edges beside the ball, without a division by their length. All is multiplied by length2.
+  [[nodiscard]] bool keepsFromLine(const Vec3& away, const Vec3& e, double length2) const noexcept
+  {
+    constexpr double sure = 1e-9; // of what is added: a million times what rounding takes from it
+    const SweptBall& m = this->m_;
+    const double along = away.dot(e), rate = m.d.dot(e), away2 = away.squaredNorm();
+    const double towards = away.dot(m.d) * length2 - along * rate;
+    if (towards > 0.0 && towards * towards > sure * sure * away2 * m.dd * length2 * length2)
+    {
+      return true;
+    }
+    const double ww = away2 * length2 - along * along, dd = m.dd * length2 - rate * rate;
+    const double nearest2 = -towards >= dd ? ww + 2 * towards + dd : ww - towards * (towards / dd);
+    return nearest2 > (m.r * m.r + sure * (away2 + m.dd)) * length2;
   }
 
   /// A ball that goes nearly along an edge may be at the distance of its line before the ball is beside the edge, too

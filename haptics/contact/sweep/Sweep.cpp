@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "haptics/contact/sweep/DiscFilter.h"
-#include "haptics/contact/sweep/Neighbourhood.h"
 #include "haptics/contact/sweep/SurfaceSweep.h"
 #include "haptics/contact/sweep/TreeWalk.h"
 #include "haptics/contact/sweep/Work.h"
@@ -26,37 +25,6 @@ void sweepSurface(const Shape& shape, std::uint32_t surface, const SweepQuery& q
     nodesOf(shape), boundsOf(shape), m, budget, best, [&sweep](std::uint32_t leaf) noexcept { sweep.testLeaf(leaf); });
 }
 
-/// The same over a list of faces that holds all that the way can touch.
-template<SceneView AnyScene>
-void sweepList(const AnyScene& scene, const Neighbourhood& near, const SweepQuery& query, const SweptBall& m,
-  std::uint32_t budget, SweepHit& best) noexcept
-{
-  SweptBall widest = m;
-  widest.r += sceneOf(scene).mostCoat_u();
-  const DiscFilter filter(widest, near.centre_W(), near.perUnit(), near.extent());
-  for (int quad = 0; quad * 4 < near.count(); ++quad)
-  {
-    if (best.work >= budget)
-    {
-      best.freeUntil = 0.0; // a list knows no near and far
-      return;
-    }
-    best.work += static_cast<std::uint32_t>(quad % 2); // eight discs are a leaf's
-    int lanes = filter.touched(near.discs(quad)) & ((1 << std::min(4, near.count() - quad * 4)) - 1);
-    for (; lanes != 0; lanes &= lanes - 1)
-    {
-      const Neighbourhood::Face& face = near.face(quad * 4 + __builtin_ctz(static_cast<unsigned>(lanes)));
-      const auto& surface = surfaceOf(scene, face.surface);
-      askTree(surface, m,
-        [&](const SweptBall& inSurface) noexcept
-        {
-          askShape(surface, [&](const auto& shape) noexcept
-            { SurfaceSweep(shape, face.surface, query, inSurface, best).testTriangle(face.triangle); });
-        });
-    }
-  }
-}
-
 /// What was hit beyond what is proven free may not be the first.
 SweepHit settled(SweepHit best) noexcept
 {
@@ -76,15 +44,55 @@ SweepHit sweepSurface(const Shape& shape, std::uint32_t surface, const SweepQuer
 }
 
 template<SceneView AnyScene>
-SweepHit sweepBall(const AnyScene& scene, const SweepQuery& query, std::uint32_t budget, Neighbourhood* near) noexcept
+SweepHit sweepListed(
+  const AnyScene& scene, const SweepQuery& query, const FaceList& list, std::uint32_t budget) noexcept
 {
   SweepHit best;
   const SweptBall m = sweptBallOf(query);
-  if (near != nullptr && (near->covers(m) || near->gather(scene, m, budget, best.work)))
+  SweptBall widest = m;
+  widest.r += sceneOf(scene).mostCoat_u();
+  const FaceList::Frame& frame = list.frame();
+  DiscFilter filter(widest, frame.centre_W, frame.perUnit, frame.extent);
+  double looked = 1.0; // so much of the way still matters
+  for (int quad = 0; quad < list.quads(); ++quad)
   {
-    sweepList(scene, *near, query, m, budget, best);
-    return settled(best);
+    if (best.work >= budget)
+    {
+      best.freeUntil = 0.0;
+      break;
+    }
+    best.work += static_cast<std::uint32_t>(quad % 2); // eight discs are a leaf's
+    int lanes = filter.near(list.discs(quad)) & ((1 << std::min(4, list.count() - quad * 4)) - 1);
+    if (lanes != 0)
+    {
+      lanes &= filter.touched(list.discs(quad));
+    }
+    for (; lanes != 0; lanes &= lanes - 1)
+    {
+      const FaceList::Face& face = list.face(quad * 4 + __builtin_ctz(static_cast<unsigned>(lanes)));
+      const auto& surface = surfaceOf(scene, face.surface);
+      askTree(surface, m,
+        [&](const SweptBall& inSurface) noexcept
+        {
+          askShape(surface, [&](const auto& shape) noexcept
+            { SurfaceSweep(shape, face.surface, query, inSurface, best).testTriangle(face.triangle); });
+        });
+    }
+    if (best.t < 0.5 * looked)
+    {
+      looked = best.t;
+      widest.d = looked * m.d;
+      filter = DiscFilter(widest, frame.centre_W, frame.perUnit, frame.extent);
+    }
   }
+  return settled(best);
+}
+
+template<SceneView AnyScene>
+SweepHit sweepBall(const AnyScene& scene, const SweepQuery& query, std::uint32_t budget) noexcept
+{
+  SweepHit best;
+  const SweptBall m = sweptBallOf(query);
   const auto sweepOne = [&](std::uint32_t s) noexcept
   {
     const auto& surface = surfaceOf(scene, s);
@@ -123,7 +131,9 @@ template bool meetsFace(const Scene&, const ActiveFeature&, const SweepQuery&) n
 template bool meetsFace(const MovingScene&, const ActiveFeature&, const SweepQuery&) noexcept;
 template SweepHit sweepSurface(const SurfaceData&, std::uint32_t, const SweepQuery&, std::uint32_t) noexcept;
 template SweepHit sweepSurface(const BentSurface&, std::uint32_t, const SweepQuery&, std::uint32_t) noexcept;
-template SweepHit sweepBall(const Scene&, const SweepQuery&, std::uint32_t, Neighbourhood*) noexcept;
-template SweepHit sweepBall(const MovingScene&, const SweepQuery&, std::uint32_t, Neighbourhood*) noexcept;
+template SweepHit sweepListed(const Scene&, const SweepQuery&, const FaceList&, std::uint32_t) noexcept;
+template SweepHit sweepListed(const MovingScene&, const SweepQuery&, const FaceList&, std::uint32_t) noexcept;
+template SweepHit sweepBall(const Scene&, const SweepQuery&, std::uint32_t) noexcept;
+template SweepHit sweepBall(const MovingScene&, const SweepQuery&, std::uint32_t) noexcept;
 
 } // namespace palpate

@@ -3,13 +3,12 @@
 
 #include <cstdint>
 
+#include "haptics/contact/view/FaceList.h"
 #include "haptics/contact/view/SceneView.h"
 #include "haptics/contact/view/SweepQuery.h"
 
 namespace palpate
 {
-
-class Neighbourhood;
 
 /// First contact with one surface, whose own frame the query is given in. As sweepBall otherwise.
 /// Shape: SurfaceData, or BentSurface for a moment of one whose vertices move.
@@ -24,10 +23,14 @@ template<class Shape>
 /// a way reported free crosses and touches nothing, the order of hits is by double precision time.
 /// Ties: time, then dimension (face, edge, vertex), then surface and ids. Near-first; visits at most `budget` nodes.
 /// Servo thread; wait-free, no allocation.
-/// `near`, if given, keeps the faces around from one sweep to the next; it changes the cost and nothing else.
 template<SceneView AnyScene>
-[[nodiscard]] SweepHit sweepBall(
-  const AnyScene& scene, const SweepQuery& query, std::uint32_t budget, Neighbourhood* near = nullptr) noexcept;
+[[nodiscard]] SweepHit sweepBall(const AnyScene& scene, const SweepQuery& query, std::uint32_t budget) noexcept;
+
+/// The same over a list that covers the way. Where the budget is met nothing is proven free, as a list knows no near
+/// and far.
+template<SceneView AnyScene>
+[[nodiscard]] SweepHit sweepListed(
+  const AnyScene& scene, const SweepQuery& query, const FaceList& list, std::uint32_t budget) noexcept;
 
 /// True if the closed straight way meets face f, decided as the sweep of a point decides it.
 template<SceneView AnyScene>

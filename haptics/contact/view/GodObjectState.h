@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "haptics/contact/view/FaceList.h"
 #include "haptics/core/Types.h"
 
 namespace palpate
@@ -52,6 +53,7 @@ struct GodObjectState
   std::array<ActiveFeature, maxFeatures> features{};
   Vec3 device_W = Vec3::Zero(); ///< of the last tick
   double texture = -1.0;        ///< share of it that is felt, see SurfaceResponse; below 0: nothing is held
+  FacesAround around;           ///< has an effect on the cost alone, and on where a tick over budget ends
 };
 
 /// A plane that holds the ball, and how deep the device is pressed along it.

@@ -73,6 +73,14 @@ struct Leaf
   return corners[1] == corners[2];
 }
 
+/// Which edge of a triangle joins i and j: edge k joins corners k and (k + 1) % 3.
+[[nodiscard]] inline std::size_t edgeOf(
+  const std::array<std::uint32_t, 3>& corners, std::uint32_t i, std::uint32_t j) noexcept
+{
+  const auto isEnd = [&](std::uint32_t corner) { return corner == i || corner == j; };
+  return isEnd(corners[0]) ? (isEnd(corners[1]) ? 0 : 2) : 1;
+}
+
 /// True if the corners as they are stored run from i to j along their edge: two faces of one oriented surface run along
 /// theirs in opposite directions.
 [[nodiscard]] inline bool runsAlong(
@@ -96,6 +104,8 @@ struct SurfaceData
   Vec3 high_W = Vec3::Zero();
   std::vector<std::uint32_t> fanStart; ///< triangles around vertex v: fan[fanStart[v] .. fanStart[v + 1])
   std::vector<std::uint32_t> fan;
+  /// The one other triangle over edge k of each triangle, or none where there is none or more than one.
+  std::vector<std::array<std::uint32_t, 3>> across;
   std::uint64_t contentHash = 0;
   std::uint64_t topologyHash = 0;
   std::uint64_t wayName = 0; ///< of `places`; 0: there are none
@@ -179,18 +189,7 @@ struct SurfaceData
   /// The one other triangle across edge (i, j), or `none` where there is none or more than one.
   [[nodiscard]] std::uint32_t neighbour(std::uint32_t triangle, std::uint32_t i, std::uint32_t j) const noexcept
   {
-    std::uint32_t found = none;
-    int others = 0;
-    this->forEachAtEdge(i, j,
-      [&](std::uint32_t t)
-      {
-        if (t != triangle)
-        {
-          found = t;
-          ++others;
-        }
-      });
-    return others == 1 ? found : none;
+    return this->across[triangle][edgeOf(this->mesh.triangles[triangle], i, j)];
   }
 };
 

@@ -184,6 +184,7 @@ std::unique_ptr<SurfaceData> SurfaceTree::roomForRefit(std::shared_ptr<const Sur
   data->mesh.triangles = old.mesh.triangles;
   data->fanStart = old.fanStart;
   data->fan = old.fan;
+  data->across = old.across;
   data->leaves = old.leaves;
   data->nodes = old.nodes;
   data->topologyHash = old.topologyHash;

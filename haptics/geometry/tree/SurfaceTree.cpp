@@ -212,6 +212,7 @@ public:
   explicit FaceMaker(SurfaceData& data) : data_(data), next_(data.fanStart.begin(), data.fanStart.end() - 1)
   {
     data.faces.reserve(data.mesh.triangles.size());
+    data.across.assign(data.mesh.triangles.size(), { SurfaceData::none, SurfaceData::none, SurfaceData::none });
   }
 
   void add(std::uint32_t triangle)
@@ -230,19 +231,34 @@ private:
     return { fan + this->data_.fanStart[v], fan + this->next_[v] };
   }
 
-  /// No triangle before has the edge. The end with fewer of them is asked: a spoke of a disc costs as little as any.
-  [[nodiscard]] bool isNewEdge(std::uint32_t v, std::uint32_t w) const
+  /// Tells the triangles before and this one of each other over its edge k. False if no triangle before has the edge.
+  /// The end with fewer of them is asked: a spoke of a disc costs as little as any.
+  [[nodiscard]] bool meetsAcross(std::uint32_t triangle, std::uint32_t k)
   {
+    const auto& t = this->data_.mesh.triangles[triangle];
+    std::uint32_t v = t[k], w = t[(k + 1) % 3];
     if (this->before(w).size() < this->before(v).size())
     {
       std::swap(v, w);
     }
-    const std::span<const std::uint32_t> before = this->before(v);
-    return std::none_of(
-      before.begin(), before.end(), [&](std::uint32_t other) { return this->data_.hasCorner(other, w); });
+    std::uint32_t* first = nullptr;
+    auto& own = this->data_.across[triangle][k];
+    for (const std::uint32_t other : this->before(v))
+    {
+      if (this->data_.hasCorner(other, w))
+      {
+        std::uint32_t& theirs = this->data_.across[other][edgeOf(this->data_.mesh.triangles[other], v, w)];
+        const bool another = first != nullptr;
+        own = another ? SurfaceData::none : other;
+        theirs = another ? SurfaceData::none : triangle;
+        first = another ? first : &theirs;
+        *first = another ? SurfaceData::none : triangle;
+      }
+    }
+    return first != nullptr;
   }
 
-  [[nodiscard]] std::uint32_t ownedBits(std::uint32_t triangle) const
+  [[nodiscard]] std::uint32_t ownedBits(std::uint32_t triangle)
   {
     const auto& t = this->data_.mesh.triangles[triangle];
     const std::uint32_t vertices = isSegment(t) ? 2 : 3, edges = isSegment(t) ? 1 : 3;
@@ -250,7 +266,7 @@ private:
     for (std::uint32_t k = 0; k < vertices; ++k)
     {
       bits |= this->before(t[k]).empty() ? ownsVertex0 << k : 0;
-      bits |= k < edges && this->isNewEdge(t[k], t[(k + 1) % 3]) ? ownsEdge0 << k : 0;
+      bits |= k < edges && !this->meetsAcross(triangle, k) ? ownsEdge0 << k : 0;
     }
     return bits;
   }
@@ -343,7 +359,7 @@ std::size_t SurfaceTree::bytes() const noexcept
     places += sizeof(place) + bytesOf(place.nodes) + bytesOf(place.balls);
   }
   return sizeof(SurfaceData) + places + bytesOf(d.faces) + bytesOf(d.discs) + bytesOf(d.leaves) + bytesOf(d.nodes) +
-         bytesOf(d.fanStart) + bytesOf(d.fan);
+         bytesOf(d.fanStart) + bytesOf(d.fan) + bytesOf(d.across);
 }
 
 } // namespace palpate

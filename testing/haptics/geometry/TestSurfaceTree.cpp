@@ -50,6 +50,55 @@ TEST(SurfaceTree, ItsHashSeesOneUnitInTheLastPlaceAndOneTriangle)
   EXPECT_NE(treeOf(smaller).contentHash(), treeOf(mesh).contentHash());
 }
 
+/// The one other triangle that has both vertices, or none where there is none or more than one.
+std::uint32_t onlyOther(const SurfaceData& data, std::uint32_t triangle, std::uint32_t i, std::uint32_t j)
+{
+  std::uint32_t found = SurfaceData::none;
+  for (std::uint32_t t = 0; t < data.mesh.triangles.size(); ++t)
+  {
+    if (t != triangle && data.hasCorner(t, i) && data.hasCorner(t, j))
+    {
+      if (found != SurfaceData::none)
+      {
+        return SurfaceData::none;
+      }
+      found = t;
+    }
+  }
+  return found;
+}
+
+TEST(SurfaceTree, KnowsTheOneOtherTriangleOverEachEdgeAndNoneWhereMoreMeet)
+{
+  Random random(testSeed(32));
+  for (std::size_t i = 0; i < testCount(10); ++i)
+  {
+    // Sheets that share a border: up to five triangles meet at its edges.
+    TriangleMesh mesh = makeIcosphere(2, 10.0);
+    const auto hub = static_cast<std::uint32_t>(mesh.vertices_W.size());
+    for (std::uint32_t k = 0; k < 30; ++k)
+    {
+      const auto& t = mesh.triangles[random.below(320)];
+      mesh.vertices_W.push_back(20.0 * random.direction());
+      mesh.triangles.push_back({ t[0], t[1], hub + k });
+    }
+    const SurfaceTree tree = treeOf(mesh);
+    const SurfaceData& data = tree.data();
+    int borders = 0;
+    for (std::uint32_t t = 0; t < data.mesh.triangles.size(); ++t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const std::uint32_t a = data.mesh.triangles[t][k], b = data.mesh.triangles[t][(k + 1) % 3];
+        ASSERT_EQ(data.neighbour(t, a, b), onlyOther(data, t, a, b)) << "triangle " << t << ", edge " << k;
+        ASSERT_EQ(data.neighbour(t, b, a), data.neighbour(t, a, b));
+        borders += data.neighbour(t, a, b) == SurfaceData::none ? 1 : 0;
+      }
+    }
+    EXPECT_GT(borders, 60);
+  }
+}
+
 TEST(SurfaceTree, KeepsAtMost200BytesATriangleBesideTheMesh) // row 54
 {
   const SurfaceTree tree = treeOf(NoisySphere(100000, 1.0).mesh());
