@@ -59,7 +59,7 @@ public:
   }
 
   /// Earliest fraction of the way at which each box can be touched. A short way is not worth ordering: 0.
-  [[nodiscard]] Entries operator()(const Lanes& low, const Lanes& high) const noexcept
+  [[nodiscard, gnu::always_inline]] Entries operator()(const Lanes& low, const Lanes& high) const noexcept
   {
     const __m128d zero = _mm_setzero_pd();
     __m128d distance2 = zero;
@@ -92,7 +92,7 @@ public:
     return entries;
   }
 
-  [[nodiscard]] Entries operator()(const TreeNode& node) const noexcept
+  [[nodiscard, gnu::always_inline]] Entries operator()(const TreeNode& node) const noexcept
   {
     const auto load = [](const std::array<std::array<double, 2>, 3>& corner) {
       return Lanes{ { _mm_load_pd(corner[0].data()), _mm_load_pd(corner[1].data()), _mm_load_pd(corner[2].data()) } };

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "haptics/contact/sweep/DiscFilter.h"
+#include "haptics/contact/sweep/NearFilter.h"
 #include "haptics/contact/sweep/Neighbourhood.h"
 
 namespace palpate
@@ -15,11 +15,10 @@ namespace
 /// Fills the list with those faces of another one that are within reach, where the other one covers that.
 void pickFaces(const FaceList& from, const Reach& reach, double coat_u, FaceList& list) noexcept
 {
-  const FaceList::Frame& frame = from.frame();
   list.beginFrom(from, reach);
   SweptBall still = standing(reach, {});
   still.r += coat_u;
-  const DiscFilter filter(still, frame.centre_W, frame.perUnit, frame.extent);
+  const NearFilter filter(still, from.frame());
   for (int quad = 0; quad < from.quads(); ++quad)
   {
     int lanes = filter.near(from.discs(quad)) & ((1 << std::min(4, from.count() - quad * 4)) - 1);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "haptics/contact/sweep/BoxTest.h"
 #include "haptics/contact/sweep/DiscFilter.h"
@@ -91,22 +92,23 @@ private:
   [[nodiscard]] bool leaves(
     const View& view, const Shape& shape, std::uint32_t surface, const SweptBall& inSurface) noexcept
   {
-    std::array<std::uint32_t, mostLeaves> met;
+    // Leaves of a large mesh are not in the cache: some are fetched while the walk goes on.
+    std::array<std::uint32_t, 16> met;
     std::size_t count = 0;
-    const SurfaceData& data = dataOf(view);
+    const auto testAll = [&]() noexcept
+    {
+      const auto end = met.begin() + std::exchange(count, 0);
+      return std::all_of(
+        met.begin(), end, [&](std::uint32_t leaf) { return this->leaf(view, shape, surface, inSurface, leaf); });
+    };
     const bool fits = walkWithin(nodesOf(shape), BoxTest(inSurface), this->budget_, this->nodes_,
       [&](std::uint32_t leaf) noexcept
       {
-        if (count == mostLeaves)
-        {
-          return false;
-        }
+        prefetch(dataOf(view), leaf);
         met[count++] = leaf;
-        prefetch(data, leaf);
-        return true;
+        return count < met.size() || testAll();
       });
-    return fits && std::all_of(met.begin(), met.begin() + count,
-                     [&](std::uint32_t leaf) { return this->leaf(view, shape, surface, inSurface, leaf); });
+    return fits && testAll();
   }
 
   template<class View, class Shape>
@@ -130,7 +132,6 @@ private:
     return true;
   }
 
-  /// Leaves of a large mesh are not in the cache, and are fetched while the walk goes on.
   static void prefetch(const SurfaceData& data, std::uint32_t leaf) noexcept
   {
     const auto* const discs = reinterpret_cast<const char*>(&data.discs[2 * std::size_t{ leaf }]);
@@ -141,7 +142,6 @@ private:
     __builtin_prefetch(&data.leaves[leaf]);
   }
 
-  static constexpr std::size_t mostLeaves = FaceList::capacity;
   const AnyScene& scene_;
   const int most_;
   const std::uint32_t budget_;

@@ -234,8 +234,8 @@ private:
       return true;
     }
     const double ww = away2 * length2 - along * along, dd = m.dd * length2 - rate * rate;
-    const double nearest2 = -towards >= dd ? ww + 2 * towards + dd : ww - towards * (towards / dd);
-    return nearest2 > (m.r * m.r + sure * (away2 + m.dd)) * length2;
+    const double excess = ww - (m.r * m.r + sure * (away2 + m.dd)) * length2;
+    return -towards >= dd ? excess + 2 * towards + dd > 0.0 : excess > 0.0 && excess * dd > towards * towards;
   }
 
   /// A ball that goes nearly along an edge may be at the distance of its line before the ball is beside the edge, too
@@ -263,7 +263,7 @@ private:
   }
 
   /// First t at which |w + t d| = r for a way that gets nearer than r - tol; NaN if it does not.
-  [[nodiscard]] double roundHit(const Vec3& w, const Vec3& d) const noexcept
+  [[nodiscard, gnu::always_inline]] double roundHit(const Vec3& w, const Vec3& d) const noexcept
   {
     constexpr double miss = std::numeric_limits<double>::quiet_NaN();
     const SweptBall& m = this->m_;

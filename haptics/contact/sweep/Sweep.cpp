@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "haptics/contact/sweep/DiscFilter.h"
+#include "haptics/contact/sweep/NearFilter.h"
 #include "haptics/contact/sweep/SurfaceSweep.h"
 #include "haptics/contact/sweep/TreeWalk.h"
 #include "haptics/contact/sweep/Work.h"
@@ -53,6 +54,7 @@ SweepHit sweepListed(
   widest.r += sceneOf(scene).mostCoat_u();
   const FaceList::Frame& frame = list.frame();
   DiscFilter filter(widest, frame.centre_W, frame.perUnit, frame.extent);
+  NearFilter near(widest, frame);
   double looked = 1.0; // so much of the way still matters
   for (int quad = 0; quad < list.quads(); ++quad)
   {
@@ -62,7 +64,7 @@ SweepHit sweepListed(
       break;
     }
     best.work += static_cast<std::uint32_t>(quad % 2); // eight discs are a leaf's
-    int lanes = filter.near(list.discs(quad)) & ((1 << std::min(4, list.count() - quad * 4)) - 1);
+    int lanes = near.near(list.discs(quad)) & ((1 << std::min(4, list.count() - quad * 4)) - 1);
     if (lanes != 0)
     {
       lanes &= filter.touched(list.discs(quad));
@@ -83,6 +85,7 @@ SweepHit sweepListed(
       looked = best.t;
       widest.d = looked * m.d;
       filter = DiscFilter(widest, frame.centre_W, frame.perUnit, frame.extent);
+      near = NearFilter(widest, frame);
     }
   }
   return settled(best);
