@@ -4,16 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "haptics/contact/GodObject.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
+#include "testing/benchmarks/LeastCosts.h"
 #include "testing/lab/backends/Backend.h"
 #include "testing/support/CostSample.h"
 #include "testing/support/Meshes.h"
@@ -69,10 +70,10 @@ std::vector<Hard> hardOnes()
     { "scan with noise", noise(random), 2.0, { 0.0, 0.06 } } };
 }
 
-/// What a hand's ticks cost, each as the least of some runs of the same: whatever else the machine does is left out.
+/// What a hand's ticks cost.
 struct Costs
 {
-  std::vector<double> ticks_us;
+  LeastCosts ticks;
   std::size_t overBudget = 0;
 };
 
@@ -82,23 +83,21 @@ Costs costsOf(const Hard& hard, double radius_u, std::size_t ticks)
   const auto scene = sceneOf(hard.mesh);
   ContactPlan plan;
   plan.radius_u = radius_u;
-  Costs costs{ std::vector<double>(ticks, std::numeric_limits<double>::infinity()), 0 };
-  for (int run = 0; run < runs; ++run)
-  {
-    RandomHand hand(hard.mesh, 0.03 * hard.size_u, testSeed(2722));
-    GodObjectState state;
-    static_cast<void>(moveGodObject(*scene, plan, { 0, 0, 2 * hard.size_u }, state));
-    for (double& least_us : costs.ticks_us)
+  std::size_t over = 0;
+  LeastCosts least(runs,
+    [&](auto call)
     {
-      const Vec3 p_W = hand.next();
-      CostSample one(1);
-      ContactResult result;
-      one.time([&] { result = moveGodObject(*scene, plan, p_W, state); });
-      least_us = std::min(least_us, one.quantile_us(1.0));
-      costs.overBudget += run == 0 && result.overBudget;
-    }
-  }
-  return costs;
+      RandomHand hand(hard.mesh, 0.03 * hard.size_u, testSeed(2722));
+      GodObjectState state;
+      static_cast<void>(moveGodObject(*scene, plan, { 0, 0, 2 * hard.size_u }, state));
+      over = 0;
+      for (std::size_t i = 0; i < ticks; ++i)
+      {
+        const Vec3 p_W = hand.next();
+        call([&] { over += moveGodObject(*scene, plan, p_W, state).overBudget ? 1 : 0; });
+      }
+    });
+  return { std::move(least), over };
 }
 
 /// Of one segment across each of many places of the mesh, the median [us].
@@ -127,11 +126,10 @@ bool isWithin(double worst_us, double query_us)
 
 bool report(const Hard& hard, double radius_u, double query_us, std::size_t ticks)
 {
-  Costs costs = costsOf(hard, radius_u, ticks);
-  std::ranges::sort(costs.ticks_us);
-  const double worst_us = costs.ticks_us.back();
+  const Costs costs = costsOf(hard, radius_u, ticks);
+  const double worst_us = costs.ticks.quantile_us(1.0);
   std::printf("%-16s r = %-5g p50 %8.2f us  worst %8.2f us, %6.0f segment queries; over budget %zu of %zu ticks%s\n",
-    hard.name.c_str(), radius_u, costs.ticks_us[ticks / 2], worst_us, worst_us / query_us, costs.overBudget, ticks,
+    hard.name.c_str(), radius_u, costs.ticks.quantile_us(0.5), worst_us, worst_us / query_us, costs.overBudget, ticks,
     isWithin(worst_us, query_us) ? "" : "  OVER");
   return isWithin(worst_us, query_us);
 }
