@@ -135,7 +135,7 @@ void renewKept(const AnyScene& scene, double radius_u, const Vec3& from_W, GodOb
   constexpr int worthwhile = 3; // ticks
   const bool served = around.far.count() == 0 || around.served >= worthwhile;
   // A ball sweeps often in a tick, and a long list costs less than gathering again; a point mostly once or twice.
-  const int most = radius_u > 0.0 ? 400 : 56;
+  const int most = radius_u > 0.0 ? 400 : 40;
   constexpr std::uint32_t mostNodes = 2000;
   std::uint32_t nodes = 0;
   const Reach reach = aheadOf(needed, way_W, around);
