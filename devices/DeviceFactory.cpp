@@ -146,37 +146,39 @@ KeptCalibration knownOf(const DeviceInfo& info, const std::string& folder, const
   return kept;
 }
 
-MadeDevice wheelIfSaid(MadeDevice made, bool wheel)
+void makeWheelIfSaid(MadeDevice& made, bool wheel)
 {
   if (wheel && made.device->info().deviceClass == DeviceClass::Joystick2D)
   {
     const Calibration one = wheelCalibration(made.device->info(), today());
     made.device = std::make_unique<CalibratedDevice>(std::move(made.device), one);
   }
-  return made;
 }
 
-MadeDevice calibrated(MadeDevice made, const DeviceOptions& options)
+/// Puts the calibration that is kept of a device around it. One whose calibration cannot be read is taken away.
+void calibrate(MadeDevice& made, const DeviceOptions& options)
 {
   if (!made.device || !made.device->info().rendersForce)
   {
-    return made;
+    return;
   }
   const DeviceInfo& info = made.device->info();
   KeptCalibration kept = knownOf(info, options.calibrationFolder, options.felt);
-  if (made.hasTwin && (kept.value || !kept.problem.empty()))
+  const bool isUnsure = made.hasTwin && (kept.value || !kept.problem.empty());
+  if (isUnsure || (!kept.value && kept.problem.empty()))
   {
-    MadeDevice twin = wheelIfSaid(std::move(made), options.wheel);
-    twin.warning = twinNote;
-    return twin;
-  }
-  if (!kept.value && !kept.problem.empty())
-  {
-    return { nullptr, kept.problem + toDo };
+    makeWheelIfSaid(made, options.wheel);
+    if (isUnsure)
+    {
+      made.warning = twinNote;
+    }
+    return;
   }
   if (!kept.value)
   {
-    return wheelIfSaid(std::move(made), options.wheel);
+    made.device = nullptr;
+    made.problem = kept.problem + toDo;
+    return;
   }
   if (options.wheel && info.deviceClass == DeviceClass::Joystick2D)
   {
@@ -184,7 +186,6 @@ MadeDevice calibrated(MadeDevice made, const DeviceOptions& options)
   }
   made.device = std::make_unique<CalibratedDevice>(std::move(made.device), *kept.value);
   made.warning = std::move(kept.problem);
-  return made;
 }
 
 } // namespace
@@ -240,7 +241,9 @@ MadeDevice makeDevice(const std::string& name, const DeviceOptions& options)
     {
       if (name == kind.name)
       {
-        return calibrated(kind.make(options), options);
+        MadeDevice made = kind.make(options);
+        calibrate(made, options);
+        return made;
       }
       names += (names.empty() ? "" : ", ") + kind.name;
     }

@@ -63,7 +63,7 @@ std::optional<vtkHapticPartInfo> vtkHapticPartOf(vtkDataObject* data)
 std::string vtkHapticOtherVersion(const std::string& version)
 {
   const std::string load =
-    "load the plugin Palpate " + std::string(PALPATE_VERSION) + " on the server too (set PV_PLUGIN_PATH to its folder)";
+    "load the plugin Palpate " PALPATE_VERSION " on the server too (set PV_PLUGIN_PATH to its folder)";
   if (version == PALPATE_VERSION)
   {
     return "";

@@ -42,8 +42,8 @@ struct Hand
     if (!nonNegative(filter.resolution_m) || !nonNegative(filter.lowPass_s) || filter.window < 1 ||
         filter.window >= VelocityHistory::capacity || filter.method > VelocityMethod::AdaptiveWindow)
     {
-      return "velocity: resolution [m] and time constant [s] must not be negative, the window 1 to " +
-             std::to_string(VelocityHistory::capacity - 1) + " ticks";
+      const std::string window = "1 to " + std::to_string(VelocityHistory::capacity - 1);
+      return "velocity: resolution [m] and time constant [s] must not be negative, the window " + window + " ticks";
     }
     if (!nonNegative(p.map.scale_u_per_m) || p.map.scale_u_per_m == 0.0)
     {
