@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "haptics/core/Clock.h"
+#include "testing/support/CostSample.h"
 
 namespace palpate::test
 {
@@ -39,7 +39,7 @@ public:
   [[nodiscard]] double quantile_us(double fraction) const
   {
     const auto at = static_cast<std::size_t>(fraction * static_cast<double>(this->least_ns_.size() - 1));
-    return 1e-3 * static_cast<double>(std::max<std::int64_t>(0, this->least_ns_[at] - this->readingOfClock_ns()));
+    return 1e-3 * static_cast<double>(std::max<std::int64_t>(0, this->least_ns_[at] - this->reading_ns_));
   }
 
 private:
@@ -51,18 +51,9 @@ private:
     }
     this->least_ns_[at] = std::min(this->least_ns_[at], cost_ns);
   }
-  [[nodiscard]] std::int64_t readingOfClock_ns() const
-  {
-    std::int64_t least_ns = std::numeric_limits<std::int64_t>::max();
-    for (int i = 0; i < 10000; ++i)
-    {
-      const std::int64_t begin_ns = this->clock_.now_ns();
-      least_ns = std::min(least_ns, this->clock_.now_ns() - begin_ns);
-    }
-    return least_ns;
-  }
 
   MonotonicClock clock_;
+  std::int64_t reading_ns_ = readingOf_ns(clock_);
   std::vector<std::int64_t> least_ns_;
 };
 

@@ -2,8 +2,8 @@
 // palpate-tick-bench: what one exact tick of contact costs at its median, in one of a hundred and at most, beside a
 // walk of a plain tree in the same run.
 #include <chrono>
+#include <cmath>
 #include <cstdio>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -185,7 +185,8 @@ ContactPlan ball()
   return plan;
 }
 
-/// The sphere with every vertex somewhere else by up to a tenth of a millimetre, as the noise of a scan would have it.
+/// The sphere with every vertex somewhere else by up to a tenth of a millimetre along each axis, as the noise of a scan
+/// would have it.
 TriangleMesh noisy(TriangleMesh mesh)
 {
   Random random(testSeed(541));

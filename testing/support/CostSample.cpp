@@ -22,15 +22,20 @@ std::int64_t ProcessorClock::now_ns() const noexcept
 
 CostSample::CostSample(std::size_t capacity) : CostSample(capacity, wall) {}
 
-CostSample::CostSample(std::size_t capacity, const Clock& clock)
-  : clock_(&clock), overhead_ns_(std::numeric_limits<std::int64_t>::max())
+std::int64_t readingOf_ns(const Clock& clock)
 {
-  this->times_ns_.reserve(capacity);
+  std::int64_t least_ns = std::numeric_limits<std::int64_t>::max();
   for (int i = 0; i < 10000; ++i)
   {
-    const std::int64_t begin_ns = this->clock_->now_ns();
-    this->overhead_ns_ = std::min(this->overhead_ns_, this->clock_->now_ns() - begin_ns);
+    const std::int64_t begin_ns = clock.now_ns();
+    least_ns = std::min(least_ns, clock.now_ns() - begin_ns);
   }
+  return least_ns;
+}
+
+CostSample::CostSample(std::size_t capacity, const Clock& clock) : clock_(&clock), overhead_ns_(readingOf_ns(clock))
+{
+  this->times_ns_.reserve(capacity);
 }
 
 double CostSample::quantile_us(double fraction) const

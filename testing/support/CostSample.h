@@ -18,6 +18,9 @@ public:
   [[nodiscard]] std::int64_t now_ns() const noexcept override;
 };
 
+/// What reading a clock takes, at the least [ns].
+[[nodiscard]] std::int64_t readingOf_ns(const Clock& clock);
+
 /// Times of single calls in microseconds, less what reading the clock costs. A maximum says nothing on a shared
 /// machine.
 class CostSample

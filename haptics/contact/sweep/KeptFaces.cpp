@@ -57,9 +57,9 @@ Reach aheadOf(const Reach& needed, const Vec3& way_W, FacesAround& around) noexc
 /// After some lists that were of no use many ticks go by before the next try.
 void waitAfter(bool useful, FacesAround& around) noexcept
 {
-  constexpr int mostUseless = 5; // 30 ticks
+  constexpr int mostUseless = 5; // 31 ticks
   around.useless = useful ? 0 : std::min(around.useless + 1, mostUseless);
-  around.pause = (1 << around.useless) - (useful ? 1 : 2);
+  around.pause = (1 << around.useless) - 1;
 }
 
 /// Where the faces were too many for a list, the next one has less room.
@@ -69,14 +69,6 @@ void learnRoom(bool fits, int most, FacesAround& around) noexcept
   around.mostRoom_u = fits ? around.mostRoom_u : 0.6 * std::exchange(around.room_u, 0.0);
 }
 
-std::uint64_t contentOf(const Scene& scene) noexcept
-{
-  return scene.contentHash();
-}
-std::uint64_t contentOf(const MovingScene& moving) noexcept
-{
-  return moving.scene().contentHash();
-}
 double shareOf(const Scene&) noexcept
 {
   return 1.0;
@@ -91,7 +83,7 @@ double shareOf(const MovingScene& moving) noexcept
 template<SceneView AnyScene>
 void openKept(const AnyScene& scene, FacesAround& around) noexcept
 {
-  around.openFor(contentOf(scene), shareOf(scene));
+  around.openFor(sceneOf(scene).contentHash(), shareOf(scene));
 }
 
 const FaceList* keptFor(const SweptBall& m, double coat_u, FacesAround& around, std::uint32_t& work) noexcept

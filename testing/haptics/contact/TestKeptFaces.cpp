@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lists of faces that are kept over ticks, against ticks that know none: the same answer to the last bit.
-#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "haptics/contact/GodObject.h"
 #include "haptics/contact/sweep/KeptFaces.h"
 #include "haptics/contact/sweep/Neighbourhood.h"
+#include "haptics/geometry/mesh/NearestOnTriangle.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
 #include "testing/support/Curves.h"
 #include "testing/support/Meshes.h"
@@ -157,22 +157,6 @@ TEST(KeptFaces, AreDroppedWithTheContentTheyAreOf)
   }
 }
 
-/// Distance from a point to a triangle, by its nearest point among the plane's foot and the sides.
-double distanceTo(const std::array<Vec3, 3>& t, const Vec3& x_W)
-{
-  const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
-  bool inside = true;
-  double best = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const Vec3 &a = t[k], e = t[(k + 1) % 3] - a;
-    inside = inside && e.cross(x_W - a).dot(n) >= 0.0;
-    const double along = std::clamp((x_W - a).dot(e) / e.squaredNorm(), 0.0, 1.0);
-    best = std::min(best, (a + along * e - x_W).norm());
-  }
-  return inside ? std::fabs(n.dot(x_W - t[0])) : best;
-}
-
 TEST(KeptFaces, AListHoldsEveryFaceWithinItsReach)
 {
   Random random(testSeed(309));
@@ -193,7 +177,9 @@ TEST(KeptFaces, AListHoldsEveryFaceWithinItsReach)
     }
     for (std::uint32_t t = 0; t < data.faces.size(); ++t)
     {
-      ASSERT_TRUE(listed[t] || distanceTo(data.cornersOf(t), reach.centre_W) > reach.reach_u) << "face " << t;
+      const auto& [a, b, c] = data.cornersOf(t);
+      const double distance_u = (nearestOnTriangle(reach.centre_W, a, b, c) - reach.centre_W).norm();
+      ASSERT_TRUE(listed[t] || distance_u > reach.reach_u) << "face " << t;
     }
   }
 }
