@@ -14,7 +14,8 @@ namespace palpate
 namespace
 {
 
-constexpr std::uint32_t mostSwept = 256; ///< cells of a way: what is left of it is gone in the next tick
+constexpr std::uint32_t mostSwept = 256; ///< cells of a sweep: the rest of the displacement is dropped, the next tick
+                                         ///< goes on
 constexpr double stands = 1e-5;          ///< of a cell's size: a way through it that is no longer makes no progress
 constexpr int mostStanding = 4;          ///< cells in turn; a way through an edge or a vertex goes on sooner
 
@@ -87,7 +88,7 @@ IsoRow CellSpace::row(const GridIndex& at, const GridPlace& x, const IsoSide& of
   row.margin_u = 2.0 * landingMargin(cell) / slope;
   row.straight = false;
   row.strays = alongWays(heights(map, row.n), t, inverse);
-  row.bend = alongWays(cell, t, inverse) / slope - row.strays; // less what the bent coordinates themselves make
+  row.bend = alongWays(cell, t, inverse) / slope - row.strays; // less the part of the bent coordinates themselves
   return row;
 }
 

@@ -126,7 +126,7 @@ private:
     return false;
   }
 
-  /// The step with each patch passed above what it rises on the way.
+  /// The step with each patch passed above its rise along the step.
   [[nodiscard]] Vec3 lifted(IsoRows& rows, const Vec3& step_u, double slack_u) const noexcept
   {
     std::array<double, IsoState::mostCells> lift_u{};
@@ -284,7 +284,7 @@ private:
   const IsoSpace& space_;
   IsoSide of_;
   double least_u_;   ///< least width of the cell in which the tick begins
-  double rounded_u_; ///< what roundings of a place are measured by
+  double rounded_u_; ///< scale of the rounding of a place
   const IsoPlan& plan_;
   IsoState& state_;
   FieldPathSink* sink_;
@@ -309,7 +309,8 @@ void latch(const IsoSpace& space, const IsoPlan& plan, const Vec3& shift_u, IsoS
   state.placed = above == above;
 }
 
-/// The hand goes through a surface that holds less than it pushes: the proxy trails by what the surface held.
+/// The hand goes through a surface that holds less than its push: the proxy trails by the force at which the surface
+/// yields.
 void yield(const IsoSpace& space, const IsoPlan& plan, IsoState& state, IsoResult& result) noexcept
 {
   const double far_u = result.pull_u.norm();

@@ -11,9 +11,9 @@ namespace palpate
 namespace
 {
 
-constexpr double fairShare = 0.125; ///< of what a level wanted to go: with less it is on its way to a halt
+constexpr double fairShare = 0.125; ///< of the wanted change of the level: with less the level is coming to a halt
 constexpr int mostHalvings = 12, mostClimbs = 3;
-constexpr double leastShare = 1e-3; ///< of what is left: where the gradient is small the level moves all the same
+constexpr double leastShare = 1e-3; ///< of the rest: where the gradient is small the level moves all the same
 constexpr double steeper = 1.1;     ///< a surface may come that much faster than its slope says, and by rounding
 
 /// As far as the surface may come without meeting a proxy that nothing holds: that moves nothing that is felt.

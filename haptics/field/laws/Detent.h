@@ -53,8 +53,8 @@ struct DetentEnergy
 /// the hand jumps from level to level, and loses. By the plan's bounds; 0 where they are infinite.
 [[nodiscard]] double mostSmooth_N(const DetentPlan& plan, double stiffness_N_per_u) noexcept;
 
-/// The largest force of smooth hollows on that spring: the strength, which is at most mostSmooth_N(), is what they hold
-/// with where the gradient is usual, and the force grows with the gradient. Infinite where nobody knows the steepest.
+/// The largest force of smooth hollows on that spring: they hold with the strength, at most mostSmooth_N(), where the
+/// gradient is usual, and the force grows with the gradient. Infinite where the steepest gradient is unknown.
 [[nodiscard]] double mostFelt_N(const DetentPlan& plan, double stiffness_N_per_u) noexcept;
 
 /// argmin k/2 |x - p|^2 + E(f(x)): the hand's spring against the potential, f without creases, sought from where the

@@ -38,11 +38,11 @@ double share(double value, double none, double full) noexcept
   return full != none ? std::max(0.0, std::min(1.0, (value - none) / (full - none))) : 1.0;
 }
 
-/// What of a brick is felt in a tick.
+/// The parts of a block that are felt in a tick.
 struct FeltPart
 {
   const FieldBlock& whole; ///< of smooth levels: its lattice is that of all bricks of the data
-  const FieldBlock& brick; ///< of what else there is
+  const FieldBlock& brick; ///< of all other forces
   const FieldCells* cells; ///< of surfaces; null: they are the brick's
 
   [[nodiscard]] std::uint64_t contentHash() const noexcept

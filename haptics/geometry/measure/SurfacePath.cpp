@@ -82,9 +82,9 @@ bool matters(const std::array<Vec3, 3>& corner_W, const NearestPoint& from, cons
   return (centre_W - from.p_W).norm() + (centre_W - to.p_W).norm() - 2.0 * radius_u <= length_u * rounding;
 }
 
-/// A vertex's place, off by next to nothing and differently for each. CGAL's search sometimes loses a way that goes
-/// exactly through the vertices of a regular grid, and finds a longer one. What is found so is laid on the surface as
-/// it is, where it is longer than the shortest by the square of that share only.
+/// A vertex's place, off by next to nothing and differently for each. CGAL's search sometimes loses a path that goes
+/// exactly through the vertices of a regular grid, and finds a longer one. The path found so is laid on the exact
+/// surface, where it is longer than the shortest by the square of that share only.
 Vec3 unsettled(const SurfaceData& data, std::uint32_t v)
 {
   constexpr double share = 1e-6; // of an edge

@@ -51,8 +51,8 @@ const Surface* findBent(const std::vector<Surface>& now, double share, const Sur
   return found != now.end() ? &*found : nullptr;
 }
 
-/// Weights of the places of `next` that give where `was` is now. On the same way these are what is left of its start;
-/// otherwise, and where `was` stands at the end of that way, the places are the vertices of `was`, then those that
+/// Weights of the places of `next` that give where `was` is now. On the same motion they are the rest of its start;
+/// otherwise, and where `was` stands at the end of that motion, the places are the vertices of `was`, then those that
 /// `was` comes from (wayFrom in SceneBuilder.cpp).
 std::array<double, 2> ofPlaces(const Surface& was, double share, const Surface& next)
 {
