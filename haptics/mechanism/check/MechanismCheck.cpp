@@ -98,7 +98,7 @@ private:
     return own.maxCoeff() / own.minCoeff();
   }
 
-  /// A law whose row follows from those of others, and what is wrong where it does not agree with them.
+  /// A constraint whose row depends on those of others, and a fault where the row conflicts with them.
   void tellRedundant(MechanismCheck& check) const
   {
     const std::vector<int> in = this->independent();
@@ -135,7 +135,7 @@ private:
            (kind == ConstraintKind::Limit || kind == ConstraintKind::Puncture || kind == ConstraintKind::Insertion);
   }
 
-  /// What a row with bounds has a share in can give way.
+  /// A row in which a bounded row has a share can yield.
   [[nodiscard]] bool followsFromHeld(int row, const std::vector<int>& in, const Eigen::VectorXd& shares) const
   {
     bool held = this->isHeld(row);
@@ -224,8 +224,8 @@ private:
     return kind == MechanismBodyKind::Rigid ? 6 : turns ? 3 : 0;
   }
 
-  /// Coulomb's forces at points that nothing elastic tells apart have no one answer, and what a body that only balance
-  /// holds would feel of them is left to chance.
+  /// Coulomb's forces at points that no compliance separates have no unique answer, and their effect on a body that
+  /// only balance holds is left to chance.
   void tellRubbing(MechanismCheck& check) const
   {
     const int cones = 3 * this->problem_->cones;

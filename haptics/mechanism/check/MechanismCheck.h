@@ -27,7 +27,7 @@ struct MechanismCheck
   std::vector<std::string> redundant; ///< names of laws of which a row follows from others
   std::vector<std::string> free;      ///< names of bodies that can move where no law holds them
   std::vector<std::pair<std::string, std::string>> overlaps;     ///< bodies that share room as they stand, by name
-  std::vector<std::pair<std::string, std::string>> heldOverlaps; ///< likewise of what the hand holds, at the origin
+  std::vector<std::pair<std::string, std::string>> heldOverlaps; ///< likewise of the held body, at the origin
   int rows = 0;                                                  ///< that may hold at once
   int rank = 0;                                                  ///< of those, how many are independent
   int freeTurns = 0;      ///< ways to move of rigid bodies, and of a held one that the device does not turn, that
@@ -35,7 +35,7 @@ struct MechanismCheck
   double condition = 1.0; ///< of the compliance of the independent rows
 };
 
-/// Reads a mechanism: faults in words, and where there are none what it becomes. `soft`: the soft bodies there are, at
+/// Reads a mechanism: faults in words, or the plan of a mechanism without faults. `soft`: the soft bodies there are, at
 /// rest; `grip`: of the device. Not real-time safe.
 [[nodiscard]] MechanismCheck checkMechanism(
   const Mechanism& mechanism, std::span<const MechanismSoft> soft, const MechanismGrip& grip);

@@ -130,8 +130,8 @@ void addWays(const ConstraintScene& scene, const ConstraintRows& rows, const Mec
   }
 }
 
-/// How a force that pulls at an arm holds that against turning, but about itself. What pushes over is left out: no body
-/// comes to rest there.
+/// Resistance of a force at an arm against turning, about all axes but its own. A force that pushes over is left out:
+/// no body comes to rest there.
 Mat3 heldByPull(const Vec3& arm_W, const Vec3& force_W) noexcept
 {
   const double pull = arm_W.dot(force_W);
@@ -139,8 +139,8 @@ Mat3 heldByPull(const Vec3& arm_W, const Vec3& force_W) noexcept
                     : Mat3(Mat3::Zero());
 }
 
-/// What hangs between joints, as a rod that is pulled at both ends does, is held by these forces alone: no row is for
-/// its turn.
+/// A body that hangs between joints, as a rod that is pulled at both ends does, is held by these forces alone: no row
+/// is for its turn.
 void addTurns(const ConstraintScene& scene, const ConstraintRows& rows, const MechanismGrip& grip,
   ConstraintProblem& problem) noexcept
 {

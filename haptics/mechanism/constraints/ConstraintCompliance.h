@@ -11,7 +11,8 @@ namespace palpate
 void assembleConstraints(const ConstraintScene& scene, const ConstraintRows& rows, const MechanismGrip& grip,
   const HeldYield& held, ConstraintProblem& problem) noexcept;
 
-/// What soft bodies put between the points of law l, B's to A's, under the laws' forces as their states have them [u].
+/// Displacement that soft bodies put between the points of constraint l, B's to A's, under the constraints' forces in
+/// their states [u].
 [[nodiscard]] Vec3 softApart_W(const ConstraintScene& scene, const ConstraintRows& rows, int l) noexcept;
 
 /// The small motion of a body under the forces of the laws, whitened, from where the laws are linearised.

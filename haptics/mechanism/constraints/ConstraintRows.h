@@ -32,7 +32,7 @@ struct ConstraintRow
   double lowest_N = 0.0;
   double highest_N = 0.0;
   double compliance_u_per_N = 0.0; ///< of the law's own spring
-  bool dry = false;                ///< dry friction: what it moves by, it slips
+  bool dry = false;                ///< dry friction: all motion is slip
   double now_u = 0.0;              ///< likewise: where it is
 };
 
@@ -48,7 +48,7 @@ struct ConstraintRows
   int cones = 0; ///< the last three rows each
 };
 
-/// What rows are made from.
+/// The input of rows.
 struct ConstraintScene
 {
   const MechanismPlan& plan;
@@ -64,8 +64,8 @@ void makeRows(const ConstraintScene& scene, ConstraintRows& rows) noexcept;
 /// Whether the rows of a kind are along B's axis, and A's point may be elsewhere along it or across.
 [[nodiscard]] bool isAlongAxis(ConstraintKind kind) noexcept;
 
-/// From the origin of a law's body to where the law presses on it: of rows along an axis that turns with what is held
-/// that is A's point, wherever it is along the axis.
+/// From the origin of a constraint's body to the point where the constraint presses on it: for rows along an axis that
+/// turns with the held body that is A's point, wherever it is along the axis.
 [[nodiscard]] Vec3 armOf(const ConstraintScene& scene, const ConstraintRows& rows, int law, int side) noexcept;
 
 /// How a row's displacement changes with a small motion of a body that is its A (side 0) or B (side 1), about the

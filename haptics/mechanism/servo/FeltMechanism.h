@@ -39,7 +39,7 @@ private:
   std::vector<const PressedBody*> given_;
 };
 
-/// What the servo tells the worker of a mechanism: where its bodies are and how the laws press.
+/// The servo's message to the worker of a mechanism: poses of the bodies and forces of the constraints.
 struct MechanismHand
 {
   std::uint64_t tick = 0;

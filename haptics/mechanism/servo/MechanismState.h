@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// What the tick keeps of a mechanism.
+/// State of a mechanism between ticks.
 struct MechanismState
 {
   std::uint64_t revision = 0;                                  ///< of the plan

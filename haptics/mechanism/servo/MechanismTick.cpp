@@ -12,7 +12,7 @@
 namespace palpate
 {
 
-/// What a tick is computed in.
+/// Workspace of a tick.
 struct MechanismScratch
 {
   SettledScratch laws;
@@ -147,7 +147,7 @@ private:
     return changed;
   }
 
-  /// What the laws came to, for the next tick and for whoever looks.
+  /// Keeps the outcome of the constraints for the next tick and for readers.
   void keep() noexcept
   {
     for (int b = 0; b < this->plan_.bodyCount; ++b)

@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// What one tick of a mechanism is given.
+/// Input of one tick of a mechanism.
 struct MechanismInput
 {
   std::uint64_t tick = 0;
@@ -30,7 +30,7 @@ struct MechanismEvent
   double force_N = 0.0;  ///< that did it
 };
 
-/// What a law does in a tick.
+/// State of a constraint in a tick.
 struct ConstraintNow
 {
   ConstraintPhase phase = ConstraintPhase::Open;
@@ -47,7 +47,7 @@ struct MechanismPress
   Vec3 force_N = Vec3::Zero(); ///< on the body
 };
 
-/// What one tick did.
+/// Result of one tick.
 struct MechanismResult
 {
   Wrench wrench_W;        ///< on the hand, about the held body's origin: N, N u; a law's change is spread over 30 ms
@@ -81,7 +81,7 @@ public:
   MechanismTick(MechanismTick&&) noexcept;
   MechanismTick& operator=(MechanismTick&&) noexcept;
 
-  /// Once a tick. Another plan, by its revision, begins anew. What is not finite in the hand's pose gives no force.
+  /// Once a tick. Another plan, by its revision, begins anew. A hand's pose that is not finite gives no force.
   [[nodiscard]] const MechanismResult& step(const MechanismInput& input) noexcept;
   /// A person breaks a law: from the next step on it is gone.
   void breakConstraint(std::uint32_t law) noexcept;

@@ -12,7 +12,7 @@ namespace palpate
 namespace
 {
 
-/// Of a body's size: what rounding leaves of a place.
+/// Rounding of a place, as a share of a body's size.
 constexpr double ofBody = 1e-6;
 
 const SurfaceTree& treeOf(const PressedBody& body) noexcept
@@ -49,7 +49,7 @@ bool place(const PressedBody& body, const Vec3& from_W, const Vec3& way_W, Const
   return true;
 }
 
-/// Whether a place that is come from lies in the body: by what lies behind it, so that a wall of no thickness is met
+/// Whether the end of a displacement lies in the body: by the side behind it, so that a wall of no thickness is met
 /// from either side.
 bool isInside(const PressedBody& body, const Vec3& p_W, const Vec3& way_W) noexcept
 {
