@@ -81,7 +81,7 @@ void putCells(ByteWriter& payload, const CellParts& parts)
   payload.put(parts.reach_u);
 }
 
-/// The data's own cells; null where what was recorded ends before them.
+/// The data's own cells; null where the record ends before them.
 std::shared_ptr<const FieldCells> readCells(ByteReader& in)
 {
   if (in.left() == 0)
