@@ -14,8 +14,8 @@
 namespace palpate::stage
 {
 
-/// Takes the proxy along with its scene and towards the hand. A hand that is led to a plane touches what is below it
-/// there.
+/// Takes the proxy along with its scene and towards the hand. A hand that is led to a plane touches the surface below
+/// it there.
 struct Contact
 {
   static constexpr std::string_view name = "contact";

@@ -12,8 +12,8 @@ namespace palpate::stage
 namespace
 {
 
-/// Where the hand would have what it holds: turned as the hand is when it takes it. After a clutch, and in another map,
-/// it takes it as it is turned then.
+/// The hand's target pose of the held body: turned as the hand is when it takes the body. After a clutch, and in
+/// another map, the target starts at the body's turn then.
 Pose lead_W(TickContext& tick) noexcept
 {
   RendererState& s = tick.s;
@@ -72,7 +72,7 @@ const MechanismResult& compute(TickContext& tick, double lever_m) noexcept
   return result;
 }
 
-/// Force and torque as what a plain spring of the coupling's stiffness would be stretched by.
+/// Force and torque as the stretch of a plain spring of the coupling's stiffness.
 void pull(TickContext& tick, const MechanismResult& result, double lever_m) noexcept
 {
   const double scale_u_per_m = tick.p.map.scale_u_per_m;
@@ -151,7 +151,7 @@ void endIfLate(TickContext& tick, const MechanismResult& result, MechanismNow& n
   }
 }
 
-/// What the worker makes the next snapshots for.
+/// Input of the worker's next snapshots.
 void tellWorker(TickContext& tick, const MechanismResult& result) noexcept
 {
   const MechanismPlan& plan = tick.input.mechanism->plan();
