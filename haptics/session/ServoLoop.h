@@ -18,7 +18,7 @@
 namespace palpate
 {
 
-/// What other threads and the servo share. Each buffer has one writer and one reader (ARCHITECTURE.md).
+/// Buffers between other threads and the servo. Each has one writer and one reader (ARCHITECTURE.md).
 struct ServoLinks : TickInputs::Links
 {
   struct Versioned
@@ -48,8 +48,8 @@ public:
   void run(const std::stop_token& stop) noexcept;
   /// One period. False when the device has ended. Servo thread; real-time safe.
   bool tick() noexcept;
-  /// Between two ticks a recording ends, and another one begins with what a recording can know of the last tick, from
-  /// which the next one goes on. Servo thread; every tick does it.
+  /// Between two ticks a recording ends, and another one begins with the recordable part of the last tick's state, from
+  /// which the next tick goes on. Servo thread; every tick does it.
   void followRecorder() noexcept;
   /// Zero force, last report.
   void finish() noexcept;

@@ -14,8 +14,8 @@ namespace palpate
 /// How a hand holds a mechanism.
 struct MechanismHold
 {
-  double stiffness_N_per_m = 1000.0; ///< of the spring from the hand to what the hand holds, > 0
-  double turning_N_m_per_rad = 0.0;  ///< likewise of turning, >= 0; 0: what is held turns freely
+  double stiffness_N_per_m = 1000.0; ///< of the spring between hand and held body, > 0
+  double turning_N_m_per_rad = 0.0;  ///< likewise of turning, >= 0; 0: the held body turns freely
   double scale_u_per_m = 1.0;        ///< of the hand's way, > 0
   double lowRate_Hz = 30.0; ///< snapshots a second of soft bodies, >= 0; 0: at rest in every tick, the reference
 };
@@ -59,7 +59,7 @@ private:
   double time_s_ = 0.0;
 };
 
-/// Of a hand that turns what it holds, in life size: what a mechanism is judged by before anybody holds it.
+/// Of a hand that turns the held body, in life size: a mechanism is judged by it before anybody holds the mechanism.
 [[nodiscard]] MechanismHold usualHold(double unit_m) noexcept;
 
 /// "", or that a plan has nothing for a hand to hold.
@@ -68,7 +68,7 @@ private:
 /// The spring of a hold in units of the scene.
 [[nodiscard]] MechanismGrip gripOf(const MechanismHold& hold) noexcept;
 
-/// What became of a law.
+/// The new state of a constraint, in words.
 [[nodiscard]] const char* wordsOf(ConstraintChange change) noexcept;
 
 /// All faults of a check in one line; "": none.

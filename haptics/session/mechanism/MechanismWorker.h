@@ -20,7 +20,7 @@ struct MechanismLinks;
 /// How a mechanism is, for a person to see.
 struct MechanismStatus : WorkStatus
 {
-  MechanismCheck check;           ///< what it becomes
+  MechanismCheck check;           ///< plan and faults
   std::vector<BodyPair> overlaps; ///< bodies that share room where they are felt, though no law between them holds
   std::uint64_t plan = 0;         ///< revision of the one that the servo is given; 0: none
   std::vector<SeenBody> soft;     ///< of that, in the order of its inputs

@@ -23,8 +23,8 @@ public:
   /// and are waited for: the same path gives the same forces on any machine.
   void feel(std::shared_ptr<const FieldSource> field);
 
-  /// What gives way beside the scene, from the next tick on. `rate_Hz`: of its snapshots, each of which arrives one
-  /// period after what it was made from; 0: it is at rest in every tick, which is the reference.
+  /// A soft body beside the scene, from the next tick on. `rate_Hz`: of its snapshots, each of which arrives one period
+  /// after the forces that it was made from; 0: it is at rest in every tick, which is the reference.
   void press(std::unique_ptr<BodyMaker> body, double rate_Hz);
 
   /// The hand is there at that time, which is later than the time before. Where a field alone is touched the proxy is

@@ -17,9 +17,9 @@ namespace palpate
 
 class HapticSession;
 
-/// Decides what of the scenes that a worker builds a session feels: all of it at first, simpler surfaces once they are
-/// proven to feel the same, and from where to where what moves goes. One thread, the session's owner, calls every
-/// method.
+/// Decides which of the scenes that a worker builds a session feels: all triangles at first, simpler surfaces once they
+/// are proven to feel the same, and the motion of surfaces from one scene to the next. One thread, the session's owner,
+/// calls every method.
 class FeltScene
 {
 public:
@@ -28,7 +28,7 @@ public:
 
   /// Hands over a scene that is to be built.
   [[nodiscard]] SceneWorker& worker() noexcept { return this->worker_; }
-  /// To be called before a commit: what it changes comes from what is felt now.
+  /// To be called before a commit: the changes of the commit start from the felt scene.
   void beforeCommit();
   /// From where the hand is seen in a view [u]; nothing: it is where it is felt.
   void seeFrom(const std::optional<Vec3>& eye_W) { this->eye_W_ = eye_W; }
