@@ -42,7 +42,7 @@ double ValueAt(vtkDataArray& array, vtkIdType tuple, int component)
 }
 
 /// The mean of the cells around each point; 0 for a point without any, which no triangle uses. Of equal values it is
-/// that value to the last bit: what is left of rounding would be stretched over the whole felt range.
+/// that value to the last bit: a remainder of rounding would be stretched over the whole felt range.
 Values MeanOfCells(vtkPolyData& surface, vtkDataArray& array, int component)
 {
   const auto points = static_cast<std::size_t>(surface.GetNumberOfPoints());
@@ -186,7 +186,7 @@ std::array<double, 2> RangeOf(const Values& values)
   return range;
 }
 
-/// What an array is used for.
+/// The property that an array gives.
 struct Use
 {
   const char* What;

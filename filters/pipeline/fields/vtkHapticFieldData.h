@@ -67,7 +67,7 @@ struct vtkHapticFieldResult
 VTKHAPTICPIPELINE_EXPORT std::vector<vtkDataSet*> vtkHapticFieldSets(vtkDataObject* data);
 
 /// Names of the arrays of numbers that a data set has at points or cells, those of `components` alone; 0: all. With 3,
-/// what is followed, symmetric tensors of 6 and 9 as well.
+/// for fields that are followed, symmetric tensors of 6 and 9 as well.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<std::string> vtkHapticFieldArrayNames(
   vtkDataObject* data, int components = 0);
 

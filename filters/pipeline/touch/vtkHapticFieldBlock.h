@@ -64,7 +64,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  /// What the arrays are changed: the data are looked at anew.
+  /// Changes the arrays: the data are looked at anew.
   template<class Change>
   void ChangeArrays(const Change& change);
 

@@ -29,7 +29,7 @@ from palpate.testing.report import text_of, write_differences
 __all__ = ["Refused", "UPDATE", "assert_feels_the_same"]
 
 NOTHING_N = 1e-6  # below which a force is but rounding
-UPDATE = "PALPATE_UPDATE_BASELINES"  # in the environment, not empty and not 0: what is felt becomes the baseline
+UPDATE = "PALPATE_UPDATE_BASELINES"  # in the environment, not empty and not 0: the forces felt become the baseline
 
 
 def assert_feels_the_same(surface, baseline, *, unit, scene=None, path=None, tolerance=1.0, differences=None, update=None,

@@ -20,7 +20,7 @@ REACH_SHARE = 0.05  # of the size of a surface, where that is less
 SAMPLES = 10000  # places, spread evenly over the area: a hundredth of it is known to about a tenth
 MOST_PLACES = 2000  # of a way, evenly spaced, that are looked at
 MOST_PIECES = 200  # that are told apart, the largest first
-SAME_AREA = 0.07  # as of a force: what differs by less is the same
+SAME_AREA = 0.07  # as of a force: smaller differences count as none
 
 
 @dataclass
