@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The game of finding the way: what is played, where it stands, and the way so far.
+// The labyrinth game: which one is played, its phase, and the path so far.
 #include "vtkHapticLabyrinthGame.h"
 
 #include <algorithm>

@@ -95,7 +95,7 @@ std::vector<vtkBoundingBox> BoundsOfBodies(vtkDataSet* shapes)
   return bounds;
 }
 
-/// What a law is set to, as a person reads it: "1.5 N, drags 0.4 N".
+/// The numbers of a constraint, as a person reads them: "1.5 N, drags 0.4 N".
 std::string NumbersOf(const palpate::MechanismConstraint& law, double unit_m)
 {
   std::ostringstream all;

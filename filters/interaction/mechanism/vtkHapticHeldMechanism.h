@@ -16,7 +16,7 @@
 
 class vtkTable;
 
-/// The mechanism of a session: what was asked for, what was made of it, how it is.
+/// The mechanism of a session: its source, its plan, its status.
 class vtkHapticHeldMechanism : public vtkHapticFeltSource
 {
 public:
@@ -31,7 +31,7 @@ public:
   void Choose(palpate::HapticSession& core) const override;
   /// The same data by other laws.
   std::string TakeAgain();
-  /// Why a list of laws would end what is held without a fault now; "": it would not.
+  /// Why a list of constraints would end a mechanism that is held without a fault now; "": it would not.
   std::string RefusalOf(const std::string& laws, const palpate::HapticSession& core);
   /// The list of constraints with another one, as an object of a scene file, or with one less; "" with a problem.
   std::string With(const std::string& law, std::string& problem) const;
@@ -54,8 +54,8 @@ public:
   /// A row a law: Constraint, Kind, A, B, Numbers, Phase, Force [N], Inside [u].
   void FillTable(vtkTable& table) const;
 
-  double Depth = 0.0; ///< the hand's way along what it holds since nothing pushed [u]
-  double Pose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };     ///< of what is in the hand, where it is felt
+  double Depth = 0.0; ///< the hand's displacement along the held body since nothing pushed [u]
+  double Pose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };     ///< of the held body, where it is felt
   double HandPose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 }; ///< and where the hand would have it
   vtkBoundingBox Bounds;                                      ///< of its bodies as they are at first
 

@@ -40,8 +40,8 @@ struct vtkHapticCheckState;
 struct vtkHapticContactState;
 struct vtkHapticGameState;
 
-/// The core's session, what it is started with, and the last that it said. Parts that have a room of their own are
-/// known by name: their rooms include this header, and it includes none of theirs.
+/// The core's session, its options, and its last state. Parts that have a folder of their own are known by name: their
+/// folders include this header, and it includes none of theirs.
 class vtkHapticSession::Internals
 {
 public:
@@ -133,7 +133,7 @@ public:
   vtkHapticRecordings& Recorded;
   const std::array<vtkHapticFeltSource*, 3> FeltSources;
 
-  /// What was chosen when touching started; another choice waits until it starts again.
+  /// The device and options when touching started; another choice waits until it starts again.
   struct RunningChoice
   {
     std::string DeviceName;
@@ -281,7 +281,7 @@ public:
 
   /// A setting may name another source.
   void FollowSource(vtkHapticFeltSource& felt, const palpate::Setting& setting);
-  /// Takes what a source has, or says the problem; false, then.
+  /// Takes the data of a source, or reports the problem; false, then.
   bool AddFelt(vtkHapticFeltSource& felt, const char* name, vtkDataObject* data, const char* reason = nullptr);
   /// Feels it as it was made, or says the problem.
   void Feel(vtkHapticFeltSource& felt, const std::string& problem);

@@ -16,7 +16,7 @@
 /// A pose as a place and a turn (w, x, y, z).
 void vtkHapticPutPose(const palpate::Pose& from, double pose[7]);
 
-/// What the hand of a session holds in place of the ball: what was asked for, what was made of it, how it is.
+/// The tool that the hand of a session holds in place of the ball: its source, its mesh, its status.
 class vtkHapticTool : public vtkHapticFeltSource
 {
 public:
@@ -59,7 +59,7 @@ private:
 
   std::shared_ptr<const palpate::TriangleMesh> Mesh;
   palpate::ToolChoice Choice_;
-  vtkSmartPointer<vtkPolyData> Shape; ///< of what is held
+  vtkSmartPointer<vtkPolyData> Shape; ///< of the held tool
 };
 
 #endif

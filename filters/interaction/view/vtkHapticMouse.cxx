@@ -115,7 +115,7 @@ void vtkHapticMouse::Internals::PointAt(const vtkHapticPixels& pointer)
 {
   const bool goesOn = this->Inside && this->Session;
   const bool keeps =
-    !this->Inside && this->AdvancesHeld() && this->Depth.GetAlong() > 0.0; // what is inside stays there
+    !this->Inside && this->AdvancesHeld() && this->Depth.GetAlong() > 0.0; // a hand inside of the data stays there
   this->Led = goesOn  ? vtkHapticPixels(this->Led + this->ShareOfWay() * (pointer - this->Pointer))
               : keeps ? this->Led
                       : pointer;

@@ -111,7 +111,7 @@ void vtkHapticSession::Internals::FollowHand()
   }
 }
 
-/// A pointer is led in the scene, so no map holds what it was moved by: vtkHapticMouse does, precision too.
+/// A pointer is led in the scene, so no map holds its offset: vtkHapticMouse does, precision too.
 void vtkHapticSession::Internals::FollowMouseClutch()
 {
   const bool clutch = this->Settings.isOn("Clutch");
