@@ -44,7 +44,7 @@ void MakeActive(vtkSMProxy* source, vtkSMProxySelectionModel* sources)
   }
 }
 
-/// Shown in the view, while what was active stays so: a panel need not follow each point.
+/// Shown in the view, while the active source stays so: a panel need not follow each point.
 vtkSmartPointer<vtkSMSourceProxy> NewLine(vtkSMViewProxy* view, const std::vector<palpate::Vec3>& points_W)
 {
   vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;

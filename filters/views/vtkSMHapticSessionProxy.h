@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkSMHapticSessionProxy
- * @brief   proxy of a session that has what the session sets by itself
+ * @brief   proxy of a session that follows the values which the session sets by itself
  *
  * FitWorkspace sets scale, rotation and offset, a labyrinth ball and walls too; marks are set at contacts, sources
  * switched off by name. Here they are read back into the properties, whoever asked for it, so that the panel shows
@@ -20,8 +20,8 @@ public:
   vtkTypeMacro(vtkSMHapticSessionProxy, vtkSMProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What the session sets by itself while it is told something is told after that: nobody hears of an update whose
-  /// values have not all arrived.
+  /// Values that the session sets by itself while it is told others are told after those: nobody hears of an update
+  /// whose values have not all arrived.
   void UpdateVTKObjects() override;
 
 protected:

@@ -13,7 +13,7 @@ struct vtkHapticRemoteFieldResult
   std::shared_ptr<const bool> Changed{}; ///< whether the source has made other data since
 };
 
-/// Of what a source has at a port, at a time of the pipeline.
+/// Of the output of a source at a port, at a time of the pipeline.
 [[nodiscard]] vtkHapticRemoteFieldResult vtkHapticRemoteField(
   vtkSMSourceProxy* source, unsigned int port, double time, const vtkHapticFieldArrays& arrays);
 

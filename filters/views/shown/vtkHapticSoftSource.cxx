@@ -77,7 +77,7 @@ void vtkHapticSoftSource::Change(vtkHapticSession* session, vtkHapticViewScan& s
     this->AtRest = *found;
     this->AtRest->Name = name;
     this->AtRest->Data = vtkSmartPointer<vtkDataObject>::Take(found->Data->NewInstance());
-    this->AtRest->Data->ShallowCopy(found->Data); // what is shown is filled anew when it bends
+    this->AtRest->Data->ShallowCopy(found->Data); // the shown data are filled anew when the body bends
   }
   *found = *this->AtRest;
   scan.Surfaces.erase(std::remove_if(std::next(found), scan.Surfaces.end(), isIt), scan.Surfaces.end());
