@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Labyrinths played from a device alone: no mouse, no display. What is printed is for whoever stands beside.
+// Labyrinths played from a device alone: no mouse, no display. The output is for persons who stand beside.
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -172,7 +172,7 @@ void Welcome(
             << palpate::LabyrinthMenu::giveUp_s << " s gives up." << std::endl;
 }
 
-/// Tells what happened. True when it is over.
+/// Reports an event. True when the game is over.
 bool Tell(palpate::LabyrinthNews news, const palpate::LabyrinthHost& host, palpate::Fault fault, int& arrived)
 {
   if (news == palpate::LabyrinthNews::Fault)

@@ -94,7 +94,7 @@ class ChangedConstraints
 public:
   explicit ChangedConstraints(const palpate::Recording& recording) : Recording(recording) {}
 
-  /// What changed before a recording began is not told.
+  /// Changes before a recording began are not told.
   void Add(const palpate::HapticState& state)
   {
     const palpate::ConstraintChanges& now = state.mechanism.changes;
@@ -124,7 +124,7 @@ private:
   std::optional<palpate::ConstraintChanges> Before; ///< of the tick before
 };
 
-/// Writes the ticks as they are recomputed. What precedes the first one is no tick, so its cost is not known.
+/// Writes the ticks as they are recomputed. Before the first one there is no tick, so its cost is not known.
 class TickTable
 {
 public:

@@ -48,8 +48,8 @@ constexpr const char* managerName = "PALPATE_HAPTIC_CONTROLLER";
 constexpr const char* proxyGroup = "haptics";
 constexpr const char* proxyName = "HapticSession";
 
-/// A new session starts with what Edit / Settings / Haptics says, with the device that is most likely meant, and fits
-/// the hand to what is shown unless a scale is set there.
+/// A new session starts with the settings of Edit / Settings / Haptics, with the device that is most likely meant, and
+/// fits the hand to the shown data unless a scale is set there.
 void ApplySettings(vtkSMSessionProxyManager* manager, vtkSMProxy* session)
 {
   if (auto* object = vtkHapticSession::SafeDownCast(session->GetClientSideObject()))

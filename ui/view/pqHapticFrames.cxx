@@ -44,7 +44,7 @@ bool CanDraw(pqRenderView& view)
 pqHapticFrames::pqHapticFrames(QObject* parent) : Superclass(parent)
 {
   this->Props->SetRelativeSize(relativeSize);
-  // A hand that presses is inside what it presses on: drawn in front of it, else nobody would see how deep.
+  // A hand that presses is inside the surface under it: drawn in front of it, else nobody would see how deep.
   vtkMapper* hand = this->Props->GetHandActor()->GetMapper();
   hand->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, inFrontOfEverything);
   this->Pause.setSingleShot(true);
@@ -173,7 +173,7 @@ void pqHapticFrames::nextFrame()
 {
   if (this->Attached)
   {
-    this->takeState(); // a hidden view draws nothing, and what it touches goes on
+    this->takeState(); // a hidden view draws nothing, but the touch goes on
     this->Pause.start(pauseWhenHidden);
     if (this->onlyTheHandMoved())
     {

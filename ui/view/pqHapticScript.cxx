@@ -38,7 +38,7 @@ QString InPython(vtkSMProperty* property, unsigned int element)
                                                            : QString::number(value.GetAsInt(element));
 }
 
-/// Empty for what has no value.
+/// Empty for a property without a value.
 QString ValueOf(vtkSMProperty* property)
 {
   auto* vector = vtkSMVectorProperty::SafeDownCast(property);

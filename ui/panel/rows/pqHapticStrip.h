@@ -29,7 +29,7 @@ public:
   void add(double value);
   /// Likewise against another quantity, in its own unit: a strip has values of one sort alone.
   void addAt(double value, double along);
-  /// Nothing is measured any more: what was measured last stays, and is said to be the last.
+  /// Nothing is measured any more: the last values stay, and are said to be the last.
   void setLast();
   /// Nothing was measured.
   void clear();
