@@ -46,7 +46,7 @@ DeviceStatus FedDevice::read(double tickTime_s, DeviceSample& sample) noexcept
   return DeviceStatus::Ok;
 }
 
-/// Steps of one size: what is left of the way, over the ticks that are left for it.
+/// Steps of one size: the rest of the way, over the ticks that are left for it.
 void FedDevice::glideTo(const Fed& fed, double tickTime_s) noexcept
 {
   const double dt_s = tickTime_s - this->last_s_;

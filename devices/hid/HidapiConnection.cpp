@@ -21,7 +21,7 @@ namespace palpate
 namespace
 {
 
-/// UTF-8 of the wide strings that hidapi gives; what is not a character is left out.
+/// UTF-8 of the wide strings that hidapi gives; numbers that are no characters are left out.
 std::string narrow(const wchar_t* wide)
 {
   std::string text;

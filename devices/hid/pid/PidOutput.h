@@ -33,10 +33,10 @@ struct PidOutputOptions
 /// A device may have to push for it.
 [[nodiscard]] bool asksForForce(const DeviceCommand& command) noexcept;
 
-/// Decides what one report to send next so that a device follows the newest command, at whatever rate its link
-/// takes reports: a start that is due, then walls and viscosity where they changed, then the force axis by axis. The
-/// order is that of Windows: an effect's settings again after its conditions, actuators enabled again after a stop of
-/// all. Not real-time; one thread.
+/// Decides which one report to send next so that a device follows the newest command, at whatever rate its link takes
+/// reports: a start that is due, then walls and viscosity where they changed, then the force axis by axis. The order is
+/// that of Windows: an effect's settings again after its conditions, actuators enabled again after a stop of all. Not
+/// real-time; one thread.
 class PidOutput
 {
 public:
