@@ -37,7 +37,7 @@ def fail(text):
 
 
 def write_probe(path):
-    """What hangs below the hand is laid along y: a hand that cannot turn holds it so."""
+    """A tool that hangs below the hand is laid along y: a hand that cannot turn holds it so."""
     probe, forward, turned, writer = vtkHapticToolShape(), vtkTransform(), vtkTransformPolyDataFilter(), vtkXMLPolyDataWriter()
     probe.SetShape(vtkHapticToolShape.Burr)
     probe.SetRadius(RADIUS)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The labyrinth of Chartres by its rule: the walls are what the way leaves between itself and itself.
+"""The labyrinth of Chartres by its rule: the walls are the space that the path leaves between its parts.
 
 The way is a list of turns (in or out by so many circuits) and of arcs between them in quarters of a circle, as the
 literature on labyrinths lists them: in 5; in 1; in 5; four out; four in; ten out; four in; four out; in 5; in 1; in 5.
