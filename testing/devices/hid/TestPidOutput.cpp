@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What goes to a device when: a signal that was begun, and walls that go.
+// The order of reports to a device: a signal that was begun, and walls that go.
 #include <algorithm>
 #include <cmath>
 
