@@ -71,7 +71,7 @@ class Mechanism(CommandLineTest):
         force = [row["skin_fz"] for row in rows]
         pierced = next(i for i, row in enumerate(rows) if row["skin_phase"] == 3)
         self.assertTrue(all(f == 0.0 for f in force[:50]), "a millimetre before the wall")
-        step = 1000 * 0.02 / 1000  # what the hand adds in a tick at most
+        step = 1000 * 0.02 / 1000  # largest rise of the force in a tick
         self.assertAlmostEqual(max(-f for f in force[:pierced]), strength, delta=step)
         self.assertLessEqual(max(-f for f in force), strength + step)
         self.assertAlmostEqual(-force[pierced + 200], friction, delta=1e-6)
