@@ -104,7 +104,7 @@ class MechanismOnAServer(unittest.TestCase):
                            {"name": "block", "kind": "soft", "file": "block.vtu", "fixed": "zmax",
                             "young_Pa": 20000, "poisson": 0.4, "model": "linear"}],
                 "laws": [{"name": "skin", "kind": "puncture", "a": "needle", "b": "block", "strength_N": 1.0}]}), encoding="utf-8")
-            os.chdir(folder)  # from where the server finds what is not found from here
+            os.chdir(folder)  # the server finds files there that are not found from here
             try:
                 with connected():
                     os.chdir(before)
