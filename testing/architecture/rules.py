@@ -17,10 +17,10 @@ FILTER_MODULES = ["pipeline", "interaction", "views"]
 PLAIN_LAYERS = ("haptics", "devices")
 VTK_LAYERS = ("filters", "ui", "plugin")
 
-# What a reader takes in at once: sources standing directly in one folder (headers count), lines of one file.
+# Limits of a reader's view: sources standing directly in one folder (headers count), lines of one file.
 MOST_SOURCES = 25
 MOST_LINES = 450
-# The header of the session is what everybody reads first.
+# Everybody reads the header of the session first.
 MOST_LINES_OF = {"filters/interaction/session/vtkHapticSession.h": 250}
 
 # Headers of the project behind one header. The list of stages counts as one: it has every stage's plan by value, and with it all
@@ -43,7 +43,7 @@ QT = re.compile(r"^(Q[A-Z]\w*(/\w+)?|Qt\w*/\w+|q[a-z]\w*\.h|pq(?!Haptic)\w+\.h)$
 HIDAPI = re.compile(r"^(hidapi/)?hidapi\w*\.h$")
 DBUS = re.compile(r"^dbus/")
 
-# What each place must not include: pattern, in words, and why.
+# Forbidden includes of each place: pattern, in words, and why.
 FORBIDDEN = {
     "haptics": [(VTK, "VTK"), (QT, "Qt"), (HIDAPI, "hidapi"), (DBUS, "D-Bus")],
     "devices": [(VTK, "VTK"), (QT, "Qt"), (CGAL, "CGAL"), (CHOLMOD, "CHOLMOD")],
@@ -61,7 +61,7 @@ REGISTRY_HOSTS = re.compile("|".join(["deb\\.debian" + "\\.org", "pypi" + "\\.or
 
 
 def files_of(root):
-    """All files of the project under `root`: what git tracks; without git all but build trees, caches and outputs."""
+    """All files of the project under `root`: those that git tracks; without git all but build trees, caches and outputs."""
     listing = subprocess.run(["git", "ls-files", "-z"], cwd=root, capture_output=True, text=True, check=False)
     if (root / ".git").exists() and listing.returncode == 0:
         candidates = [root / name for name in listing.stdout.split("\0") if name]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""./dev with stand-ins for dpkg-query and apt-get: what it installs, what it refuses, what it answers."""
+"""./dev with stand-ins for dpkg-query and apt-get: installs, refusals, answers."""
 
 import os
 import re

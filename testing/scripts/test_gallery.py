@@ -19,7 +19,7 @@ STEP = 0.125  # shorter than twice the clearance: a step between two free places
 
 
 class World:
-    """What a file says."""
+    """The content of a file."""
 
     def __init__(self, path):
         root = xml.parse(path).getroot()

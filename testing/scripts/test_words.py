@@ -248,7 +248,7 @@ class Words(unittest.TestCase):
 
 
 class Product(unittest.TestCase):
-    """What a user reads in the panel, in the shell and in ParaView's documentation."""
+    """The texts for a user in the panel, in the shell and in ParaView's documentation."""
 
     def test_what_stands_in_questions_only(self):
         self.assertEqual([(file, text) for file, text in of_product() if headless([text])], [])
@@ -268,7 +268,7 @@ class Product(unittest.TestCase):
 
 
 class Rules(unittest.TestCase):
-    """The rules find what they are for."""
+    """Each rule finds its fault."""
 
     def test_literals_outside_of_comments_are_found_and_joined(self):
         code = 'f("one "\n  "two"); // "a comment"\n/* "another" */ g(\'"\', "three", R"(four)");'

@@ -81,7 +81,7 @@ TEST(Uhid, TheForceOfTheCommandReachesTheFirmwareOnEveryLayout)
     servo.device.close();
     const auto emptied = [](VirtualPidDevice& stick) { return stick.effectsUsed() == 0; };
     EXPECT_TRUE(waitUntil([&] { return device.alone(emptied); })) << layout.name;
-    // What is left is the spring to the centre that it had when it was plugged in, if it had one.
+    // The rest is the spring to the centre that it had when it was plugged in, if it had one.
     EXPECT_TRUE(layout.habits.wakesCentred || device.forceX() == 0.0) << layout.name;
     EXPECT_EQ(device.badReports(), 0) << layout.name;
   }

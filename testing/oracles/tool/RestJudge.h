@@ -16,13 +16,13 @@ namespace palpate::test
 class RestJudge
 {
 public:
-  /// `tool_B` about the centre that its poses are of. `characteristic_u`: what a turn of 1 rad weighs as a way.
+  /// `tool_B` about the centre that its poses are of. `characteristic_u`: lever arm [u] of turns.
   RestJudge(TriangleMesh tool_B, TriangleMesh scene_W, double characteristic_u);
 
   [[nodiscard]] bool meets(const Pose& pose_W) const;
   /// sqrt(way^2 + (lever turn)^2) from one pose to another.
   [[nodiscard]] double distance_u(const Pose& from_W, const Pose& to_W) const;
-  /// By how much a chain of free random motions lowers the distance to the hand: a lower bound of what is possible.
+  /// By how much a chain of free random motions lowers the distance to the hand: a lower bound of the possible gain.
   [[nodiscard]] double gain_u(const Pose& pose_W, const Pose& hand_W, int trials, Random& random) const;
 
 private:
