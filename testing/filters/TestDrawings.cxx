@@ -332,7 +332,7 @@ TEST_F(Drawings, APictureBecomesTheMiddleOfItsInkAndItsMarks)
   }
 }
 
-// The lines between would be walls in the middle of what is meant as corridors.
+// The lines between would be walls in the middle of the corridors.
 TEST_F(Drawings, APictureWithLightLinesIsSaidToBeMostlyDark)
 {
   constexpr int size = 40;

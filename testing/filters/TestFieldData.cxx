@@ -414,7 +414,7 @@ TEST(FieldData, ValuesInWhichThereIsNothingToFeelAreRefusedInWords)
   EXPECT_EQ(problem(0.0, 1.0), "");
   EXPECT_THAT(problem(3.0, 0.0), HasSubstr("the same value everywhere"));
   EXPECT_EQ(problem(3.0, 0.0, -1, "g"), ""); // it differs from another one
-  EXPECT_EQ(problem(101325.0, 1e-5), "");    // floats are 0.008 apart there, and a brick holds what differs
+  EXPECT_EQ(problem(101325.0, 1e-5), "");    // floats are 0.008 apart there, and a block holds the differences
   EXPECT_THAT(problem(0.0, 1e300), HasSubstr("beyond single precision"));
   EXPECT_THAT(problem(std::nan(""), 1.0), HasSubstr("no finite values"));
   EXPECT_THAT(problem(0.0, 1.0, 1), HasSubstr("has 1 components, counted from 0"));

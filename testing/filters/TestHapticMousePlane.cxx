@@ -22,7 +22,7 @@ protected:
   {
     this->session_->SetSetting("LinesAsWalls", vtkHapticSession::On);
     this->show(makePath({ { -40, 0, 0 }, { 40, 0, 0 } }));
-    this->look(eye_W, parallel); // what is seen sets the clipping range, whose width costs a ray its digits
+    this->look(eye_W, parallel); // the shown data set the clipping range, whose width costs a ray its digits
     this->pointAt({ 0, 10, 0 });
     this->engage();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the mouse in a view asks of a session.
+// Requests of the mouse in a view to a session.
 #include <cmath>
 
 #include <gmock/gmock.h>

@@ -60,7 +60,7 @@ protected:
     return z;
   }
 
-  /// What theory gives for a device as it describes itself [N/m].
+  /// The theoretical limit for a device by its own description [N/m].
   static double largest(const std::string& device, const LoopSettings& loop)
   {
     return stabilityLimits(infoOf(*deviceModel(device)), loop).largest_N_per_m;

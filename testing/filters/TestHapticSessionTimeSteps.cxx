@@ -134,7 +134,7 @@ TEST_P(MovingActor, WhoseMeshDeformsInTheSameFramesIsFeltUnderBothInEveryTick)
   constexpr double stiffness = 100.0;
   constexpr int ticks = 50; // a time step at 20 Hz
   const Vec3 hand_W(3.0, 20.0, -2.0);
-  Frame begin{ 0.1, 0.2 }; // at the origin: what moves is W as it was baked, and turns about that
+  Frame begin{ 0.1, 0.2 }; // at the origin: the motion is that of W as baked, and turns about that
   this->start(stiffness, makePlane(half, begin.tilt), GetParam() ? nullptr : matrixOf(begin).Get(), 15.0);
   if (GetParam())
   {

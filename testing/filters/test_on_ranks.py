@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Filters that need all of their data where each of two ranks has a half: what they find is that of the whole.
+"""Filters that need all of their data where each of two ranks has a half: their results are those of the whole.
 
 The plugin is loaded on both by PV_PLUGIN_PATH. The script runs on the first rank alone.
 """
@@ -39,7 +39,7 @@ class OnRanks(unittest.TestCase):
 
     @staticmethod
     def counted(script):
-        """What the script, which both ranks run, has counted on the first."""
+        """The counts of the script, which both ranks run, on the first."""
         counted = simple.ProgrammableSource(OutputDataSetType="vtkTable", Script=script)
         table = servermanager.Fetch(counted)
         return [table.GetColumnByName("cells").GetValue(i) for i in range(table.GetNumberOfRows())]
@@ -157,7 +157,7 @@ if rank == 0:
         self.assertGreater(found["Surface"].GetNumberOfCells(), 100)
 
     def test_planes_are_compared_with_all_of_a_solid(self):
-        # A peg of radius 5 hangs below z = 0: above it and just inside, its upper end is what is nearest.
+        # A peg of radius 5 hangs below z = 0: above it and just inside, its upper end is nearest.
         for z in (10.0, -1.0):
             plane = simple.Plane(Origin=[-2, -2, z], Point1=[2, -2, z], Point2=[-2, 2, z], XResolution=12, YResolution=12)
             measured = servermanager.Fetch(simple.CompareSurfaces(Input=plane, Reference=self.halves))

@@ -20,7 +20,7 @@ pv.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns={})
 
 TICKS_TO_ENGAGE = 1100  # arming, the ramp of 1 s, and some to spare
 
-JOYSTICK_STIFFNESS = 200.0  # N/m, what the simulated joystick is made for
+JOYSTICK_STIFFNESS = 200.0  # N/m, usual for the simulated joystick
 
 
 def proxy_manager():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is drawn of a soft body is what is felt: no place of it is within the ball, the lowest place under it is as deep as the ball.
-Where the hand was when the body was computed is known. A fine surface rides on coarse tetrahedra."""
+"""The drawn soft body is the felt one: no place of it is within the ball, the lowest place under it is as deep as the ball. Where
+the hand was when the body was computed is known. A fine surface rides on coarse tetrahedra."""
 
 import math
 import re

@@ -13,7 +13,7 @@ from palpate.testing.feel import Refused, updated
 from palpate.vtkHapticPipeline import vtkTouchAlongPath
 
 SIDE, DEPTH, STIFFNESS_N_PER_M = 2.0, 0.2, 400.0
-FELT = 0.07  # of a force, what a hand tells apart (docs/theory.md, "What a hand tells apart")
+FELT = 0.07  # of a force, the difference that a hand tells apart (docs/theory.md, "What a hand tells apart")
 WITHIN_N = 1e-5 * STIFFNESS_N_PER_M * SIDE  # a tool keeps a gap of some millionths of its size
 
 
