@@ -144,7 +144,7 @@ TEST(IsoProxy, OnASphereOfItsSampledSquareErrsByThreeEighthsOfThat)
 
 TEST(IsoProxy, NeverPassesASheetOfAFiftiethOfASpacingUnderJumpsOfSixty)
 {
-  // |z - 32| is exactly what the grid holds, since its kink lies on points.
+  // The grid holds |z - 32| exactly, since its kink lies on points.
   IsoHand hand(test::scalarFieldBlock(65, [](const Vec3& i) { return std::fabs(i.z() - 32.0); }), at(0.01, 10));
   test::Random random(test::testSeed(1613));
   hand.to({ 32, 32, 40 });

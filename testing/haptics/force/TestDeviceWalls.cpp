@@ -22,7 +22,7 @@ Vec3 unit(double angle_rad)
   return { std::cos(angle_rad), std::sin(angle_rad), 0 };
 }
 
-/// What springs at these walls do to a handle, written down from their definition.
+/// Force of springs at these walls on a handle, written down from their definition.
 Vec3 springs(const AxisWalls& walls, const Vec3& p_D)
 {
   Vec3 force = Vec3::Zero();

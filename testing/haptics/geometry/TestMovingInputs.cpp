@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes built one after another of surfaces that move: what is built anew, what is refitted, and from where it moves.
+// Scenes built one after another of surfaces that move: surfaces that are built anew or refitted, and the start of
+// their motions.
 #include <algorithm>
 #include <cmath>
 #include <limits>

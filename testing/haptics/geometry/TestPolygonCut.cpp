@@ -48,7 +48,7 @@ Cut cut(const Loop& loop)
   return made;
 }
 
-/// Edges by where they are that occur an odd number of times: the border of what they go round, whatever it looks like.
+/// Edges by their places that occur an odd number of times: the border of the polygon, whatever it looks like.
 class Border
 {
 public:

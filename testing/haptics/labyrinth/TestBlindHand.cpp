@@ -113,8 +113,8 @@ Labyrinth hairpin()
   return labyrinth;
 }
 
-// The shortest way of the disc is along the wall between the corridors and round its end: two straights of 2.5, less
-// what the reach of the exit spares, and half a circle of at least the disc's radius.
+// The shortest path of the disc is along the wall between the corridors and round its end: two straights of 2.5, less
+// the reach of the exit, and half a circle of at least the disc's radius.
 TEST(BlindHand, GoesThroughAHairpinRoundTheEndOfItsWallAndNotThroughIt)
 {
   const LabyrinthOutcome outcome = runBlind(hairpin(), {});

@@ -229,7 +229,7 @@ TEST(CheckedBodies, ARigidOneThatPassesThroughASoftSurfaceIsSaid)
   }
 }
 
-/// A needle of .2 m below a wall and a box above it, and what a watch of the ticks says.
+/// A needle of .2 m below a wall and a box above it, and a watch of the ticks.
 class WatchedBodies : public testing::Test
 {
 protected:

@@ -20,7 +20,7 @@ constexpr double lengthOverPlate = 0.2, halfPlate = 0.05, thickPlate = 0.005;
 /// Beyond it a tick goes in parts, each with arms of its own: no closed form of small turns has that.
 constexpr double smallTurn_rad = 0.5;
 
-/// What is asked of a plate.
+/// The input of a plate.
 struct PressedPlate
 {
   std::array<Vec3, 4> feet;

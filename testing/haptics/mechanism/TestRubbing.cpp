@@ -205,7 +205,7 @@ TEST_F(Rubbing, WhereNoPlaceIsOneOfRestATickSaysSoAndTheBlockGoesNoFurtherThanIt
     EXPECT_GT(x - last, 0.0);
     last = x;
   }
-  // A needle in its way bears what friction does not.
+  // A needle in its way bears the load beyond the friction.
   this->rig.mechanism.laws.pop_back();
   const Vec3 front(halfBlock, 0.0, -0.02);
   this->rig.join(ConstraintKind::Contact, "block", Vec3(0.0, 0.0, pusher), front).axis_B = Vec3::UnitX();
@@ -230,8 +230,8 @@ TEST_F(Rubbing, WhatSlidesWithoutEndIsFoundOutInAShareOfTheWorkAndGoesAsItWouldW
       const MechanismResult& r = this->rig.step(Pose{ this->pushed - Vec3(1e-2 + pusher, 0.0, 0.0), alongX });
       EXPECT_TRUE(r.capped) << tick;
       EXPECT_LE(10 * r.work, lawWorkBudget) << tick;
-      // The step of the drag, which has the compliance of the hand's spring: it goes by what its feet leave of its
-      // load.
+      // The step of the drag, which has the compliance of the hand's spring: it goes by the load that its feet do not
+      // bear.
       Vec3 left_N = this->rig.mechanism.bodies[block_].load_W;
       for (std::size_t foot = 0; foot < 4; ++foot)
       {

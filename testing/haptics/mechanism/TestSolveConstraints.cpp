@@ -135,7 +135,7 @@ std::optional<Eigen::VectorXd> forcesByTryingAll(const ConstraintProblem& p)
   return std::nullopt;
 }
 
-/// The largest number that is summed up in a row: its rounding is what no solver undoes.
+/// The largest number that is summed up in a row: no solver is better than its rounding.
 double termsOf(const ConstraintProblem& p, const ConstraintForces& f)
 {
   const Eigen::VectorXd forces = Eigen::VectorXd(f.force_N).cwiseAbs();
@@ -331,7 +331,7 @@ void makeStanding(Random& random, Solver& solver, int feet)
   }
 }
 
-/// Of forces and places: what one of a few newtons is judged by.
+/// Of forces and places: the scale of a comparison, with that of a few newtons.
 double sizeOf(const ConstraintForces& f)
 {
   return 1.0 + f.force_N.lpNorm<Eigen::Infinity>() + f.way_u.lpNorm<Eigen::Infinity>();
@@ -399,7 +399,7 @@ bool areWithinBounds(const ConstraintProblem& p, const ConstraintForces& f)
 TEST(SolveConstraints, WhatExceedsItsWorkSaysSoAndItsForcesAreWithinTheirBounds)
 {
   Random random(testSeed(2005));
-  constexpr std::uint32_t mostOfATurn = 3000; // what has begun is ended
+  constexpr std::uint32_t mostOfATurn = 3000; // a solve that has begun is ended
   std::size_t said = 0;
   for (std::size_t trial = 0; trial < testCount(300); ++trial)
   {

@@ -127,7 +127,7 @@ TEST(NamedChunks, WithANameThatCannotBeShownAreDamaged)
   EXPECT_EQ(problemOf(raw), "it is damaged: it has a part of unknown kind");
 }
 
-/// What a start holds of its parameters.
+/// The start chunk's text with these parameters.
 std::string startWith(const std::string& parameters)
 {
   return test::rawPart("parameters", parameters);

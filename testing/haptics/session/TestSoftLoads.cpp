@@ -158,8 +158,9 @@ TEST(SoftLoads, OfALinearBodyMoveItsSurfaceAndChangeNothingOfHowItYields)
     ASSERT_TRUE(pressed[bears]);
   }
   const ComplianceSnapshot &bare = *pressed[0]->snapshot, &loaded = *pressed[1]->snapshot;
-  // A snapshot has what the edges lead to within its reach. The weight strains no edge by more than the column's foot:
-  // so near less that share a vertex is in both, and what is in one of them is not further than that share beyond.
+  // A snapshot has the vertices that edges lead to within its reach. The weight strains no edge by more than the
+  // column's foot: vertices that are nearer by that share are in both snapshots, and a vertex of one of them is not
+  // further than that share beyond.
   const SoftBodyResult made = makeSoftBody(softBlock(ElasticModel::Linear));
   const SoftSurface surface = makeSoftSurface(*made.body, made.checked.mesh);
   const auto middle =
