@@ -42,7 +42,7 @@ struct Tubes
 class TubeHand
 {
 public:
-  /// `tubes` must outlive it. `fastest_u`: what it goes in a tick at most.
+  /// `tubes` must outlive it. `fastest_u`: its largest displacement in a tick.
   TubeHand(const std::vector<Tubes>& tubes, double half_u, double fastest_u, std::uint64_t seed);
 
   [[nodiscard]] Vec3 next();
@@ -68,8 +68,8 @@ public:
 
   void segment(const Vec3& from_W, const Vec3& to_W) noexcept override;
 
-  /// Judges what came since the last call and forgets it: least clearance of the centre over all of the way [u], which
-  /// no ball of radius r may bring below r. `start_W`, `end_W`: where the centre was before and is now. NaN for a way
+  /// Judges the path since the last call and forgets it: least clearance of the centre over all of the path [u], which
+  /// no ball of radius r may bring below r. `start_W`, `end_W`: where the centre was before and is now. NaN for a path
   /// with gaps.
   [[nodiscard]] double leastClearance(const Vec3& start_W, const Vec3& end_W);
 

@@ -23,7 +23,7 @@ constexpr int placeAttempts = 300;
 constexpr int waysTried = 12;
 /// Of the size: positions are sums and products of coordinates, normals of slivers lose five digits more.
 constexpr double clearanceShare = 1e-8;
-/// Of the radius: what is nearer counts as touched, and its normal is known to that much.
+/// Of the radius: a nearer triangle counts as touched, and its normal is known to that much.
 constexpr double touchShare = 1e-6;
 /// Of the way to the hand: touched planes at an angle of 1e-3 rad magnify the error of a normal a thousandfold.
 constexpr double restShare = 2e-3;

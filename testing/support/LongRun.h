@@ -17,7 +17,7 @@
 namespace palpate::test
 {
 
-/// What many ticks under a random hand came to: what each tick by itself must not do, and four more that must be 0.
+/// The sums of many ticks under a random hand: faults of single ticks, and four more that must be 0.
 struct RunFigures : TickFigures
 {
   std::uint64_t fallen = 0;    ///< ticks whose way met the clean closed shape, or sank deeper than its gaps allow
@@ -30,15 +30,15 @@ struct RunFigures : TickFigures
   std::uint64_t infeasible = 0;
   std::uint64_t work = 0;
   std::uint64_t mostWork = 0; ///< of one tick
-  double spent = 0.0;         ///< what the hand put into the spring, [depth^2], stiffness 1
-  double created = 0.0;       ///< what the ball's own motion added to it: must be rounding
+  double spent = 0.0;         ///< energy of the hand into the spring, [depth^2], stiffness 1
+  double created = 0.0;       ///< energy that the ball's own motion added to it: must be rounding
 
   [[nodiscard]] bool clean() const noexcept;
   RunFigures& operator+=(const RunFigures& more);
   [[nodiscard]] std::string text() const;
 };
 
-/// A mesh with what judges ways over it.
+/// A mesh with its judges of paths.
 struct JudgedMesh
 {
   explicit JudgedMesh(TriangleMesh clean);
@@ -53,7 +53,7 @@ struct RunTask
 {
   std::shared_ptr<const Scene> scene;
   const JudgedMesh* touched = nullptr; ///< the scene's one mesh, cleaned
-  const JudgedMesh* shape = nullptr;   ///< what must not be passed although `touched` has gaps, or null
+  const JudgedMesh* shape = nullptr;   ///< the shape that must not be passed although `touched` has gaps, or null
   double gap_u = 0.0;                  ///< of `touched` against `shape`
   double size_u = 1.0;                 ///< largest extent
   ContactPlan plan;
