@@ -24,7 +24,7 @@ public:
   [[nodiscard]] virtual std::optional<double> distance_u(const Vec3& /*p_W*/) { return std::nullopt; }
 };
 
-/// In what arithmetic a library decides whether a segment meets a triangle.
+/// The arithmetic in which a library decides whether a segment meets a triangle.
 enum class Arithmetic
 {
   Exact,

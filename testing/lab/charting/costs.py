@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""C1, C2, C9 and lines in a plane: what size costs, and what it brings."""
+"""C1, C2, C9 and lines in a plane: the cost of size, and its gain."""
 
 from matplotlib.ticker import LogFormatter, MaxNLocator
 

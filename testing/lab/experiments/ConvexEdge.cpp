@@ -24,8 +24,8 @@ struct Way
   int before, after; ///< steps on either side
 };
 
-/// The force of a wall of 1000 N/m: straight up above the top; past the edge none on a point, and on a ball what the
-/// side gives.
+/// The force of a wall of 1000 N/m: straight up above the top; past the edge none on a point, and on a ball the force
+/// of the side.
 Vec3 truth_N(double x_m, double radius_m)
 {
   return stiffness_N_per_m *

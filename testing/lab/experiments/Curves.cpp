@@ -48,7 +48,7 @@ private:
   GodObjectState state_;
 };
 
-/// What a distance field gives: out of the nearest piece, as far as the device is inside.
+/// The force of a distance field: out of the nearest piece, as far as the device is inside.
 class PenaltyTouch final : public Touch
 {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 3: what a held spring gives to a hand that presses and lets go at constant speed.
+// Row 3: energy from a held spring to a hand that presses and lets go at constant speed.
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// FieldBlocks of tetrahedra and of images: how far their numbers are from the data's, what they cost, and how fast a
-// hand may go before it is at the rim of one that is made anew every so often.
+// FieldBlocks of tetrahedra and of images: how far their numbers are from the data's, their cost, and how fast a hand
+// may go before it is at the rim of one that is made anew every so often.
 #include <algorithm>
 #include <cmath>
 #include <string>

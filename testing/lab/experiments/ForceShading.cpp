@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 18: the direction of the force on a faceted sphere with and without force shading, what it costs, and the work
-// that a shaded force, which has no potential, does over a closed way.
+// Row 18: the direction of the force on a faceted sphere with and without force shading, its cost, and the work that a
+// shaded force, which has no potential, does over a closed path.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -131,7 +131,7 @@ void hysteresis(const std::shared_ptr<const Scene>& floor, int quarter, Table& t
 
 constexpr double count_m = 50e-6, pull_m = 5e-3, inclineMu = 0.5;
 
-/// A hand that pulls straight down on what lies on an incline; how far that slides, and how far it has to [m].
+/// A hand that pulls straight down on an object on an incline; how far that slides, and how far it has to [m].
 struct Slide
 {
   double moved_m = 0.0;
@@ -150,7 +150,7 @@ Slide slideDown(double angle_rad, double radius_m, int ticks, std::uint64_t seed
   Slide slide;
   for (int i = 0; i < ticks; ++i)
   {
-    // One count along the pull: the direction of the pull is what the cone is about.
+    // One count along the pull: the cone is about the direction of the pull.
     const double pulled_m = pull_m + (random.uniform() < 0.5 ? 0.0 : count_m);
     probe.to(probe.x_W() - Vec3(0, 0, pulled_m));
     slide.truth_m += pulled_m * std::max(0.0, std::sin(angle_rad) - inclineMu * std::cos(angle_rad));

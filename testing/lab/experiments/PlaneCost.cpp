@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows 49 and 54: what a tick among lines costs, by a tree and by asking every line, and what coarser lines would save.
+// Rows 49 and 54: the cost of a tick among lines, by a tree and by asking every line, and the saving by coarser lines.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -232,8 +232,8 @@ double stroked(const std::vector<Vec3>& ring_W, std::size_t ticks, Cost& cost)
   return stroked([&](std::size_t) { return level; }, 0.2 * ring_W.front(), ticks, cost);
 }
 
-/// What a level that follows the hand could save: a choice every 16 ms that is fine where the hand may come meanwhile
-/// and coarser beyond.
+/// Saving by a level that follows the hand: a choice every 16 ms that is fine where the hand may come meanwhile and
+/// coarser beyond.
 void judgeFollowing(const MultiresolutionCurve& curve, double limit_u, std::size_t ticks, Table& table)
 {
   constexpr std::size_t every_ticks = 16;
@@ -254,8 +254,8 @@ void judgeFollowing(const MultiresolutionCurve& curve, double limit_u, std::size
 }
 
 /// A curve far finer than a hand feels: a tick passes one facet after the other, and a stroke passes more of them than
-/// a tick has passes. Not the tree but that is what coarser lines are for; once they are within what is felt, all at
-/// once.
+/// a tick has passes. Coarser lines are for that, not for the tree; once they are within the threshold of a hand, all
+/// at once.
 void judgeLevels(const Conditions& conditions, Table& table)
 {
   constexpr double stiffness_N_per_u = 500.0 / 40.0, felt_N = 0.07; // 500 N/m where the world is 10 cm wide

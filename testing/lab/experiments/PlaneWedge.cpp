@@ -62,7 +62,7 @@ CurveSet crowded(double angle_rad, test::Random& random)
 
 const Vec3 pushed_W(-1.0, 0.2, 0.0);
 
-/// The nearest point of the wedge to what is pushed in, in exact arithmetic.
+/// The point of the wedge nearest to the pushed place, in exact arithmetic.
 Vec3 nearestInWedge(double angle_rad)
 {
   const Vec2 below = unit(angle_rad / 2 - std::numbers::pi / 2), above = unit(std::numbers::pi / 2 - angle_rad / 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts C9: which libraries answer a collision query rightly, and what an answer costs.
+// Charts C9: which libraries answer a collision query rightly, and the cost of an answer.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -142,8 +142,8 @@ double countUndecided(Backend& exact, const Segments& segments, const std::vecto
   return countDifferent(changes, same);
 }
 
-/// What a few operations in the arithmetic a library answers in lose of a coordinate of size 1. (Times are doubles
-/// also where the decision is exact.)
+/// Rounding error of a few operations in a library's arithmetic on a coordinate of size 1. (Times are doubles also
+/// where the decision is exact.)
 double rounding(Arithmetic arithmetic)
 {
   return 32.0 * std::ldexp(1.0, arithmetic == Arithmetic::Single ? -24 : -53);
@@ -284,7 +284,7 @@ private:
   std::vector<std::unique_ptr<Backend>> backends_; ///< as backendKinds(); null: not there
 };
 
-/// What a short way, a way through a seam and one that just ends at a vertex ask.
+/// Queries of a short segment, of one through a seam and of one that just ends at a vertex.
 void judgeQueries(const test::NoisySphere& sphere, std::size_t count, std::uint64_t seed, Table& table)
 {
   test::Random random(seed);

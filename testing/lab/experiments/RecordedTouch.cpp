@@ -46,7 +46,7 @@ void judge(const AnalyticTouch& touch, int ticks, Table& table)
     const RenderedTouch rendered = render(touch, method(ours), ticks);
     const TouchError error = errorOf(rendered);
     table.atMost({ name, ours, "force vector error, RMS" }, error.rms, 0.01).cost = rendered.cost;
-    // Where facets are flat as the body is, what is left is rounding.
+    // Where facets are flat as the body is, the error is rounding.
     table.atMost({ name, ours, "direction error, largest", "deg" }, degree * error.direction_rad,
       degree * std::max(touch.tilt_rad, 1e-9));
   }

@@ -84,7 +84,8 @@ struct DiscreteTest
   }
 };
 
-/// What is looked at once a tick is seen for certain up to (t + 2 r) / T and with that share of the speed beyond.
+/// A plate that is looked at once a tick is seen for certain up to (t + 2 r) / T and with that share of the speed
+/// beyond.
 void runDiscrete(const DiscreteTest& ball, Table& table)
 {
   constexpr int phases = 400;

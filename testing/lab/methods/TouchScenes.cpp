@@ -55,8 +55,8 @@ TouchScene thinPlate()
     aboveThePlane, { penalty, held } };
 }
 
-/// The force of a box whose top is z = 0 and whose edge is x = z = 0, on what came from above: the top's while the
-/// device is before the edge, past it the round edge's or the side's.
+/// The force of a box whose top is z = 0 and whose edge is x = z = 0, on a ball that came from above: the top's while
+/// the device is before the edge, past it the round edge's or the side's.
 Vec3 overTheEdge(const Vec3& p_W, double r_u)
 {
   if (p_W.x() < 0)

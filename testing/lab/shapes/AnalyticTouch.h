@@ -13,7 +13,7 @@
 namespace palpate::lab
 {
 
-/// A moment of a touch recorded on a smooth body: where the ball's centre was and what it was pushed with.
+/// A moment of a touch recorded on a smooth body: the ball's centre and its force.
 struct TouchMoment
 {
   Vec3 centre_W = Vec3::Zero(); ///< [m]

@@ -117,7 +117,7 @@ public:
     this->z_.tail(own.size()) = own;
   }
 
-  /// A tick with the hand there, and what it should feel: what the rod at these coordinates presses the hand with.
+  /// A tick with the hand there, and the expected force: that of the rod at these coordinates on the hand.
   void expect(const Pose& hand_W, const Eigen::VectorXd& z)
   {
     const test::HeldRod rod = this->rodIn(hand_W);

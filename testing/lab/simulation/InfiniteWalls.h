@@ -71,7 +71,7 @@ class WallTicks
 public:
   WallTicks(const AtWall& start, WallLaw law);
 
-  /// One period; what the law gave for it [N].
+  /// One period; the wall's force for it [N].
   double tick();
   [[nodiscard]] double x_m() const { return this->device_.position_D().x(); }
   [[nodiscard]] double speed_m_per_s() const { return this->device_.speed_D().x(); }
