@@ -80,7 +80,7 @@ struct FieldBlockArray
   return role == FieldBlockRole::Vector || role == FieldBlockRole::Axis ? 3 : 1;
 }
 
-/// One component of an array on the grid of its brick, which must outlive it.
+/// One component of an array on the grid of its block, which must outlive it.
 class FieldBlockComponent
 {
 public:
@@ -134,11 +134,11 @@ struct FieldSample
 class FieldBlock
 {
 public:
-  /// All bricks together are to stay below 32 MB; an owner may hold the one felt, the one before and the one being
+  /// All blocks together are to stay below 32 MB; an owner may hold the one felt, the one before and the one being
   /// made.
   static constexpr std::size_t mostBytes = std::size_t{ 9 } << 20;
 
-  /// Empty, or one sentence why these are no brick.
+  /// Empty, or one sentence why these are no block.
   [[nodiscard]] static std::string refuse(const FieldBlockGrid& grid, const std::vector<FieldBlockArray>& arrays,
     std::size_t mostBytes = FieldBlock::mostBytes);
   static constexpr std::size_t mostPlaces = 256; ///< that a hand snaps to: a tick looks at all of them
@@ -161,7 +161,7 @@ public:
   [[nodiscard]] const std::shared_ptr<const FieldCells>& cells() const noexcept { return this->cells_; }
   /// The finer one where that reaches to a place, else this.
   [[nodiscard]] const FieldBlock& finestAt(const Vec3& p_W) const noexcept;
-  /// Hash of grid, roles, values, places, lines, of the finer one and of the cells: names a brick in a recording.
+  /// Hash of grid, roles, values, places, lines, of the finer one and of the cells: names a block in a recording.
   [[nodiscard]] std::uint64_t contentHash() const noexcept { return this->contentHash_; }
   /// This or the finer one, whichever has that hash; null: neither.
   [[nodiscard]] const FieldBlock* called(std::uint64_t contentHash) const noexcept;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`palpate check` and `palpate touch` with a scene file of bodies and laws; each expected value from statics by hand."""
+"""`palpate check` and `palpate touch` with a scene file of bodies and constraints; each expected value from statics by hand."""
 
 import json
 import math
@@ -13,7 +13,7 @@ from palpate_cli import CommandLineTest
 SCENES = Path(os.environ["PALPATE_SOURCE_DIR"]) / "data" / "mechanisms"
 UPRIGHT = (1.0, 0.0, 0.0, 0.0)
 POSES = "t,x,y,z,qw,qx,qy,qz"
-MOST_STEP = 0.2  # N a tick that a law's change reaches the hand with
+MOST_STEP = 0.2  # N a tick that a constraint's change reaches the hand with
 
 
 class Mechanism(CommandLineTest):

@@ -58,13 +58,13 @@ std::vector<std::shared_ptr<const palpate::Scene>> ScenesOf(const vtkHapticCliRe
   return scenes;
 }
 
-/// A recording numbers laws, and has their kinds and no names.
+/// A recording numbers constraints, and has their kinds and no names.
 std::string NumberedConstraint(int law)
 {
   return "law" + std::to_string(law + 1);
 }
 
-/// Of the mechanism with most laws.
+/// Of the mechanism with most constraints.
 int ConstraintsOf(const palpate::Recording& recording)
 {
   int most = 0;
@@ -88,7 +88,7 @@ std::string ConstraintColumns(int laws)
   return columns;
 }
 
-/// Tells which laws change, as the ticks are recomputed.
+/// Tells which constraints change, as the ticks are recomputed.
 class ChangedConstraints
 {
 public:

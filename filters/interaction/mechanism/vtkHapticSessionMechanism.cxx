@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies that laws join, one of them in the hand.
+// Bodies that constraints join, one of them in the hand.
 #include "vtkHapticHeldMechanism.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkPolyData.h"

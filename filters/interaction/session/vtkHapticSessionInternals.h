@@ -66,7 +66,7 @@ public:
   vtkMTimeType BesideTime = 0; ///< of both when they were taken
   palpate::FieldEnds FieldEnds{ 1.0, 0.0 };
   palpate::FeltField FeltField;
-  bool FieldIsNew = false;   ///< no brick has come of it yet
+  bool FieldIsNew = false;   ///< no block has come of it yet
   double FieldAdded_s = 0.0; ///< when it was added, as Now() has it
   std::string FieldProblem;  ///< why the data that was added is not felt
   std::string FieldText;

@@ -54,7 +54,7 @@ std::size_t PointsOf(const vtkHapticFieldWindow& window)
   return static_cast<std::size_t>(window.Size[0]) * window.Size[1] * window.Size[2];
 }
 
-/// As far as asked, or as the memory of a brick allows; all of it where that fits.
+/// As far as asked, or as the memory of a block allows; all of it where that fits.
 std::optional<vtkHapticFieldWindow> WindowAround(
   const FieldBlockGrid& lattice, const Vec3& centre_W, double reach_u, std::size_t mostPoints)
 {

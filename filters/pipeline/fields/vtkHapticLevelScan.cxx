@@ -47,7 +47,7 @@ void vtkHapticLevelScan::Tell(palpate::MadeFieldBlock& made, const palpate::Fiel
   {
     return;
   }
-  constexpr int tile = 130; // 9 MB, as a brick
+  constexpr int tile = 130; // 9 MB, as a block
   this->Known = this->Known ? *this->Known : vtkHapticLevelsOf(lattice, arrays, read, tile);
   made.levels = *this->Known;
 }

@@ -152,7 +152,7 @@ public:
   }
 
 private:
-  /// Of the first brick: to probe once more takes nearly as long as to probe a brick.
+  /// Of the first block: to probe once more takes nearly as long as to probe a block.
   double ErrorOf(const palpate::FieldBlock& brick) const
   {
     if (!this->Error)

@@ -32,8 +32,8 @@
  * and turned by MechanismTurning, or without one by Stiffness (ToolLever / Scale)^2; without both it turns freely. The
  * points of the output are where its origin is. Besides there are Torque and Turn as of a tool, and
  *
- *     Residual       (n)    double  by how much a law is not met [u]
- *     Force of NAME  (n, 3) double  of the law NAME on its first body, in W [N]
+ *     Residual       (n)    double  by how much a constraint is not met [u]
+ *     Force of NAME  (n, 3) double  of the constraint NAME on its first body, in W [N]
  *     Phase of NAME  (n)    double  0: open, 1: closed, 2: slips, 3: inside, 4: gone
  *     Inside of NAME (n)    double  of the shaft, beyond its hole [u]
  *

@@ -6,7 +6,7 @@
 
 class vtkSMSourceProxy;
 
-/// Data of a server as a field: bricks are made there and fetched. The thread of ParaView's proxies alone may ask it.
+/// Data of a server as a field: blocks are made there and fetched. The thread of ParaView's proxies alone may ask it.
 struct vtkHapticRemoteFieldResult
 {
   vtkHapticFieldResult Field;

@@ -25,7 +25,7 @@ struct DetentPlan
   std::int32_t levelCount = 0;                ///< of chosen levels; 0: they are at equal distances
   std::array<double, mostLevels> levels = {}; ///< that are chosen, rising; a hollow is as wide as `spacing`, at most as
                                               ///< two levels are apart
-  LevelBounds bounds = {}; ///< of all of the data, whichever brick is felt: they limit the strength of smooth levels
+  LevelBounds bounds = {}; ///< of all of the data, whichever block is felt: they limit the strength of smooth levels
 };
 
 /// Sets the chosen levels from numbers between commas or blanks, in any order; none: equal distances. Empty, or one

@@ -20,7 +20,7 @@ struct FieldPlan
   double dragNone = 0.0;    ///< resistance at which nothing of it is felt
   double dragFull = 1.0;    ///< and at which all of it is, above or below that
   DetentPlan detent;        ///< levels of the scalar hold the hand
-  double snap_N = 0.0;      ///< pulls to the nearest of the brick's places and lines
+  double snap_N = 0.0;      ///< pulls to the nearest of the block's places and lines
   double snapReach_u = 5.0; ///< from there on, less with the distance
   double compare_N = 0.0;   ///< resists every motion where scalar and other differ
   double compareFull = 1.0; ///< difference from which it does with all of its strength

@@ -22,8 +22,8 @@ using BodyPair = std::pair<std::string, std::string>;
 /// decide nothing. Not real-time safe.
 [[nodiscard]] std::vector<BodyPair> overlapsOf(const Mechanism& mechanism, std::span<const MechanismSoft> soft);
 
-/// In which bodies that which the hand holds lies where its frame is at W's, left out such as a law joins it to. Not
-/// real-time safe.
+/// In which bodies that which the hand holds lies where its frame is at W's, left out such as a constraint joins it to.
+/// Not real-time safe.
 [[nodiscard]] std::vector<BodyPair> overlapsOfHeld(const Mechanism& mechanism, std::span<const MechanismSoft> soft);
 
 /// Likewise in a tick: rigid bodies and the held body have the poses of the last solution, soft ones the shape of their
@@ -33,7 +33,7 @@ using BodyPair = std::pair<std::string, std::string>;
 class OverlapWatch
 {
 public:
-  /// `pose_W`: of each body, of those that are held or rigid; `phases`: of each law.
+  /// `pose_W`: of each body, of those that are held or rigid; `phases`: of each constraint.
   [[nodiscard]] const std::vector<BodyPair>& look(const Mechanism& mechanism, std::span<const MechanismSoft> soft,
     std::span<const Pose> pose_W, std::span<const ConstraintPhase> phases);
   [[nodiscard]] const std::vector<BodyPair>& seen() const noexcept { return this->seen_; }

@@ -26,7 +26,7 @@ constexpr double leastShare = 1e-6;
 /// From there on a hundredth of a force is rounding of a device's place.
 constexpr double badCondition = 1e8;
 
-/// A mechanism where all its laws hold, as it stands at rest, the held body's frame at W's.
+/// A mechanism where all its constraints hold, as it stands at rest, the held body's frame at W's.
 class AtRest
 {
 public:
@@ -201,8 +201,8 @@ private:
     }
   }
 
-  /// A load on a body that no row goes with: the body would fall for ever. One that glides off its laws is left to be
-  /// felt, and said in each tick.
+  /// A load on a body that no row goes with: the body would fall for ever. One that glides off its constraints is left
+  /// to be felt, and said in each tick.
   void tellFalling(MechanismCheck& check) const
   {
     for (int b = 0, first = 0; b < this->plan_.bodyCount; first += this->waysOf(b), ++b)
@@ -282,7 +282,7 @@ private:
   SemidefiniteFactor<ConstraintProblem::most> factor_;
 };
 
-/// Bodies do not meet but where a law has them meet.
+/// Bodies do not meet but where a constraint has them meet.
 void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> soft, MechanismCheck& check)
 {
   check.overlaps = overlapsOf(mechanism, soft);

@@ -22,10 +22,10 @@ struct MechanismSoft
 /// Properties of a mechanism, and its faults.
 struct MechanismCheck
 {
-  std::vector<std::string> faults;    ///< a sentence each, with the name of the law or body; none: it can be felt
+  std::vector<std::string> faults;    ///< a sentence each, with the name of constraint or body; none: it can be felt
   std::vector<std::string> remarks;   ///< redundant constraints, free rotations, bad conditioning
-  std::vector<std::string> redundant; ///< names of laws of which a row follows from others
-  std::vector<std::string> free;      ///< names of bodies that can move where no law holds them
+  std::vector<std::string> redundant; ///< names of constraints of which a row follows from others
+  std::vector<std::string> free;      ///< names of bodies that can move where no constraint holds them
   std::vector<std::pair<std::string, std::string>> overlaps;     ///< bodies that share room as they stand, by name
   std::vector<std::pair<std::string, std::string>> heldOverlaps; ///< likewise of the held body, at the origin
   int rows = 0;                                                  ///< that may hold at once

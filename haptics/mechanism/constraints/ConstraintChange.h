@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// A law changed for good, or for as long as the needle is in: a recording names it by the tick.
+/// A constraint changed for good, or for as long as the needle is in: a recording names it by the tick.
 enum class ConstraintChange : std::uint8_t
 {
   Punctured,
@@ -35,7 +35,7 @@ struct ConstraintOutcome
 /// elsewhere.
 [[nodiscard]] bool mayGiveWay(const PlannedConstraint& law) noexcept;
 
-/// Whether a law of that kind, or a shaft in its hole, gives way to this.
+/// Whether a constraint of that kind, or a shaft in its hole, gives way to this.
 [[nodiscard]] bool givesWay(const PlannedConstraint& law, const ConstraintOutcome& outcome) noexcept;
 
 /// The change that the outcome makes to a constraint, if any; the state is changed.

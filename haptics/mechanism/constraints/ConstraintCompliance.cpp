@@ -30,7 +30,7 @@ FreeWays waysOf(const MechanismPlan& plan, const MechanismGrip& grip, int body) 
   return ways;
 }
 
-/// How A's point of law l goes against B's, by the soft bodies, under a force between those of law m.
+/// How A's point of constraint l goes against B's, by the soft bodies, under a force between those of constraint m.
 Mat3 softCompliance(const ConstraintScene& scene, const ConstraintRows& rows, int l, int m) noexcept
 {
   Mat3 sum = Mat3::Zero();
@@ -50,7 +50,7 @@ Mat3 softCompliance(const ConstraintScene& scene, const ConstraintRows& rows, in
   return sum;
 }
 
-/// Of the rows of the laws that i and j belong to: rows of one law stand together.
+/// Of the rows of the constraints that i and j belong to: rows of one constraint stand together.
 void addSoft(const ConstraintScene& scene, const ConstraintRows& rows, ConstraintProblem& problem) noexcept
 {
   for (int i = 0, iEnd = 0; i < rows.count; i = iEnd)
@@ -80,7 +80,7 @@ void addSoft(const ConstraintScene& scene, const ConstraintRows& rows, Constrain
   }
 }
 
-/// Of the body in the hand, on whose side of the laws the rows' motions are.
+/// Of the body in the hand, on whose side of the constraints the rows' motions are.
 void addHeld(
   const ConstraintScene& scene, const ConstraintRows& rows, const HeldYield& held, ConstraintProblem& problem) noexcept
 {

@@ -20,7 +20,7 @@ Vec3 freePlace_W(const ComplianceSnapshot& snapshot, const SurfacePoint& at) noe
   return x_W;
 }
 
-/// The rows of one law after another.
+/// The rows of one constraint after another.
 class RowMaker
 {
 public:

@@ -12,7 +12,7 @@
 namespace palpate
 {
 
-/// Where one side of a law is.
+/// Where one side of a constraint is.
 struct ConstraintEnd
 {
   int body = 0;
@@ -31,17 +31,17 @@ struct ConstraintRow
   double free_u = 0.0;
   double lowest_N = 0.0;
   double highest_N = 0.0;
-  double compliance_u_per_N = 0.0; ///< of the law's own spring
+  double compliance_u_per_N = 0.0; ///< of the constraint's own spring
   bool dry = false;                ///< dry friction: all motion is slip
   double now_u = 0.0;              ///< likewise: where it is
 };
 
-/// The laws of a mechanism, linearised at one place of its bodies.
+/// The constraints of a mechanism, linearised at one place of its bodies.
 struct ConstraintRows
 {
   static constexpr int most = ConstraintProblem::most;
 
-  std::array<std::array<ConstraintEnd, 2>, Mechanism::mostConstraints> ends{}; ///< A and B of each law
+  std::array<std::array<ConstraintEnd, 2>, Mechanism::mostConstraints> ends{}; ///< A and B of each constraint
   std::array<ConstraintRow, most> rows{};
   std::array<double, most / 3> friction{};
   int count = 0;
@@ -53,12 +53,12 @@ struct ConstraintScene
 {
   const MechanismPlan& plan;
   std::span<const PressedBody* const> soft;
-  std::span<const Pose> pose_W; ///< of each body: where its laws are linearised
+  std::span<const Pose> pose_W; ///< of each body: where its constraints are linearised
   std::span<const ConstraintState> laws;
   const Pose& hand_W; ///< where the hand has the body that it holds
 };
 
-/// The rows of the laws that hold now. A law on a soft body that is not there has none. Real-time safe.
+/// The rows of the constraints that hold now. A constraint on a soft body that is not there has none. Real-time safe.
 void makeRows(const ConstraintScene& scene, ConstraintRows& rows) noexcept;
 
 /// Whether the rows of a kind are along B's axis, and A's point may be elsewhere along it or across.
@@ -73,7 +73,7 @@ void makeRows(const ConstraintScene& scene, ConstraintRows& rows) noexcept;
 [[nodiscard]] Vec6 jacobianOf(
   const ConstraintScene& scene, const ConstraintRows& rows, const ConstraintRow& row, int side) noexcept;
 
-/// Whether a law on the shaft of a rod holds in it now.
+/// Whether a constraint on the shaft of a rod holds in it now.
 [[nodiscard]] bool inShaft(const PlannedConstraint& law, const ConstraintState& state) noexcept;
 
 } // namespace palpate

@@ -6,7 +6,7 @@
 namespace palpate
 {
 
-/// How far a law has come.
+/// How far a constraint has come.
 enum class ConstraintPhase : std::uint8_t
 {
   Open,   ///< holds nothing now: a contact that is open, a needle that has not met its body
@@ -25,7 +25,7 @@ struct ConstraintState
   bool waits = false;            ///< the held body has not come yet to where the constraint holds without breaking at
                                  ///< once
   bool placed = false;           ///< `stuck_u` has been set
-  SurfacePoint place_A;          ///< where the law is on a soft body
+  SurfacePoint place_A;          ///< where the constraint is on a soft body
   SurfacePoint place_B;          ///< likewise
   Vec3 normal_W = Vec3::UnitZ(); ///< Puncture: of the surface where the tip is
   Vec3 stuck_u = Vec3::Zero();   ///< friction: from B's point to A's where it would rest; dry: along its axis in x

@@ -41,7 +41,7 @@ struct Stiffness
 {
   HeldYield::Square springs = HeldYield::Square::Zero();
   HeldYield::Square bend = HeldYield::Square::Zero();   ///< of springs that are turned far
-  HeldYield::Square forces = HeldYield::Square::Zero(); ///< of the laws
+  HeldYield::Square forces = HeldYield::Square::Zero(); ///< of the constraints
   double mostOfForces = 0.0;                            ///< no turn is held by forces with more
   bool turning = false; ///< a direction turns: yield of soft bodies along it is not included
 

@@ -49,9 +49,9 @@ struct MechanismHand
   int pressCount = 0;
   decltype(MechanismResult::presses) presses{};
   decltype(MechanismResult::pose_W) pose_W{};                       ///< of held and rigid bodies
-  std::array<ConstraintPhase, Mechanism::mostConstraints> phases{}; ///< of the laws
+  std::array<ConstraintPhase, Mechanism::mostConstraints> phases{}; ///< of the constraints
 
-  /// Of the bodies and the law's forces that a tick came to.
+  /// Of the bodies and the constraint's forces that a tick came to.
   void press(const MechanismResult& result) noexcept
   {
     this->pose_W = result.pose_W;

@@ -10,7 +10,7 @@ namespace palpate
 namespace
 {
 
-/// Of a turn that laws make in one piece: beyond it their rows would mean little [rad].
+/// Of a turn that constraints make in one piece: beyond it their rows would mean little [rad].
 constexpr double mostTurn_rad = 0.5;
 constexpr int mostParts = 24; ///< in which a tick goes a longer turn, and follows a bent way
 /// Of the lever: a mismatch that turns leave between rows and bodies is reduced from there on, and reported as too
@@ -126,7 +126,7 @@ void SettledConstraints::solve(ConstraintStart start) noexcept
   this->takeMotions();
 }
 
-/// A law that has no rows any more, broken or open, turns nothing on.
+/// A constraint that has no rows any more, broken or open, turns nothing on.
 void SettledConstraints::forgetForces() noexcept
 {
   for (int l = 0; l < this->plan_.lawCount; ++l)

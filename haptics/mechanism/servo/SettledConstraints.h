@@ -44,13 +44,13 @@ public:
   [[nodiscard]] Vec6 onHand() const noexcept;
   /// The hand's target pose for the held body. A device that leaves the turn free leaves the turn as it was.
   [[nodiscard]] const Pose& lead_W() const noexcept { return this->lead_W_; }
-  /// Where the laws were solved last, and where that brings a body.
+  /// Where the constraints were solved last, and where that brings a body.
   [[nodiscard]] const Pose& reference_W(int body) const noexcept { return this->reference_[body]; }
   [[nodiscard]] Pose movedPose(int body) const noexcept;
 
   [[nodiscard]] std::uint32_t work() const noexcept { return this->work_; }
   [[nodiscard]] bool capped() const noexcept;
-  /// No law is missed by more, on the bodies as they are turned.
+  /// No constraint is missed by more, on the bodies as they are turned.
   [[nodiscard]] double residual_u() const noexcept;
   /// Elastic energy of the hand's springs and the constraints, with that of the soft bodies under these forces.
   [[nodiscard]] double stored_Nu() const noexcept;

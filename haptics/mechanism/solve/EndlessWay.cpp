@@ -18,7 +18,7 @@ constexpr int mostSweeps = 40;
 constexpr double leastLeft = 1e-2;
 constexpr int perWork = 27; ///< multiply-adds to the unit of ContactPlan::workBudget
 
-/// A way of the free bodies, led to where no law without bounds resists it.
+/// A way of the free bodies, led to where no constraint without bounds resists it.
 class WaySearch
 {
 public:

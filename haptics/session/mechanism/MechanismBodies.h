@@ -46,9 +46,9 @@ public:
   [[nodiscard]] const BodyMaker& maker(std::size_t body) const { return *this->makers_[body]; }
   /// As a check and a plan want to see them: at rest, the first time.
   [[nodiscard]] const std::vector<MechanismSoft>& atRest() const noexcept { return this->atRest_; }
-  /// The same, for who judges other laws.
+  /// The same, for who judges other constraints.
   [[nodiscard]] const BodiesAtRest& first() const noexcept { return this->first_; }
-  /// Where a plan's laws are on the bodies: snapshots are made around these places from now on.
+  /// Where a plan's constraints are on the bodies: snapshots are made around these places from now on.
   void hold(const MechanismPlan& plan);
 
   /// The forces of the mechanism in a tick, and the place of the held body's tip: of each body the next snapshot
@@ -82,7 +82,7 @@ private:
   std::vector<std::shared_ptr<const PressedBody>> newest_;
   std::vector<MechanismSoft> atRest_;
   std::vector<std::shared_ptr<const CheckedTetras>> asMade_;
-  std::vector<std::vector<SurfacePoint>> places_; ///< of laws, of each body
+  std::vector<std::vector<SurfacePoint>> places_; ///< of constraints, of each body
   std::vector<BodyHand> hands_;
   std::vector<VirtualBody> paced_;
   std::vector<const PressedBody*> given_;

@@ -32,12 +32,12 @@ public:
 
   /// The hand is there at that time, which is later than the time before. Wrench on the hand: N, N m.
   [[nodiscard]] MechanismResult next(double time_s, const Pose& hand_W);
-  /// A person breaks a law.
+  /// A person breaks a constraint.
   void breakConstraint(std::uint32_t law) noexcept { this->tick_.breakConstraint(law); }
 
   [[nodiscard]] const MechanismCheck& check() const noexcept { return this->check_; }
   [[nodiscard]] const MechanismPlan& plan() const noexcept { return this->plan_; }
-  /// Which bodies shared room at the last place of the hand, though no law between them held.
+  /// Which bodies shared room at the last place of the hand, though no constraint between them held.
   [[nodiscard]] const std::vector<BodyPair>& overlaps() const noexcept { return this->watch_.seen(); }
   [[nodiscard]] const MechanismBodies& bodies() const noexcept { return *this->bodies_; }
 

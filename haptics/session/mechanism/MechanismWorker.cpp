@@ -80,7 +80,7 @@ MechanismCheck MechanismTask::judge() const
   return checkMechanism(this->now_.choice.inputs->mechanism, this->bodies_->atRest(), this->now_.grip);
 }
 
-/// Factors take long: laws that are changed leave the bodies as they are, pressed or not.
+/// Factors take long: constraints that are changed leave the bodies as they are, pressed or not.
 void MechanismTask::makeBodies(std::string& refusal, const std::stop_token& stop)
 {
   const std::vector<MechanismSoftInput> soft = this->now_.soft();

@@ -21,7 +21,7 @@ struct MechanismLinks;
 struct MechanismStatus : WorkStatus
 {
   MechanismCheck check;           ///< plan and faults
-  std::vector<BodyPair> overlaps; ///< bodies that share room where they are felt, though no law between them holds
+  std::vector<BodyPair> overlaps; ///< bodies that overlap where they are felt, though no constraint joins them
   std::uint64_t plan = 0;         ///< revision of the one that the servo is given; 0: none
   std::vector<SeenBody> soft;     ///< of that, in the order of its inputs
   BodiesAtRest atRest;            ///< likewise

@@ -17,7 +17,7 @@ struct PathTick
 {
   Pose proxy_W;             ///< of the ball, the tool's handle or the held body of a mechanism [u]
   Wrench wrench_W;          ///< on the hand [N], [N m]
-  int contacts = 0;         ///< planes, contacts or laws that push
+  int contacts = 0;         ///< planes, contacts or constraints that push
   std::vector<double> more; ///< the values of the columns that the kind adds
   double cost_us = 0.0;     ///< see TickCost
 };
@@ -26,7 +26,7 @@ struct PathTick
 struct PathColumn
 {
   std::string
-    name; ///< Turn (w x y z), Torque [N m], Angle [degrees], Residual [u], Force of, Phase of, Inside of a law
+    name; ///< Turn (w x y z), Torque [N m], Angle [degrees], Residual [u], Force of, Phase of, Inside of a constraint
   int components = 1;
 };
 

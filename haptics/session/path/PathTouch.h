@@ -19,7 +19,7 @@ public:
   /// one before was.
   PathTouch(std::shared_ptr<const Scene> scene, const HapticParameters& parameters, double first_s);
 
-  /// Numbers in space are felt as well, from the next tick on. Their bricks are as large as the memory of one allows,
+  /// Numbers in space are felt as well, from the next tick on. Their blocks are as large as the memory of one allows,
   /// and are waited for: the same path gives the same forces on any machine.
   void feel(std::shared_ptr<const FieldSource> field);
 
@@ -31,7 +31,7 @@ public:
   /// that of the field. The contacts are those of the surfaces and those of the field.
   [[nodiscard]] HapticState next(double time_s, const Pose& hand_D);
 
-  /// The newest brick of the field, or why there is none.
+  /// The newest block of the field, or why there is none.
   [[nodiscard]] const MadeFieldBlock& madeFieldBlock() const noexcept { return this->field_.made(); }
   /// The body that gives way; null: none.
   [[nodiscard]] const BodyMaker* body() const noexcept { return this->maker_.get(); }

@@ -28,7 +28,7 @@ double roundedUp(double value)
   return std::ceil(value / unit) * unit;
 }
 
-/// A brick that is all of the data knows how steep they are.
+/// A block that is all of the data knows how steep they are.
 MadeFieldBlock withLevels(MadeFieldBlock made, const FieldBlockWish& wish)
 {
   const bool all = made.brick && std::isinf(made.reach_u);

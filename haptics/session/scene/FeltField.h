@@ -16,13 +16,13 @@
 namespace palpate
 {
 
-/// Keeps a brick of a field around the hand: the next one is made, by a worker unless the source wants its owner to
+/// Keeps a block of a field around the hand: the next one is made, by a worker unless the source wants its owner to
 /// ask, once the hand has used up half of the room that it had. By distance, never by a clock: a hand at rest costs
 /// nothing. One thread, the session's owner, calls every method.
 class FeltField
 {
 public:
-  /// From now on this is felt; null: nothing. A brick that is being made of another source is thrown away.
+  /// From now on this is felt; null: nothing. A block that is being made of another source is thrown away.
   void setSource(std::shared_ptr<const FieldSource> source);
   [[nodiscard]] bool hasSource() const noexcept { return this->source_ != nullptr; }
 
@@ -65,7 +65,7 @@ private:
 /// never exceeded. `stiffness_N_per_u`: of each spring of the field.
 [[nodiscard]] std::string detentText(const FieldPlan& plan, double stiffness_N_per_u);
 
-/// "", or that surfaces and clicking levels are felt at the points of a brick instead of the data's own cells, how far
+/// "", or that surfaces and clicking levels are felt at the points of a block instead of the data's own cells, how far
 /// apart these are at a place, and why.
 [[nodiscard]] std::string latticeText(const FieldPlan& plan, const MadeFieldBlock& made, const Vec3& hand_W);
 

@@ -12,8 +12,8 @@ namespace palpate::stage
 {
 
 /// F = F_new + (F_old - F_new) decaying, and so the torque: a replaced scene, another map, a tool or a mechanism that
-/// is taken, replaced or laid down, a law that is broken by hand, a body that begins or ends to give way, a hand that
-/// leaves or re-enters its known surroundings never steps (Mark et al. 1996). Not for the first scene, not for
+/// is taken, replaced or laid down, a constraint that is broken by hand, a body that begins or ends to give way, a hand
+/// that leaves or re-enters its known surroundings never steps (Mark et al. 1996). Not for the first scene, not for
 /// surfaces that only move or bend, and not a safety limit.
 struct Blend
 {

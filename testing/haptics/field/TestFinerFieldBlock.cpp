@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A brick with a finer one in it. The judge is the ball whose distance both have sampled: a surface of spacing h lies
+// A block with a finer one in it. The judge is the ball whose distance both have sampled: a surface of spacing h lies
 // h^2 / 4 R inside of it.
 #include <cmath>
 

@@ -172,7 +172,7 @@ TEST(SmoothLevels, TakeNoWorkOverClosedWaysWhereBricksFollowTheHandAndTheFinerOn
 {
   const Way way = [](double turn)
   { return Vec3(middle + Vec3(6.5 + 5.0 * std::cos(turn), 4.0 * std::sin(turn), 2.5 * std::sin(2.0 * turn))); };
-  // Steeper on one side: by its own steepest place each brick would have another limit.
+  // Steeper on one side: by its own steepest place each block would have another limit.
   const Function uneven = [](const Vec3& p) { return p.x() + 0.02 * p.x() * p.x() + 0.5 * std::sin(0.4 * p.y()); };
   for (const Function& function : { Function(distance), uneven })
   {

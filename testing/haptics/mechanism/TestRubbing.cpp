@@ -79,7 +79,7 @@ protected:
   static constexpr std::size_t block_ = 2; // after needle and world
   MechanismRig rig{ pusher };
   Vec3 pushed = Vec3::Zero();
-  Pose before_W; ///< of the block, where its laws are taken
+  Pose before_W; ///< of the block, where its constraints are taken
 };
 
 TEST_F(Rubbing, ABlockThatIsPushedSticksUntilAllFrictionIsUsedUpThenSlidesAndStaysWhereItCame)

@@ -81,7 +81,7 @@ void makeRandom(Random& random, Solver& solver)
   }
 }
 
-/// Forces where all laws hold, found among all ways in which rows may be held or at a bound.
+/// Forces where all constraints hold, found among all ways in which rows may be held or at a bound.
 std::optional<Eigen::VectorXd> forcesByTryingAll(const ConstraintProblem& p)
 {
   const int n = p.count;
@@ -248,7 +248,8 @@ void makeRubbing(Random& random, Solver& solver)
   }
 }
 
-/// In ticks, each of which begins where the body came to in the one before, until its laws are met. Returns how many.
+/// In ticks, each of which begins where the body came to in the one before, until its constraints are met. Returns how
+/// many.
 int goOn(Solver& solver)
 {
   constexpr int most = 300;
@@ -430,8 +431,8 @@ TEST(SolveConstraints, WhatExceedsItsWorkSaysSoAndItsForcesAreWithinTheirBounds)
   EXPECT_GT(said, testCount(300));
 }
 
-/// No compliance and no law without friction: whether a body rests is told by balance alone. On three feet around it
-/// in one plane, with the load in that plane, it does up to the angle of its friction.
+/// No compliance and no constraint without friction: whether a body rests is told by balance alone. On three feet
+/// around it in one plane, with the load in that plane, it does up to the angle of its friction.
 TEST(SolveConstraints, ABodyThatItsFrictionHoldsIsNeverFoundToBeEndless)
 {
   Random random(testSeed(2806));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 64: each law between two bodies against the statics of finite turns, in hands, turns and tissues at random.
+// Row 64: each constraint between two bodies against the statics of finite turns, in hands, turns and tissues at
+// random.
 #include <algorithm>
 #include <optional>
 

@@ -27,7 +27,7 @@ Pose lead_W(TickContext& tick) noexcept
   return leadTool(device_W, anew, s.mechanismLead);
 }
 
-/// Another plan begins anew, before anything is told or broken of it: laws and bodies are numbered by it.
+/// Another plan begins anew, before anything is told or broken of it: constraints and bodies are numbered by it.
 void takePlan(TickContext& tick) noexcept
 {
   const MechanismPlan& plan = tick.input.mechanism->plan();
@@ -39,7 +39,8 @@ void takePlan(TickContext& tick) noexcept
   }
 }
 
-/// A law that the person breaks holds nothing from this tick on, whether the tick knows the place of the hand or not.
+/// A constraint that the person breaks holds nothing from this tick on, whether the tick knows the place of the hand or
+/// not.
 void breakConstraints(TickContext& tick) noexcept
 {
   for (const HapticEvent& event : tick.input.events)
