@@ -5,9 +5,9 @@
     pvpython data/engine.py MOTORBIKE FOLDER
 
 MOTORBIKE is the file that `data/get motorbike` prints. FOLDER gets probe.vtp, way.csv for `palpate touch --tool --path`, and
-engine.pvsm. The probe is a rod of 0.3 m with a ball of 12 mm at its end. It comes from the right, between the engine and the
-wheel behind it, and is then led forward, 4 cm further than the engine lets it. Needs PYTHONPATH and PV_PLUGIN_PATH as the
-README says.
+engine.pvsm. The probe is a rod of 0.3 m with a ball of 12 mm at its end. The probe comes from the right, between the engine and the
+wheel behind it, and is then led forward, 4 cm further than the engine lets it. Needs PYTHONPATH and PV_PLUGIN_PATH as the README
+says.
 """
 
 import csv

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The labyrinth of Chartres by its rule: the walls are the space that the path leaves between its parts.
 
-The way is a list of turns (in or out by so many circuits) and of arcs between them in quarters of a circle, as the
-literature on labyrinths lists them: in 5; in 1; in 5; four out; four in; ten out; four in; four out; in 5; in 1; in 5.
-It goes once through each of the 44 quarters of its 11 circuits, which is checked.
+The path is a list of turns (in or out by so many circuits) and of arcs between them in quarters of a circle, as the literature on
+labyrinths lists them: in 5; in 1; in 5; four out; four in; ten out; four in; four out; in 5; in 1; in 5. The path goes once through
+each of the 44 quarters of its 11 circuits, which is checked.
 """
 
 import math

@@ -140,7 +140,7 @@ private:
   void followChoice(bool handChanges);
   void orderWork(Run& run) const;
   void storePublished(bool again = false);
-  /// Of a body that gives way a tool would feel the surface of before.
+  /// A tool would feel a soft body's surface of before.
   [[nodiscard]] ToolChoice heldTool() const;
 
   HapticParameters parameters_;

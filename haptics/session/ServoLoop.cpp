@@ -11,7 +11,8 @@ namespace
 {
 
 constexpr std::uint64_t ticksPerReport = 250; // four times a second at 1 kHz, for a person to read
-/// Room for the release to be taken and for a ramp that is no whole number of ticks; and how long a stop is waited for.
+/// Slack for the release to be taken and for a ramp that is no whole number of ticks; and how long a stop is waited
+/// for.
 constexpr double letGoSlack_s = 0.005, longestLetGo_s = 0.5;
 
 bool pushes(const DeviceCommand& command) noexcept

@@ -58,7 +58,7 @@ struct ToolState
 struct SoftReport
 {
   bool felt = false;             ///< there is one
-  bool pressed = false;          ///< and it gives way under the ball
+  bool pressed = false;          ///< and it deforms under the ball
   double age_s = 0.0;            ///< of the state at which its snapshot was made
   double stored_J = 0.0;         ///< elastic energy under the hand: of body and coupling
   double added_N = 0.0;          ///< along the force, so that the hand gets back no more than it gave
@@ -157,7 +157,7 @@ struct HapticState
   bool capped = false; ///< see ContactResult
   bool overBudget = false;
   bool infeasible = false;
-  bool pinned = false;       ///< moving surfaces leave the ball less room than it needs
+  bool pinned = false;       ///< moving surfaces leave the ball less space than it needs
   bool frozen = false;       ///< the position stays the same to the bit under force: does the device still measure?
   bool letGo = false;        ///< the dead-man switch is released
   std::uint32_t buttons = 0; ///< that are down, as DeviceSample has them

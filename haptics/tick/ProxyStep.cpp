@@ -54,7 +54,7 @@ void comeAlong(
 }
 
 /// The ball of this tick where the old one was, not at the device: a pressed one stays on its side. Nothing changes
-/// where it has no room.
+/// where it does not fit.
 void resize(const ProxyTick& tick, RendererState& state) noexcept
 {
   GodObjectState resized = state.contact;

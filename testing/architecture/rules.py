@@ -206,8 +206,8 @@ def heavy_headers(root):
 
 
 def room_arrows(arrows):
-    """The arrows between files as arrows between the folders they stand in. Only the tick is one with the rooms within it: the list
-    of its stages has their plans by value, and a stage works on all of them."""
+    """The arrows between files as arrows between the folders they stand in. Only the tick is one with the folders within it: the
+    list of its stages has their plans by value, and a stage works on all of them."""
     rooms = {}
     for source, targets in arrows.items():
         others = {_room_of(target) for target in targets} - {_room_of(source)}

@@ -89,8 +89,8 @@ Seen needle(int strokes, double turning_Nm_per_rad)
   return ended(cost, seen);
 }
 
-/// A block that only balance holds on four springs that it rubs on, pushed to and fro by a needle that is fastened to
-/// it. On a slope that its friction does not hold, without a needle, it finds no place to rest.
+/// A block that only balance holds on four springs with friction, pushed to and fro by a needle that is fastened to it.
+/// On a slope that its friction does not hold, without a needle, the block finds no place to rest.
 Seen block(int ticks, double slope)
 {
   constexpr double half = 0.05, high = 0.02, rod = 0.1, weight = 2.0;

@@ -128,7 +128,8 @@ class Mechanism(CommandLineTest):
             self.assertIn("it can be felt", self.succeed("check", name).stdout)
 
     def test_a_check_judges_the_hand_that_touches_and_not_a_stiffer_one(self):
-        """A rod that the hand does not turn has three ways to turn; a needle's tip then slips; three points that rub share nothing."""
+        """A rod that the hand does not turn has three degrees of freedom to turn; a needle's tip then slips; three points with
+        friction share nothing."""
         scene = json.loads((SCENES / "needle.json").read_text())
         for law in scene["laws"]:
             law["friction"] = 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`palpate touch --young`: a ball on a block that gives way, judged by Hertz's law on a layer."""
+"""`palpate touch --young`: a ball on a soft block, judged by Hertz's law on a layer."""
 
 import itertools
 import math

@@ -69,7 +69,7 @@ TEST_F(HapticSessionMotion, BetweenTwoTimeStepsTheSurfaceIsFeltOnItsStraightWayI
     }
     begin = end;
   }
-  this->session_->Step(1200); // at rest for more than a second: the tree has no room for ways any more
+  this->session_->Step(1200); // at rest for more than a second: the tree has no memory for motions any more
   this->session_->FinishScene();
   this->session_->Step(10);
   EXPECT_FALSE(this->session_->GetSceneMoves());

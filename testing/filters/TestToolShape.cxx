@@ -163,12 +163,12 @@ TEST(ToolShape, APegThatIsLedBesideItsHoleGoesDownInItAsFarAsItIsLedAndLeansOnIt
   {
     hand.push_back(turned(0.0, depth + 1.0 - 0.5 * i));
   }
-  hand.push_back(turned(0.0, 1.0, 0.5)); // aside, by more than there is room
+  hand.push_back(turned(0.0, 1.0, 0.5)); // aside, by more than the clearance
   const auto touch = lead(*shapeOf(vtkHapticToolShape::Peg), *shapeOf(vtkHapticToolShape::Hole), hand);
   vtkDataArray* const force = touch->GetOutput()->GetPointData()->GetArray("Force");
   for (vtkIdType i = 0; i < 41; ++i)
   {
-    EXPECT_EQ(force->GetComponent(i, 2), 0.0) << i; // there is room all the way
+    EXPECT_EQ(force->GetComponent(i, 2), 0.0) << i; // there is clearance all the way
   }
   const Vec3 last(touch->GetOutput()->GetPoint(41));
   // It leans until it touches the mouth, 2 below the hand where the chamfer ends, and the other wall where its own

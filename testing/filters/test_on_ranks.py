@@ -100,7 +100,7 @@ if rank == 0:
         path = simple.Line(Point1=[0.1, 0.2, 4.0], Point2=[0.1, 0.2, 2.0], Resolution=100)
         felt = servermanager.Fetch(simple.TouchAlongPath(Input=body, Path=path, Radius=1.0, Stiffness=500.0, Scale=100.0))
         force = felt.GetPointData().GetArray("Force").GetTuple(felt.GetNumberOfPoints() - 1)
-        # A unit into something that gives way: less than the spring of a wall, 5 N.
+        # A unit into a soft body: less than the spring of a wall, 5 N.
         self.assertGreater(force[2], 0.5)
         self.assertLess(force[2], 4.9)
 

@@ -109,7 +109,7 @@ class Shown(unittest.TestCase):
             self.assertGreaterEqual(self.above_ball(bent), -1e-9)
 
     def test_over_a_vertex_the_force_on_a_hand_at_rest_is_one_packet_after_packet(self):
-        self.press(0.0, 0.0, 12.0)  # four faces meet there, and each packet has them tilted by rounding in another way
+        self.press(0.0, 0.0, 12.0)  # four faces meet there, and each snapshot has them tilted by rounding in another way
         felt = []
         for _ in range(20):
             self.session.Step(1000 // RATE)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Touch Along Path with a tool: it rubs by FrictionKinetic, as the filter's pages say, and feels no material from data."""
+"""Touch Along Path with a tool: it has the friction FrictionKinetic, as the filter's pages say, and feels no material from data."""
 
 import unittest
 

@@ -231,7 +231,7 @@ class Theory(unittest.TestCase):
 
     @staticmethod
     def struck(period, first_s, mass=0.1, speed=0.1, K=1000.0):
-        """Most force on a free mass, which knows its motion by one packet a period, and the speed it leaves with."""
+        """Most force on a free mass, which knows its motion by one snapshot a period, and the speed it leaves with."""
         h = period * TICK_S
         compliance = h * h / mass
         x = v = most_N = 0.0

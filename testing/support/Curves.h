@@ -38,7 +38,7 @@ struct Tubes
 /// How far p is from the nearest tube's skin [u], negative inside. All segments are asked.
 [[nodiscard]] double clearance(const std::vector<Tubes>& tubes, const Vec3& p_W);
 
-/// A hand in a world of tubes, one tick a call: it dashes through it, and rubs along lines from inside their tubes.
+/// A hand in a world of tubes, one tick a call: it dashes through it, and strokes along lines from inside their tubes.
 class TubeHand
 {
 public:
@@ -56,7 +56,7 @@ private:
   Vec3 p_W_ = Vec3::Zero(), goal_W_ = Vec3::Zero();
   double step_u_ = 0.0;
   std::size_t tube_ = 0, line_ = 0, point_ = 0;
-  int rubs_ = 0; ///< points of the line left to rub along
+  int rubs_ = 0; ///< points of the line left to stroke along
 };
 
 /// Judges the way of a ball's centre: whether it is continuous and how near it comes to any tube.

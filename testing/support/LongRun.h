@@ -72,7 +72,7 @@ public:
   /// The meshes must outlive it. Under friction nothing is said about where the ball rests.
   explicit LongRun(const RunTask& task);
 
-  /// False where a ball of this radius has no room on that side: nothing can be run.
+  /// False where a ball of this radius does not fit on that side: nothing can be run.
   [[nodiscard]] bool placed() const noexcept { return this->placed_; }
   void run(std::uint64_t ticks);
   [[nodiscard]] RunFigures figures() const;

@@ -57,7 +57,7 @@ protected:
     const std::lock_guard lock(this->mutex_);
     return body();
   }
-  /// The firmware as it is before anybody has used it. It stands still.
+  /// The firmware as it is before anybody has used it. The handle stands still.
   virtual void powerOn() = 0;
   virtual void attach() = 0;
   virtual void detach() noexcept = 0;

@@ -54,10 +54,10 @@ int vtkHapticCliCheck(const vtkHapticCliCheckOptions& options);
 /// The plan of a mechanism of a scene file. 0: it can be felt; a fault throws.
 int vtkHapticCliCheckMechanism(const vtkHapticCliCheckOptions& options);
 
-/// A body that gives way: the first file.
+/// A soft body: the first file.
 struct vtkHapticCliSoftOptions
 {
-  std::optional<double> Young_Pa; ///< none: nothing gives way
+  std::optional<double> Young_Pa; ///< none: nothing is soft
   double Poisson = 0.4;
   std::string Fixed; ///< sides of its box, or a point array
   std::string Model = "linear";

@@ -37,7 +37,7 @@ public:
   [[nodiscard]] std::optional<palpate::Vec3> GetCentre() const;
   /// How far it is to reach, so that the next is there before the hand is at its rim: as for fields, twice [u].
   [[nodiscard]] double GetReach() const;
-  /// Whether the hand has used up half of the room that it had in the part that is there.
+  /// Whether the hand has used up half of its margin in the part that is there.
   [[nodiscard]] bool NeedsPart() const;
 
   ///@{

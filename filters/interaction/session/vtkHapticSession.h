@@ -147,7 +147,7 @@ public:
   /// The data of the source that ToolSource names, with their polygons: held in place of the ball from then on, null:
   /// not there. Added again after a change. False, with GetProblem(), for unusable data. Its shape is drawn.
   bool AddTool(const char* name, vtkDataObject* data);
-  /// Likewise of SoftSource, made by vtkHapticSoftBody: it gives way. True where it has bent since it was asked last.
+  /// Likewise of SoftSource, made by vtkHapticSoftBody: a soft body. True where the body has bent since the last call.
   bool AddSoftBody(const char* name, vtkDataObject* data);
   bool BendSoftBody(vtkDataObject* body);
   /// Likewise of MechanismSource, made by vtkHapticMechanism: the hand holds a body of it, whose shape and poses are

@@ -8,8 +8,8 @@
  * PressDepth, so that a plain surface pushes with stiffness x depth. A tool that is held reaches as deep as the ball
  * would. Where the ray meets nothing the hand goes in the plane through the proxy that is parallel to the screen. Where
  * the straight path is barred by a surface, and when the pointer leaves, it first rises towards the eye, in front of
- * everything. It presses only while the session is engaged. In a plane world the hand is where the ray meets the plane,
- * and walls push by how far they keep the proxy from there; when the pointer leaves it rests at the proxy.
+ * everything. The hand presses only while the session is engaged. In a plane world the hand is where the ray meets the
+ * plane, and walls push by how far they keep the proxy from there; when the pointer leaves it rests at the proxy.
  *
  * A held body is led by its tip: the handle's tip, the end of a rod, the middle of another tool. A mechanism, and a
  * tool for which HoldAlong says so, is aimed across its axis by the pointer and advanced along its axis, by pressing or

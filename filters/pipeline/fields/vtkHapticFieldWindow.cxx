@@ -186,7 +186,7 @@ bool HasCell(const palpate::FieldBlock& brick, FieldBlockRole role)
   return false;
 }
 
-/// Critical points of the vectors, and extrema of the scalar in the room that these leave.
+/// Critical points of the vectors, and extrema of the scalar in the remaining places.
 std::vector<Vec3> SnapPlacesIn(const palpate::FieldBlock& brick)
 {
   std::vector<Vec3> places_W = palpate::findCriticalPoints(brick, palpate::FieldBlock::mostPlaces / 2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkHapticSoftBody
- * @brief   tetrahedra that give way under a hand
+ * @brief   tetrahedra that deform under a hand
  *
  * Port 0: the body. Cells that fill space as they are, cut into tetrahedra where they are none; a closed surface (poly
  * data), filled by CGAL's Mesh_3; or a label image (image data with the active point scalars), each of whose labels but

@@ -93,7 +93,7 @@ VTKHAPTICPIPELINE_EXPORT void vtkHapticBendBody(vtkUnstructuredGrid& body, const
 /// The ball that a body was given with its last state.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticBall vtkHapticBallOn(vtkUnstructuredGrid& body);
 
-/// Largest |F - 1| within which a law of small strains is true to 1 %, and from which on any of these is qualitative.
+/// Largest |F - 1| within which a model of small strains is true to 1 %, and from which on any model is qualitative.
 struct vtkHapticStrain
 {
   static constexpr double Small = 0.1, Large = 0.5;

@@ -16,13 +16,13 @@
  *     Device    (n, 3) double  the hand, i.e. the input path [u]
  *     Time      (n)    double  of the tick [s]
  *
- * A connection of port 0 with the output of vtkHapticSoftBody gives way; see SoftRate.
+ * A connection of port 0 with the output of vtkHapticSoftBody is soft; see SoftRate.
  *
  * Port 3, optional: a mesh that the hand holds at the origin of its frame, in place of a ball, and that turns as the
  * TurnArray of the path says. Each row is as far as the tool comes without meeting anything, in unlimited time, from
- * the row before; the points of the output are where its origin is. It feels surfaces as they are, without a field
- * and material from data, and rubs by FrictionKinetic, up to 1 and to the static one, on all that it touches. Besides
- * there are
+ * the row before; the points of the output are where its origin is. The tool feels surfaces as they are, without a
+ * field and material from data, with the friction FrictionKinetic, up to 1 and to the static one, on all that it
+ * touches. Besides there are
  *
  *     Torque    (n, 3) double  on the hand, about the handle, in W [N m]
  *     Turn      (n, 4) double  of the tool, a unit quaternion w x y z

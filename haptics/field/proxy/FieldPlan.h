@@ -13,7 +13,7 @@ struct FieldPlan
   bool isosurface = false; ///< the surface scalar = isovalue is a wall from both sides
   double isovalue = 0.0;
   FrictionPlan friction; ///< of that surface: the tick's own, that of all contact
-  double yield_N = 0.0;  ///< above 0: the surface is a membrane that gives way at this force
+  double yield_N = 0.0;  ///< above 0: the surface is a membrane that yields at this force
 
   double follow_N = 0.0;    ///< holds the hand on the streamline that it is on, of vectors or axes
   double drag_N = 0.0;      ///< resists every motion, times the resistance at the hand

@@ -26,7 +26,7 @@ struct MechanismCheck
   std::vector<std::string> remarks;   ///< redundant constraints, free rotations, bad conditioning
   std::vector<std::string> redundant; ///< names of constraints of which a row follows from others
   std::vector<std::string> free;      ///< names of bodies that can move where no constraint holds them
-  std::vector<std::pair<std::string, std::string>> overlaps;     ///< bodies that share room as they stand, by name
+  std::vector<std::pair<std::string, std::string>> overlaps;     ///< bodies that overlap as they stand, by name
   std::vector<std::pair<std::string, std::string>> heldOverlaps; ///< likewise of the held body, at the origin
   int rows = 0;                                                  ///< that may hold at once
   int rank = 0;                                                  ///< of those, how many are independent

@@ -35,7 +35,7 @@ struct ConstraintOutcome
 /// elsewhere.
 [[nodiscard]] bool mayGiveWay(const PlannedConstraint& law) noexcept;
 
-/// Whether a constraint of that kind, or a shaft in its hole, gives way to this.
+/// Whether a constraint of that kind, or a shaft in its hole, breaks under this.
 [[nodiscard]] bool givesWay(const PlannedConstraint& law, const ConstraintOutcome& outcome) noexcept;
 
 /// The change that the outcome makes to a constraint, if any; the state is changed.

@@ -112,7 +112,7 @@ private:
     }
   }
 
-  /// Constraints that wait are tried in each tick: those that would give way at once go on waiting.
+  /// Constraints that wait are tried in each tick: those that would break at once go on waiting.
   [[nodiscard]] bool tryWaiting() noexcept
   {
     bool any = false;

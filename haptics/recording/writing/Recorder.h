@@ -60,7 +60,7 @@ public:
   /// Closed, and there is a file.
   [[nodiscard]] bool isKept() const noexcept { return this->file_.isKept(); }
 
-  /// Servo thread; wait-free. The first and the last push; false: there was no room, to be tried again.
+  /// Servo thread; wait-free. The first and the last push; false: the ring was full, to be tried again.
   [[nodiscard]] bool pushStart(const HapticParameters& parameters, const RendererState& state) noexcept;
   [[nodiscard]] bool pushEnd() noexcept;
   /// Servo thread; wait-free. A full ring is counted and makes the recording one that cannot be recomputed.

@@ -78,7 +78,7 @@ void RecordingFile::flush()
   }
 }
 
-/// To the end of a chunk after which there is room on a disk that has none left. False if there is no such chunk.
+/// To the end of a chunk after which a full disk has space. False if there is no such chunk.
 bool RecordingFile::cutBack(std::size_t room)
 {
   while (!this->ends_.empty() && this->ends_.back() + room > this->there_)

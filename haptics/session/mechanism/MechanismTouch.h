@@ -37,7 +37,7 @@ public:
 
   [[nodiscard]] const MechanismCheck& check() const noexcept { return this->check_; }
   [[nodiscard]] const MechanismPlan& plan() const noexcept { return this->plan_; }
-  /// Which bodies shared room at the last place of the hand, though no constraint between them held.
+  /// Bodies that overlapped at the last place of the hand, though no constraint joined them.
   [[nodiscard]] const std::vector<BodyPair>& overlaps() const noexcept { return this->watch_.seen(); }
   [[nodiscard]] const MechanismBodies& bodies() const noexcept { return *this->bodies_; }
 

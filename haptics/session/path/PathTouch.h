@@ -33,7 +33,7 @@ public:
 
   /// The newest block of the field, or why there is none.
   [[nodiscard]] const MadeFieldBlock& madeFieldBlock() const noexcept { return this->field_.made(); }
-  /// The body that gives way; null: none.
+  /// The soft body; null: none.
   [[nodiscard]] const BodyMaker* body() const noexcept { return this->maker_.get(); }
   /// "", or that smooth levels hold with less than was asked for.
   [[nodiscard]] std::string detentText() const;

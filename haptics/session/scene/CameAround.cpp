@@ -244,7 +244,7 @@ std::optional<CameAround> squeezedInto(
   std::optional<CameAround> nearest;
   for (const Vec3& d : directions())
   {
-    for (const double share : { 0.25, 0.5, 1.0 }) // in a room the furthest place may be outside of the room
+    for (const double share : { 0.25, 0.5, 1.0 }) // inside of a hollow surface the furthest place may be outside of it
     {
       const Vec3 from_W = x_W + share * way_u * d;
       const Vec3 ball_W = stopBefore(rests, plan, plan.radius_u, from_W, x_W);

@@ -40,7 +40,7 @@ struct CameAround
 [[nodiscard]] std::vector<std::string> surfacesAround(const Scene& scene, const ContactPlan& plan, const Vec3& x_W);
 
 /// Whether a surface of a scene at rest is around the ball at x_W that was not, by name, before surfaces moved and left
-/// the ball no room. The nearest way out leads to a place that is in those of `before` and in no others. Milliseconds
+/// the ball no space. The nearest way out leads to a place that is in those of `before` and in no others. Milliseconds
 /// at most; not for the tick.
 [[nodiscard]] std::optional<CameAround> squeezedInto(
   const Scene& scene, const ContactPlan& plan, const std::vector<std::string>& before, const Vec3& x_W);

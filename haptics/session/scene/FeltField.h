@@ -17,8 +17,8 @@ namespace palpate
 {
 
 /// Keeps a block of a field around the hand: the next one is made, by a worker unless the source wants its owner to
-/// ask, once the hand has used up half of the room that it had. By distance, never by a clock: a hand at rest costs
-/// nothing. One thread, the session's owner, calls every method.
+/// ask, once the hand has used up half of its margin. By distance, never by a clock: a hand at rest costs nothing. One
+/// thread, the session's owner, calls every method.
 class FeltField
 {
 public:

@@ -42,8 +42,8 @@ public:
   /// is let go.
   void ask(std::uint64_t request);
 
-  /// Once surfaces that moved rest: whether they had left the ball no room and it is now in one that it was outside of.
-  /// Then the ball comes from outside again, and cameAround() says so.
+  /// Once surfaces that moved rest: whether they had left the ball no space and it is now in one that it was outside
+  /// of. Then the ball comes from outside again, and cameAround() says so.
   bool takeOutSqueezed();
   /// Plans again, from all triangles on, after a change of the inputs of the choice.
   void follow(const SimplifyPlan& plan);
@@ -84,7 +84,7 @@ private:
   std::optional<Vec3> eye_W_;
   std::optional<CameAround> around_;
   std::vector<std::string> within_; ///< closed surfaces that the ball was in when surfaces rested last
-  std::uint64_t pinned_ = 0;        ///< ticks without room for the ball until then
+  std::uint64_t pinned_ = 0;        ///< ticks without space for the ball until then
 };
 
 } // namespace palpate

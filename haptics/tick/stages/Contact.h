@@ -67,7 +67,7 @@ struct Contact
   {
     GodObjectState contact;
     WorkspaceMap map;          ///< of the last tick: one that puts the hand elsewhere places the proxy anew
-    double radius_u = 0.0;     ///< of the last tick: another ball is seated where the old one was, once there is room
+    double radius_u = 0.0;     ///< of the last tick: another ball is seated where the old one was, once it fits there
     std::uint64_t ballLed = 0; ///< number of the lead that was followed last
     std::uint64_t sceneRevision = 0;
     std::uint64_t sceneGeometry = 0; ///< its surfaces, at any pose

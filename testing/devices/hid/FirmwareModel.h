@@ -26,8 +26,8 @@ struct ModelWire
 };
 
 /// Treatment of each report by the firmwares that people have, written by us from facts in their public sources; the
-/// class holds their common part. It reads reports by the place of their bytes, not through a descriptor. Positions and
-/// forces are shares, as those of VirtualHandle.
+/// class holds their common part. The model reads reports by the place of their bytes, not through a descriptor.
+/// Positions and forces are shares, as those of VirtualHandle.
 class FirmwareModel
   : public VirtualHid
   , public VirtualHandle

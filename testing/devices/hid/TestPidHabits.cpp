@@ -55,7 +55,7 @@ struct HabitRig
       this->bus->advance(1);
     }
   }
-  /// A hand that does not give way.
+  /// A hand that does not yield.
   void put()
   {
     this->stick().position = { this->at.x(), -this->at.y() };

@@ -121,7 +121,7 @@ TEST(PidLoss, TheServoKnowsThatNothingIsReadAnyMoreWhileTheOrderToStopHangs)
   rig.bus->release(rig.port);
 }
 
-// A write may take 50 ms. It ends afterwards, and then the device says that its effects have stopped.
+// A write may take 50 ms. A hung write ends afterwards, and then the device says that its effects have stopped.
 TEST(PidLoss, ADeviceThatWasToldToStopBecauseAWriteHungIsNotSaidToBeTakenByAnotherProgram)
 {
   Hanging rig;
@@ -273,7 +273,7 @@ TEST(PidLoss, ADeviceThatComesBackWithoutRoomForItsWallsOrTheirViscosityStaysLos
 TEST(PidLoss, WhatADeviceCanDoIsKnownOnceItIsOpen)
 {
   test::PidLayout small = test::plainLayout();
-  small.slots = 2; // two forces, and no room for a spring
+  small.slots = 2; // two forces, and no slot for a spring
   Rig rig(small);
   ASSERT_TRUE(rig.device.info().abilities.holdsWalls);
   ASSERT_EQ(rig.device.open(), "");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rigid plate on four patches that give way, pressed by a rod off its middle, against a solve of each set of patches
-// that may bear it.
+// A rigid plate on four soft patches, pressed by a rod off its middle, against a solve of each set of patches that may
+// bear it.
 #include <bitset>
 #include <optional>
 

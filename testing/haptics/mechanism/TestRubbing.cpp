@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A block that nothing but the balance of forces holds stands on four springs that it rubs on, and a needle pushes it.
+// A block that nothing but the balance of forces holds stands on four springs with friction, and a needle pushes it.
 #include <cmath>
 #include <tuple>
 
@@ -243,7 +243,7 @@ TEST_F(Rubbing, WhatSlidesWithoutEndIsFoundOutInAShareOfTheWorkAndGoesAsItWouldW
   }
 }
 
-/// A rod stands on a floor that it rubs on, and its hand goes aside.
+/// A rod stands on a floor with friction, and its hand goes aside.
 MechanismResult standAside(double turning_Nm_per_rad, double friction, double depth, double aside)
 {
   const Vec3 tipAt(0.0, 0.0, pusher);

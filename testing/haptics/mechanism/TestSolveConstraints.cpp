@@ -216,7 +216,7 @@ double coneMissed(const ConstraintProblem& p, const ConstraintForces& f, int fir
   return most;
 }
 
-/// Rows without bounds and one with, up to two free ways and one or two cones that rub differently.
+/// Rows without bounds and one with, up to two degrees of freedom and one or two cones with different friction.
 void makeRubbing(Random& random, Solver& solver)
 {
   const int ways = static_cast<int>(random.below(3));
@@ -300,7 +300,7 @@ TEST(SolveConstraints, ConesBesideRowsAndFreeWaysMeetCoulombsLawEachWithItsOwnFr
   EXPECT_GT(slips, 0);
 }
 
-/// A body of the size of its lever that springs hold softly and that stands on feet that rub and give way.
+/// A body of the size of its lever that springs hold softly and that stands on soft feet with friction.
 void makeStanding(Random& random, Solver& solver, int feet)
 {
   constexpr int ways = 6;

@@ -289,7 +289,7 @@ struct Locate
   }
 };
 
-/// Between the members that are named there is never room for another one.
+/// Between the members that are named there is never space for another one.
 template<class Plan>
 void expectNoHoles(std::vector<Extent> members, const Plan& plan, std::string_view stage)
 {

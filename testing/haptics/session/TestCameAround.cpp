@@ -322,7 +322,7 @@ protected:
   CameAroundABallTest() { this->radius_u_ = 3.0; }
 };
 
-// A ball that grows where it has no room stays as it was, on its side, and grows once it has.
+// A ball that does not fit as it grows stays as it was, on its side, and grows once it fits.
 TEST_F(CameAroundABallTest, ABallThatHasNoRoomToGrowDoesSoOnceItHas)
 {
   const auto box = [](double low_z, double high_z)

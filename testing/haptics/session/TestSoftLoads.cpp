@@ -66,7 +66,7 @@ TEST(SoftLoads, ABlockSagsUnderItsWeightByHalfOfWhatItsWholeWeightOnTopWouldMake
   ASSERT_TRUE(maker) << refusal;
   ASSERT_TRUE(maker->press({}, 0.04));
   EXPECT_NEAR(heightOfBlock_m - heightOfTop_m(*maker), sagOfTop_m(), 0.02 * sagOfTop_m());
-  // Small strains, 2.5 % here: a law of large ones differs by about as much.
+  // Small strains, 2.5 % here: a model of large ones differs by about as much.
   const auto curved = BodyMaker::make(weighingBlock(ElasticModel::NeoHookean), "block", 0, refusal);
   ASSERT_TRUE(curved) << refusal;
   EXPECT_NEAR(heightOfBlock_m - heightOfTop_m(*curved), sagOfTop_m(), 0.06 * sagOfTop_m());

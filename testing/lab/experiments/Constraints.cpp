@@ -274,8 +274,8 @@ private:
   Vec3 rubs_N_ = Vec3::Zero(); ///< along the shaft, in x
 };
 
-/// In and out along the rod: the surface holds until it is punctured where it was met, then the hole rubs, and the rod
-/// is moved and turned aside in it, until the tip is out of it.
+/// In and out along the rod: the surface holds until it is punctured where it was met, then the hole has friction, and
+/// the rod is moved and turned aside in it, until the tip is out of it.
 void puncture(ConstraintTrial& trial)
 {
   trial.addTissue(trial.arm_W, -trial.rod_W);

@@ -126,7 +126,7 @@ void judgeImage(double spacing, test::Random& random, Table& table)
 }
 
 /// Ticks of a millisecond in which a hand that goes straight on is outside of the block it has: the owner looks every
-/// so often whether half of the room is used up, and the next block, around where the hand was then, comes a while
+/// so often whether half of the margin is used up, and the next block, around where the hand was then, comes a while
 /// later.
 int ticksOutside(double speed_m_per_s, double room_m, int look_ms, int build_ms, int begin_ms)
 {
@@ -150,7 +150,7 @@ int ticksOutside(double speed_m_per_s, double room_m, int look_ms, int build_ms,
   return outside;
 }
 
-/// Half of the room is left for the look and the work: v = room / 2 / (look + build).
+/// Half of the margin is left for the look and the work: v = room / 2 / (look + build).
 void judgeSpeed(double room_m, int look_ms, int build_ms, Table& table)
 {
   const double fastest_m_per_s = 0.5 * room_m / (1e-3 * (look_ms + build_ms));

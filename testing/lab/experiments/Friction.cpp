@@ -251,7 +251,7 @@ void corner(Table& table)
   table.atLeast({ name, "averaged-normal", "error of the threshold" }, std::abs(found_m / truth_m - 1), 0.25);
 }
 
-/// Plain and rubbing ticks in turn over the same way, so that a change of the machine's pace meets both.
+/// Ticks without and with friction in turn over the same path, so that a change of the machine's pace meets both.
 void cost(int ticks, Table& table)
 {
   const test::NoisySphere sphere(100000, 1.0);

@@ -78,7 +78,7 @@ void radiusAgainstWork(const Conditions& conditions, Table& table)
 }
 
 /// The leaves of a surface as surfaces of their own: walked one after the other they are a flat list of boxes with up
-/// to eight triangles each. It tests edges between leaves twice, which the tree does not.
+/// to eight triangles each. The list tests edges between leaves twice, which the tree does not.
 using Leaves = std::vector<std::unique_ptr<SurfaceTree>>;
 
 Leaves flatList(const SurfaceData& data)

@@ -89,7 +89,7 @@ private:
   Vec2 location_m_ = Vec2::Zero();
 };
 
-/// A way to the handle's last place, from within the room.
+/// A path to the handle's last place, from within the room.
 struct Way
 {
   const char* name;

@@ -124,7 +124,7 @@ TouchScene groove()
     forceInCone({ { slope, 0, slope }, { -slope, 0, slope } }), { penalty, oneConstraint, pointWithoutSide, held } };
 }
 
-/// Tapped at 2 m/s and rubbed along a great circle 1 mm deep; at less depth the facets themselves are felt. Every edge
+/// Tapped at 2 m/s and stroked along a great circle 1 mm deep; at less depth the facets themselves are felt. Every edge
 /// of it is convex.
 TouchScene sphere(test::Random& random)
 {

@@ -21,7 +21,7 @@ struct TouchMoment
   double pressed_N = 0.0;       ///< sum of the reactions of the surfaces that are touched
 };
 
-/// A touch of a body known by a formula, frictionless unless rubbed, and the body as a mesh. In metres, 20 to 150
+/// A touch of a body known by a formula, frictionless unless stroked, and the body as a mesh. In metres, 20 to 150
 /// mm/s, 0.6 to 1.4 N.
 struct AnalyticTouch
 {

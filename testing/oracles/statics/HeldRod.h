@@ -48,7 +48,7 @@ struct HeldRod
   [[nodiscard]] Eigen::Vector3d moment(const Eigen::VectorXd& z) const { return this->turning * z.segment<3>(3); }
 };
 
-/// Where a place that rubs is under a friction force on it.
+/// Slip of a place under a friction force on it.
 struct Rubbed
 {
   Eigen::Vector3d slip; ///< from where it rested

@@ -12,7 +12,8 @@
  * or last, and its scale. Values are rounded to a hundredth of the smallest scale.
  *
  * The scale goes from 0 (or the least value, if that is below) to the largest of the last ten seconds, never to less
- * than the smallest scale that says something. It is drawn in the colours of the palette, so it follows light and dark.
+ * than the smallest scale that says something. The chart is drawn in the colours of the palette, so it follows light
+ * and dark.
  */
 class pqHapticStrip : public QWidget
 {

@@ -52,7 +52,7 @@ void breakConstraints(TickContext& tick) noexcept
   }
 }
 
-/// The state of the tick before may be of a recording, or of another room: the tick's own is the one that counts.
+/// The state of the tick before may be of a recording, or in another workspace: the tick's own counts.
 const MechanismResult& compute(TickContext& tick, double lever_m) noexcept
 {
   const double scale_u_per_m = tick.p.map.scale_u_per_m;
