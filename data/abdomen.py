@@ -1,6 +1,6 @@
 #!/usr/bin/env pvpython
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes an abdominal wall in front of a liver, a needle's way through both, and the scene file that joins them.
+"""Makes an abdominal wall in front of a liver, a needle's path through both, and the scene file that joins them.
 
     pvpython data/abdomen.py LIVER FOLDER [EDGE] [--skin SURFACE] [--side xmin|xmax|ymin|ymax|zmin|zmax]
 

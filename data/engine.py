@@ -1,6 +1,6 @@
 #!/usr/bin/env pvpython
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes a probe, its way behind the engine of the motorbike, and a ParaView state in which a hand holds the probe.
+"""Makes a probe, its path behind the engine of the motorbike, and a ParaView state in which a hand holds the probe.
 
     pvpython data/engine.py MOTORBIKE FOLDER
 

@@ -170,7 +170,7 @@ struct Seen
   vtkHapticShape Shape;           ///< without data and problem: there was no picture yet
 };
 
-/// ParaView offers no way to the mapper of the glyphs.
+/// ParaView offers no access to the mapper of the glyphs.
 struct GlyphAccess : public vtkGlyph3DRepresentation
 {
   static vtkGlyph3DMapper* MapperOf(vtkGlyph3DRepresentation& of) { return of.*(&GlyphAccess::GlyphMapper); }

@@ -78,8 +78,8 @@ struct DeviceInfo
   Pacing pacing = Pacing::Timer;
   bool rendersForce = true;   ///< false: forces go nowhere (poses fed by a program, a replay, a SpaceMouse)
   bool rendersTorque = false; ///< it turns the hand; otherwise torques of commands are ignored
-  /// Without torque: the least stiffness with which the device holds the hand's rotation, as it has no wrist that turns;
-  /// 0: the rotation is free.
+  /// Without torque: the least stiffness with which the device holds the hand's rotation, as it has no wrist that
+  /// turns; 0: the rotation is free.
   double heldTurning_N_m_per_rad = 0.0;
   bool simulated = false; ///< lateness is counted, never a fault
   DeviceAbilities abilities;

@@ -15,8 +15,8 @@ struct PassivityPlan
   friend bool operator==(const PassivityPlan&, const PassivityPlan&) = default;
 };
 
-/// Energy of the held force, measured as it was: force of the last period times the way the hand made in it, which
-/// is exact for a zero-order hold (Hannaford & Ryu 2002). The force must be the one the hand really got.
+/// Energy of the held force, measured as it was: force of the last period times the hand's displacement in it, which is
+/// exact for a zero-order hold (Hannaford & Ryu 2002). The force must be the one the hand really got.
 struct EnergyMeter
 {
   double delivered_J = 0.0; ///< net work on the hand since the start; negative: taken from it

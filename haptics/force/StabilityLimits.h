@@ -17,7 +17,7 @@ enum class StiffnessLimit : std::uint8_t
   None,    ///< nothing is known of the device, or no force reaches a hand
   Device,  ///< the largest stiffness the device is made for
   Loop,    ///< the sampled loop itself: mass, damping, rate, delay
-  Turning, ///< likewise of the turns of a tool: inertia, damping, and the lever between turns and ways
+  Turning, ///< likewise of the turns of a tool: inertia, damping, and the lever between turns and displacements
 };
 
 /// How stiff a wall a device can hold at a rate. All in N/m; infinity where nothing limits.
@@ -48,7 +48,7 @@ struct LoopSettings
   double period_s = 1e-3;
   double damping_Ns_per_m = 0.0; ///< B of the coupling
   PassivityPlan passivity;
-  double lever_m = 0.0; ///< of a tool: a turn of 1 rad is felt as such a way is; 0: nothing turns
+  double lever_m = 0.0; ///< of a tool: a turn of 1 rad is felt as such a displacement is; 0: nothing turns
 
   friend bool operator==(const LoopSettings&, const LoopSettings&) = default;
 };

@@ -11,7 +11,7 @@ namespace palpate
 
 struct Labyrinth;
 
-/// Where a game of finding the way stands.
+/// The phase of a labyrinth game.
 enum class GamePhase : std::uint8_t
 {
   Off,      ///< nobody plays

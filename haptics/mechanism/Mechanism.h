@@ -37,8 +37,8 @@ enum class ConstraintKind : std::uint8_t
 {
   Contact,     ///< A's point stays on the outer side of the plane through B's point, axis_B its normal
   Attachment,  ///< both points are one
-  Hinge,       ///< and both axes point the same way
-  Slider,      ///< A's point stays on the line through B's along axis_B, and both axes point the same way
+  Hinge,       ///< and both axes have the same direction
+  Slider,      ///< A's point stays on the line through B's along axis_B, and both axes have the same direction
   Break,       ///< an attachment until it is pulled at with strength_N
   Friction,    ///< a contact with Coulomb's friction
   DryFriction, ///< along axis_B a force of at most dryFriction_N, whatever else presses

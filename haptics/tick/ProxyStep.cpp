@@ -19,7 +19,7 @@ ContactResult moveIn(const ProxyTick& tick, const ContactPlan& plan, const Vec3&
            : moveGodObject(scene, plan, p_W, contact, tick.sink);
 }
 
-/// Takes the ball along to another scene, or on the way that the surfaces of this one made.
+/// Takes the ball along to another scene, or with the motion of the surfaces of this one.
 void comeAlong(
   const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, RendererState& state, ProxyStep& moved) noexcept
 {

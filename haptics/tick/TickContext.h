@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// The part of a tool's pull that turns, as ways of its lever.
+/// The part of a tool's pull that turns, as displacements of its lever.
 struct TurnPull
 {
   Vec3 pull_D = Vec3::Zero();     ///< from the device to where contact turns it [m]

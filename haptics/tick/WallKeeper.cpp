@@ -39,7 +39,7 @@ AxisWalls touchedWalls(const AnyScene& scene, const WallTick& tick, const Vec3& 
   return wallsAround(x_D, { near.data(), count }, leastLean);
 }
 
-/// How far the way along direction i is proven free [m]; all of it where nothing that stands across it is met.
+/// How far the displacement along direction i is proven free [m]; all of it where nothing that stands across it is met.
 template<SceneView AnyScene>
 double freeAlong(const AnyScene& scene, const WallTick& tick, int i, double reach_m, std::uint32_t& nodes) noexcept
 {

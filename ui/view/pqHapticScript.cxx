@@ -20,7 +20,7 @@
 
 namespace
 {
-/// A program's way to move the hand, not a setting.
+/// Used by a program to move the hand, not a setting.
 bool IsCommand(const QString& property)
 {
   return property == "HandPosition" || property == "Step";

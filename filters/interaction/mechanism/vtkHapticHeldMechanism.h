@@ -86,7 +86,7 @@ private:
   palpate::MechanismNow Now;
   bool Felt = false; ///< Now is of these constraints
   Sight Seen;
-  palpate::Vec3 Begin_W = palpate::Vec3::Zero(); ///< where that way begins
+  palpate::Vec3 Begin_W = palpate::Vec3::Zero(); ///< where that displacement begins
 };
 
 #endif

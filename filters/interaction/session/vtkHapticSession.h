@@ -67,13 +67,12 @@ public:
     AlignAlways
   };
 
-  /** @name Settings
-   * Those of surfaces (LineRadius, LinesAsWalls, arrays) are felt on surfaces that are added later. Velocities: Janabi-
-   * Sharifi et al. 2000; passivity: Hannaford & Ryu 2002, one tick ahead; friction: Harwin & Melder 2002, in any order
-   * of the two calls; shading: Morgenbesser & Srinivasan 1996, which has no potential: a closed way may take or give a
-   * little work. Held walls drag a handle along a slanted line by stiffness * speed / WallRate / 2. If touching cannot
-   * start it stays off; StartEvent is the last moment to say where a program's hand begins, and comes again when scale,
-   * rotation or offset change meanwhile. */
+  /** @name Settings Those of surfaces (LineRadius, LinesAsWalls, arrays) are felt on surfaces that are added later.
+   * Velocities: Janabi- Sharifi et al. 2000; passivity: Hannaford & Ryu 2002, one tick ahead; friction: Harwin & Melder
+   * 2002, in any order of the two calls; shading: Morgenbesser & Srinivasan 1996, which has no potential: a closed path
+   * may take or give a little work. Held walls drag a handle along a slanted line by stiffness * speed / WallRate / 2.
+   * If touching cannot start it stays off; StartEvent is the last moment to say where a program's hand begins, and
+   * comes again when scale, rotation or offset change meanwhile. */
   void SetSetting(const char* name, double value); ///< on and off are 1 and 0, choices count from 0 on
   void SetSetting(const char* name, double low, double high);
   void SetSetting(const char* name, double x, double y, double z);

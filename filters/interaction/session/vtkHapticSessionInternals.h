@@ -198,7 +198,7 @@ public:
   void FollowCheck();
   /// A check that felt a fault in walls that the device holds ends the trust in them.
   void TakeBackTrust();
-  /// Tells a fed device where the program holds the hand, if it said so. `placed`: there without a way.
+  /// Tells a fed device where the program holds the hand, if it said so. `placed`: there without a motion.
   void FeedTo(palpate::FedDevice& fed, bool placed) const;
   /// The same for the running device, if it is one.
   void Feed(bool placed = false);
@@ -221,7 +221,7 @@ public:
   void TakeScene(bool wait = false);
   void TakeOutSqueezed();
   void FollowCameAround();
-  /// The mouse's hand begins anew, where it is put without a way.
+  /// The mouse's hand begins anew, where it is put without a motion.
   void LeadMouseAnew();
   /// Applies clutch, precision and view to the map.
   void FollowHand();
@@ -303,7 +303,7 @@ public:
   void JudgeMarks();
   /// Another scene was committed: marks may be stale, arrays gone.
   void FollowCommit();
-  /// Its way goes on, or begins anew; buttons ask for another one.
+  /// Its path goes on, or begins anew; buttons ask for another one.
   void FollowGame();
   /// The setting, limited to the device's stable stiffness [N/m].
   double FeltStiffness() const;

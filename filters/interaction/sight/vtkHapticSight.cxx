@@ -24,7 +24,7 @@ using palpate::Vec3;
 /// Work that a person waits for once, beyond the limits of a tick.
 constexpr std::uint32_t nodesToVisit = 1u << 24;
 
-/// The plane that holds the ball where it was stopped; against its way where a point met an edge or a corner.
+/// The plane that holds the ball where it was stopped; against its direction where a point met an edge or a corner.
 template<class SceneView>
 Vec3 NormalAt(const SceneView& scene, const palpate::SweepHit& hit, const palpate::SweepQuery& query, const Vec3& x_W)
 {

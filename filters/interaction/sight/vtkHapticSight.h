@@ -43,8 +43,8 @@ public:
   vtkHapticServerSurfaces& ServerSurfaces() const;                         ///< loaded parts of remote surfaces
 #endif
 
-  /// Where the ball is first stopped on its way from one point to another: its centre and the unit normal of the
-  /// surface that stops it, to its side. False, and both unchanged, where nothing does.
+  /// Where the ball is first stopped between one point and another: its centre and the unit normal of the surface that
+  /// stops it, to its side. False, and both unchanged, where nothing does.
   bool PickSurface(const double from_W[3], const double to_W[3], double ball_W[3], double normal_W[3]) const;
   /// Corners of the box around the ball that the device reaches, of bits x, y, z, [u].
   void GetWorkspaceCorners(double corners_W[24]) const;

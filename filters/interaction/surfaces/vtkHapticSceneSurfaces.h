@@ -136,8 +136,8 @@ private:
     const vtkHapticPlacement& placement, std::optional<double> lineRadius_u) const;
   bool AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement,
     std::optional<double> lineRadius_u);
-  /// A surface with new points keeps the frame that it was committed in if its triangles are the same and the way from
-  /// there is rigid. The surface then bends in that frame while the frame moves.
+  /// A surface with new points keeps the frame that it was committed in if its triangles are the same and the motion
+  /// from there is rigid. The surface then bends in that frame while the frame moves.
   void KeepFrame(Kept& kept) const;
   static void MoveTo(Kept& kept, const vtkHapticPlacement& placement);
   /// Moves the vertices to where `placement` has them.

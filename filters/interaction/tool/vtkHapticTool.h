@@ -23,7 +23,7 @@ public:
   vtkHapticToolHandle Handle = vtkHapticToolHandle::Centre;
   palpate::Vec3 HandlePoint_T = palpate::Vec3::Zero(); ///< [u], in the tool's data, as the tip
   palpate::Vec3 TipPoint_T = palpate::Vec3::Zero();
-  double Lever_u = 0.0; ///< 0: the tool's own, or the way from handle to tip
+  double Lever_u = 0.0; ///< 0: the tool's own, or the distance from handle to tip
 
   const char* Setting() const override { return "ToolSource"; }
   const char* Subject() const override { return "tool"; }

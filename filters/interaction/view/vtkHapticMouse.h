@@ -17,9 +17,9 @@
  * direction of view, from the middle of the data. An advancing hand goes at 0.15 m/s at most, PressDepth beyond its
  * proxy, and while it presses as far as the largest force. When the pointer leaves it stays where its proxy is.
  *
- * While the session is precise, and the hand presses or is in a plane world, a way of the pointer is PrecisionFactor
- * times less of the hand; while its clutch is held the hand stays. Both go on from there: the hand is under the pointer
- * again once it was lifted, or the pointer has left.
+ * While the session is precise, and the hand presses or is in a plane world, a displacement of the pointer moves the
+ * hand PrecisionFactor times less; while its clutch is held the hand stays. Both go on from there: the hand is under
+ * the pointer again once it was lifted, or the pointer has left.
  *
  *     mouse.SetRenderer(renderer)
  *     mouse.SetSession(session)

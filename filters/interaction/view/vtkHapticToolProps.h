@@ -35,7 +35,7 @@ public:
   void RemoveFromRenderer();
   ///@}
 
-  /// Moves the props to the state of the session's last Update(); hides all but the way while it does not touch.
+  /// Moves the props to the state of the session's last Update(); hides all but the path while it does not touch.
   void UpdateFrom(vtkHapticSession* session);
 
   ///@{
@@ -51,7 +51,7 @@ public:
   ///@}
 
   ///@{
-  /// Whether the way that the session remembers of a labyrinth is drawn. Default off.
+  /// Whether the path that the session remembers of a labyrinth is drawn. Default off.
   vtkSetMacro(ShowTrace, bool);
   vtkGetMacro(ShowTrace, bool);
   vtkBooleanMacro(ShowTrace, bool);

@@ -257,7 +257,7 @@ std::string CheckTransfer(const vtkHapticTransfer& transfer, const std::string& 
                                  : std::string();
 }
 
-/// Of the way from one end of a range to the other; ends so far apart that their difference overflows are halved.
+/// As a share of a range from one end to the other; ends so far apart that their difference overflows are halved.
 double ShareOf(double value, const std::array<double, 2>& range)
 {
   constexpr double middle = 0.5; // of an array of one value

@@ -51,7 +51,7 @@ std::string PropertyOf(std::string_view setting)
                                      : std::string(setting);
 }
 
-/// The output while it grows: the way of the proxy as a polyline, one row a tick.
+/// The output while it grows: the path of the proxy as a polyline, one row a tick.
 class Rows
 {
 public:

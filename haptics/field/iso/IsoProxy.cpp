@@ -47,7 +47,7 @@ public:
     this->result_.capped = more && !this->result_.released;
     return this->result_;
   }
-  /// True if the way was cut before the proxy was where it belongs.
+  /// True if the sweep was cut before the proxy was where it belongs.
   [[nodiscard]] bool cut() const noexcept { return this->cut_; }
 
 private:
@@ -137,7 +137,7 @@ private:
     return projectOntoRows(rows, step_u, { lift_u.data(), static_cast<std::size_t>(rows.count) }, slack_u).y;
   }
 
-  /// Over the patches and down towards the hand; both ways are gone only if that comes nearer.
+  /// Over the patches and down towards the hand; both moves are made only if that comes nearer.
   bool hop(const IsoView& view, const IsoRows& rows, const ProjectionResult& y_u, const Vec3& step_u) noexcept
   {
     const GridPlace from = this->state_.x;
@@ -222,7 +222,7 @@ private:
     return this->space_.toDrawn_u(place).squaredNorm();
   }
 
-  /// False where there is not enough arc for the whole way.
+  /// False where there is not enough arc for the whole displacement.
   bool sweep(const GridPlace& from, const Vec3& way_u, double most_u, FieldSweepResult& swept) noexcept
   {
     const double length_u = way_u.norm();

@@ -29,7 +29,7 @@ double levelBefore(const IsoSpace& space, const IsoSide& set, const GridPlace& x
 }
 
 /// Climbs the field from a place that is free at the old level until it is free at the new one, no further than
-/// `most_u`. The ways are free at the old level, so the old surface is not passed.
+/// `most_u`. The displacements are free at the old level, so the old surface is not passed.
 bool climb(const IsoSpace& space, const IsoSide& before, const IsoSide& now, double most_u, GridPlace& x,
   FieldPathSink* sink) noexcept
 {
@@ -69,7 +69,7 @@ bool climb(const IsoSpace& space, const IsoSide& before, const IsoSide& now, dou
   return false;
 }
 
-/// How far the level may go in one tick: as far as moves the surface by the plan's way.
+/// How far the level may go in one tick: as far as moves the surface by the plan's displacement.
 double mostChange(const IsoSpace& space, const IsoSide& set, const IsoPlan& plan, const GridPlace& x) noexcept
 {
   const std::optional<GridPlace> place = space.within(x);

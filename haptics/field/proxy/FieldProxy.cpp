@@ -396,7 +396,7 @@ const FieldBlock& feltFieldBlock(const FieldBlock& brick, const Vec3& p_W, const
 const FieldCells* feltCells(const FieldBlock& brick, const Vec3& p_W, const FieldState& state) noexcept
 {
   const FieldCells* const cells = brick.cells().get();
-  constexpr double takenUp = 0.25, left = 0.02; // of the way that they reach
+  constexpr double takenUp = 0.25, left = 0.02; // of the displacement that they reach
   const double share = cells != nullptr && state.brick == cells->contentHash() ? left : takenUp;
   const bool reaches =
     cells != nullptr && (std::isinf(cells->parts().reach_u) ||

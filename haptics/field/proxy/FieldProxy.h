@@ -23,7 +23,7 @@ struct FieldState
 
 struct FieldResult
 {
-  Vec3 pull_W = Vec3::Zero();    ///< sum of the ways from the hand to each proxy [u]
+  Vec3 pull_W = Vec3::Zero();    ///< sum of the displacements from the hand to each proxy [u]
   double stretch2_u2 = 0.0;      ///< sum of their squares
   Vec3 push_W = Vec3::Zero();    ///< force of the vectors, in the axes of W [N]
   Vec3 surface_W = Vec3::Zero(); ///< proxy of the isosurface, where there is one

@@ -31,8 +31,8 @@ struct CoarserCurves
 /// are not compared: their segments are straight and meet there alone, or one segment lies on the other where both set
 /// out in exactly one direction.
 ///
-/// A run that bends by more than limit_u stays as it is; points on a straight way go, however far apart. Finite points,
-/// indices below their number; any thread; deterministic; O(n log n) where few runs come near each other.
+/// A run that bends by more than limit_u stays as it is; points on a straight line go, however far apart. Finite
+/// points, indices below their number; any thread; deterministic; O(n log n) where few runs come near each other.
 [[nodiscard]] CoarserCurves coarsestWithin(std::span<const Vec3> points_W,
   std::span<const std::array<std::uint32_t, 2>> segments, double limit_u, const std::stop_token& stop = {});
 

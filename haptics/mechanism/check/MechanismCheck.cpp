@@ -127,7 +127,7 @@ private:
     }
   }
 
-  /// Of a limit, and of a shaft, which both end in two places along one way.
+  /// Of a limit, and of a shaft, which both end in two places along one direction.
   [[nodiscard]] bool isOtherEnd(const ConstraintRow& row) const
   {
     const ConstraintKind kind = this->plan_.laws[row.law].kind;

@@ -30,7 +30,7 @@ struct MechanismCheck
   std::vector<std::pair<std::string, std::string>> heldOverlaps; ///< likewise of the held body, at the origin
   int rows = 0;                                                  ///< that may hold at once
   int rank = 0;                                                  ///< of those, how many are independent
-  int freeTurns = 0;      ///< ways to move of rigid bodies, and of a held one that the device does not turn, that
+  int freeTurns = 0;      ///< degrees of freedom of rigid bodies, and of a held one that the device does not turn, that
                           ///< only the balance of forces and moments decides
   double condition = 1.0; ///< of the compliance of the independent rows
 };

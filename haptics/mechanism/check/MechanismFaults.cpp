@@ -12,7 +12,8 @@ namespace palpate
 namespace
 {
 
-constexpr std::size_t mostRigid = 3; // each has six ways that only balance decides: more are too many for a tick
+constexpr std::size_t mostRigid = 3; // each has six degrees of freedom that only balance decides: more are too many for
+                                     // a tick
 
 constexpr double farthest_u = 1e9; // a metre in nanometres; from there on rounding is felt
 constexpr double strongest_N = 1e6;

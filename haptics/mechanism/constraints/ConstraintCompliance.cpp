@@ -6,8 +6,8 @@ namespace palpate
 namespace
 {
 
-/// Of a body that nothing elastic holds: which of the problem's ways are its own, and which of its six numbers they
-/// are.
+/// Of a body that nothing elastic holds: which of the problem's degrees of freedom are its own, and which of its six
+/// numbers they are.
 struct FreeWays
 {
   int first = 0;

@@ -12,7 +12,7 @@ namespace
 
 /// Of a turn that constraints make in one piece: beyond it their rows would mean little [rad].
 constexpr double mostTurn_rad = 0.5;
-constexpr int mostParts = 24; ///< in which a tick goes a longer turn, and follows a bent way
+constexpr int mostParts = 24; ///< in which a tick goes a longer turn, and follows a bent path
 /// Of the lever: a mismatch that turns leave between rows and bodies is reduced from there on, and reported as too
 /// large.
 constexpr double bentFrom = 5e-15, bentMost = 1e-12;
@@ -73,7 +73,7 @@ void SettledConstraints::goOn() noexcept
   }
 }
 
-/// Turned by the hand's spring: no way of its own is left.
+/// Turned by the hand's spring: no degree of freedom of its own is left.
 bool SettledConstraints::isSprung(int body) const noexcept
 {
   return body == this->plan_.held && this->input_.grip.turning_Nu_per_rad > 0.0;
@@ -230,7 +230,7 @@ double SettledConstraints::residual_u() const noexcept
   return std::max(this->room_.forces.residual_u, this->left_u()) + this->bent_u();
 }
 
-/// By how much rows are not met yet, as bodies have gone a part of their way only.
+/// By how much rows are not met yet, as bodies have gone a part of their displacement only.
 double SettledConstraints::left_u() const noexcept
 {
   double most_u = 0.0;

@@ -14,11 +14,11 @@ constexpr double strongest = 1e5;
 /// By so much of it a contact is opened more than its friction asks, so that the search ends.
 constexpr double beyond = 1e-3;
 constexpr int mostSweeps = 40;
-/// Of the guess: a way that is led to less of it ends at none, or is far from the guess.
+/// Of the guess: a displacement that is projected to less of it ends at none, or is far from the guess.
 constexpr double leastLeft = 1e-2;
 constexpr int perWork = 27; ///< multiply-adds to the unit of ContactPlan::workBudget
 
-/// A way of the free bodies, led to where no constraint without bounds resists it.
+/// A displacement of the free bodies, projected until no constraint without bounds resists it.
 class WaySearch
 {
 public:

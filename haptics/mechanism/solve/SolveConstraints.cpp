@@ -41,7 +41,7 @@ std::uint32_t workOf(int multiplyAdds) noexcept
   return 1 + static_cast<std::uint32_t>(multiplyAdds / multiplyAddsPerWork);
 }
 
-/// The turns between rows, cones and free ways.
+/// The iteration between rows, cones and degrees of freedom.
 class ConstraintSolve
 {
 public:
@@ -138,7 +138,7 @@ private:
 
   void spend(int multiplyAdds) noexcept { this->f_.work += workOf(multiplyAdds); }
 
-  /// Bounded rows under the present cones and ways; false if they could not be ended.
+  /// Bounded rows under the present cones and displacements; false if they could not be ended.
   [[nodiscard]] bool solveRows(ActiveConstraints& held) noexcept
   {
     const int n = this->p_.count;
@@ -301,7 +301,8 @@ private:
     this->spend(cones * cones * (cones / 3 + 2) + 2 * cones * this->p_.ways * (cones + this->p_.ways));
   }
 
-  /// How the cones' rows move under forces on themselves and with the ways, all other constraints held as they are.
+  /// How the cones' rows move under forces on themselves and with the degrees of freedom, all other constraints held as
+  /// they are.
   void reduceToCones(const ActiveConstraints& held) noexcept
   {
     const auto rows = held.held();
@@ -344,7 +345,7 @@ private:
     return change <= rounding * before.lpNorm<Eigen::Infinity>();
   }
 
-  /// With ways across counted in units of each friction, all cones are one.
+  /// With displacements across counted in units of each friction, all cones are one.
   [[nodiscard]] double unit(int i) const noexcept
   {
     return i % 3 == 0 ? 1.0 : this->p_.friction[static_cast<std::size_t>(i / 3)];

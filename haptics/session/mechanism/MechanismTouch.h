@@ -16,7 +16,7 @@ struct MechanismHold
 {
   double stiffness_N_per_m = 1000.0; ///< of the spring between hand and held body, > 0
   double turning_N_m_per_rad = 0.0;  ///< likewise of turning, >= 0; 0: the held body turns freely
-  double scale_u_per_m = 1.0;        ///< of the hand's way, > 0
+  double scale_u_per_m = 1.0;        ///< of the hand's motion, > 0
   double lowRate_Hz = 30.0; ///< snapshots a second of soft bodies, >= 0; 0: at rest in every tick, the reference
 };
 

@@ -15,7 +15,7 @@ namespace
 
 constexpr double degreesPerRadian = 180.0 / std::numbers::pi;
 constexpr std::uint64_t workOfUpdate = 10'000'000; // so much that an update ends by its steps
-constexpr int mostUpdates = 50;                    // a way across a scene takes a few
+constexpr int mostUpdates = 50;                    // a path across a scene takes a few
 
 /// How a hand holds a tool.
 struct ToolHold

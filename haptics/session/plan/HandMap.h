@@ -30,7 +30,7 @@ struct HandPlace
 struct HandWishes
 {
   bool clutch = false;      ///< the device is moved and the hand is not
-  bool precise = false;     ///< the same way of the device is a shorter one of the hand,
+  bool precise = false;     ///< the same displacement of the device moves the hand less,
   double precision = 5.0;   ///< by this factor, at least 1
   std::optional<Quat> q_WD; ///< the rotation that is wanted; none: as it is
 };

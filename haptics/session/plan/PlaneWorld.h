@@ -24,7 +24,7 @@ struct PlaneWishes
 
 /// The parameters with the guide to the plane that all that is touched stands across, and with walls that a device
 /// which moves in that plane may hold; with neither where there is none (nothing). No guide pushes a device that has no
-/// motor that way.
+/// motor in that direction.
 [[nodiscard]] HapticParameters inPlane(HapticParameters parameters, const std::optional<Pose>& plane_WP,
   const PlaneWishes& wishes, const DeviceInfo& device);
 

@@ -17,8 +17,8 @@ namespace palpate
 struct CameAround
 {
   std::string surface;
-  Vec3 from_W = Vec3::Zero(); ///< a place outside the surface; the way from there to the hand meets the surface [u]
-  Vec3 ball_W = Vec3::Zero(); ///< where that way ends
+  Vec3 from_W = Vec3::Zero(); ///< a place outside the surface; the segment from there to the hand meets the surface [u]
+  Vec3 ball_W = Vec3::Zero(); ///< where that segment ends
 };
 
 /// Whether a surface of `after` has swallowed the ball at x_W, which was outside of the surfaces `before` (null: none).

@@ -86,8 +86,8 @@ double squareTo(const FieldBlockLine& line_W, const Vec3& from_W) noexcept
   return squareTo(nearestOn(line_W, from_W), from_W);
 }
 
-/// The nearest of them that a block can hold. Where some are left out, `reach_u` becomes at most half of the way to the
-/// first of those: a hand that comes nearer to them has another block.
+/// The nearest of them that a block can hold. Where some are left out, `reach_u` becomes at most half of the distance
+/// to the first of those: a hand that comes nearer to them has another block.
 template<class Place>
 std::vector<Place> nearestOf(std::vector<Place> places, const Vec3& from_W, double& reach_u)
 {

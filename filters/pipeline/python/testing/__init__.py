@@ -86,7 +86,7 @@ def _update(surface, file, scene, path, touch, tolerance):
     if way is None:
         way = strokes(surface, touch)
     found = _felt(touch, as_written(way), surface, tolerance)
-    if path is None and not is_something(found.now_N, tolerance):  # the surface has shrunk away from the way it was touched on
+    if path is None and not is_something(found.now_N, tolerance):  # the surface has shrunk away from the path that it was touched on
         found = _felt(touch, as_written(strokes(surface, touch)), surface, tolerance)
     _refuse_nothing(found, touch)
     Baseline.of(file, scene, touch, found, surface).write()
