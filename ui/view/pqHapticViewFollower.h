@@ -21,9 +21,9 @@ class vtkSMProxy;
 /**
  * Keeps the session's scene the same as the surfaces that the active render view shows.
  *
- * It looks after every frame and change of visibility; nothing is handed over unless something touchable changed. Not
- * after updates of the pipeline: until the frame that shows one, a surface may have new points and old cells. A view
- * that closes leaves an empty scene at once. GUI thread only.
+ * The follower looks after every frame and change of visibility; nothing is handed over unless something touchable
+ * changed. Not after updates of the pipeline: until the frame that shows one, a surface may have new points and old
+ * cells. A view that closes leaves an empty scene at once. GUI thread only.
  */
 class pqHapticViewFollower : public QObject
 {

@@ -4,7 +4,7 @@
  * @brief   a straight rod with a point, to hold as a tool or in a mechanism
  *
  * A closed surface about the z axis whose triangles face outward. The needle hangs below the origin, where a hand holds
- * it, and ends in a point at z = -Length. It is rigid.
+ * it, and ends in a point at z = -Length, rigid.
  */
 #ifndef vtkHapticNeedle_h
 #define vtkHapticNeedle_h

@@ -56,7 +56,7 @@ struct Rubbed
 };
 
 /// The friction force on a place: opposite to its slip and at its most, or less where nothing slips. `under(force)` is
-/// Rubbed; `yield` is about how much slip goes with force, and grows to the measured ratio. Projected steps, to the
+/// `Rubbed`; `yield` is about how much slip goes with force, and grows to the measured ratio. Projected steps, to the
 /// end.
 template<class Under>
 Eigen::Vector3d frictionAt(const Eigen::Vector3d& first, double yield, const Under& under)
