@@ -282,7 +282,7 @@ void pqHapticLabyrinths::end()
   this->Message->setText(tr("The game is over: proxy radius, scale and position are restored."));
 }
 
-/// So transparent that nobody sees it, yet not wholly: an invisible surface is not felt.
+/// Too transparent to be seen, yet not wholly: an invisible surface is not felt.
 void pqHapticLabyrinths::hideWalls(bool hidden)
 {
   pqHapticController::instance()->showPlaces(!hidden);
@@ -356,7 +356,7 @@ void pqHapticLabyrinths::readOut()
 
 void pqHapticLabyrinths::grant(int wish)
 {
-  if (wish > 0 && wish <= this->Worlds->count() && this->Source) // whoever touches something else keeps it
+  if (wish > 0 && wish <= this->Worlds->count() && this->Source) // a person who touches something else keeps it
   {
     this->Worlds->setCurrentRow(wish - 1);
     this->play();

@@ -77,7 +77,7 @@ public:
   vtkHapticSurfaceGround Surfaces;       ///< that are drawn on
   vtkWeakPointer<vtkSMSourceProxy> Line; ///< the pipeline keeps it
 
-  /// True: nobody else is to hear of it.
+  /// True: no other observer is to hear of it.
   bool Heard(vtkObject*, unsigned long event, void*);
   void Watch(vtkSMRenderViewProxy* view);
   void ViewDeleted();

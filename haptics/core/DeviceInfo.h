@@ -85,7 +85,7 @@ struct DeviceInfo
   DeviceAbilities abilities;
   bool offersWalls = false; ///< so it says; with viscosity
   HeldProof heldProof = HeldProof::Unfelt;
-  double effectsEndAfter_s = 0.0; ///< the device stops pushing by itself when nobody renews its effects; 0: never
+  double effectsEndAfter_s = 0.0; ///< the device stops pushing by itself when its effects are not renewed; 0: never
   DeviceQuantity workspaceRadius_m{ 0.1, false };
   DeviceQuantity resolution_m{ 0.0, false };
   DeviceQuantity turnResolution_rad{ 0.0, false }; ///< of how the hand is turned
@@ -100,7 +100,7 @@ struct DeviceInfo
   DeviceQuantity mass_kg{ 0.0, false };
   DeviceQuantity damping_Ns_per_m{ 0.0, false };
   DeviceQuantity friction_N{ 0.0, false };
-  DeviceQuantity turnInertia_kg_m2{ 0.0, false }; ///< of its handle; 0: not known, or it turns nobody
+  DeviceQuantity turnInertia_kg_m2{ 0.0, false }; ///< of its handle; 0: not known, or without torque
   DeviceQuantity turnDamping_Nms{ 0.0, false };
   DeviceQuantity turnFriction_Nm{ 0.0, false };
 

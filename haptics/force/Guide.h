@@ -13,7 +13,7 @@ struct GuidePlan
   Vec3 point_W = Vec3::Zero();      ///< of the plane [u]
   Vec3 normal_W = Vec3::UnitZ();    ///< unit
   double stiffness_N_per_m = 200.0; ///< towards the plane
-  double largest_N = 2.0;           ///< whoever pushes harder leaves the plane
+  double largest_N = 2.0;           ///< a hand that pushes harder leaves the plane
   double ramp_s = 0.5;              ///< from nothing to all of it, and back once it is switched off
 
   friend bool operator==(const GuidePlan&, const GuidePlan&) = default;

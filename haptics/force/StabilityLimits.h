@@ -25,11 +25,11 @@ struct StabilityLimits
 {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-  /// b / (T/2 + delay) less |B|: passive whoever holds the device (Colgate & Schenkel 1997), without controller.
+  /// b / (T/2 + delay) less |B|: passive in any hand (Colgate & Schenkel 1997), without controller.
   double passive_N_per_m = unlimited;
   /// 2 c / D: friction dissipates the energy of the encoder's steps (Abbott & Okamura 2005).
   double quantised_N_per_m = unlimited;
-  /// Exact eigenvalues of the loop, nobody holding the device.
+  /// Exact eigenvalues of the loop without a hand on the device.
   double stable_N_per_m = unlimited;
   double device_N_per_m = unlimited;
   /// For rotation, referred to the tool's lever arm: eigenvalues of the loop of its inertia. Times the lever's square

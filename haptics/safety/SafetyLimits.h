@@ -54,8 +54,8 @@ struct SafetyLimits
     }
     if (device.rendersTorque)
     {
-      // Of one whose largest torque nobody knows: the largest force on an arm of 30 mm, from the fingers to the middle
-      // of a handle.
+      // Of one with unknown largest torque: the largest force on an arm of 30 mm, from the fingers to the middle of a
+      // handle.
       constexpr double unknownArm_m = 0.03;
       const double known_Nm = device.maxTorque_Nm.value;
       const double largest_Nm = known_Nm < std::numeric_limits<double>::infinity() ? known_Nm : 5.0 * unknownArm_m;

@@ -18,7 +18,7 @@ namespace palpate
 class Recordings
 {
 public:
-  /// `link`: where the servo finds who records, null for nobody. In virtual time nobody else writes: see pump().
+  /// `link`: where the servo finds the recorder; null: none. In virtual time no thread writes: see pump().
   Recordings(std::atomic<Recorder*>& link, bool virtualTime) : link_(link), virtualTime_(virtualTime) {}
 
   /// From the next tick on; the one before ends there. Empty, or one sentence; then the one before goes on.

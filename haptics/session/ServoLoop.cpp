@@ -48,7 +48,7 @@ void ServoLoop::run(const std::stop_token& stop) noexcept
   this->finish();
 }
 
-/// Nobody waits longer than the ramp takes, whatever keeps the force.
+/// No stop waits longer than the ramp takes, whatever keeps the force.
 void ServoLoop::letGo() noexcept
 {
   double left_s = std::min(this->parameters_.safety.releaseRamp_s + letGoSlack_s, longestLetGo_s);

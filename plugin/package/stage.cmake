@@ -20,7 +20,7 @@ file(RENAME "${root}/lib/python/palpate" "${root}/lib/python3/dist-packages/palp
 file(REMOVE_RECURSE "${root}/lib/python")
 replace("${root}/lib/cmake/Palpate/PalpateConfig.cmake" "/lib/python\"" "/lib/python3/dist-packages\"")
 
-# Parts of ParaView's build that nobody uses afterwards.
+# Parts of ParaView's build that are not used afterwards.
 file(GLOB client_server "${root}/lib/libvtkHaptic*CS.a")
 file(REMOVE ${client_server})
 file(REMOVE_RECURSE "${root}/lib/paraview-${CPACK_PALPATE_PARAVIEW}/plugins/Palpate/vtk")

@@ -16,8 +16,8 @@
 /// Lists the attached devices, their abilities, and why one cannot be used.
 int vtkHapticCliDevices(bool json);
 
-/// Checks a device with whoever holds it, who may say that it is a wheel, and keeps the result if `keep`. 0: it passed,
-/// 1: it did not.
+/// Checks a device with the person who holds it, who may say that it is a wheel, and keeps the result if `keep`. 0: it
+/// passed, 1: it did not.
 int vtkHapticCliSelfTest(const std::string& device, bool keep, bool wheel);
 
 struct vtkHapticCliTurnOptions

@@ -85,7 +85,7 @@ void CheckHold(const palpate::DeadMan& deadMan, std::size_t labyrinths)
   }
 }
 
-/// A device that nobody could play with is refused before it is opened.
+/// A device that cannot be played with is refused before it is opened.
 void CheckDevice(const std::string& name, const palpate::DeadMan& deadMan, const palpate::DeviceOptions& wanted)
 {
   for (const palpate::KnownDevice& known : palpate::knownDevices(wanted))

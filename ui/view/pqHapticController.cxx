@@ -278,7 +278,7 @@ void pqHapticController::serverAdded(pqServer* server)
     this->adopt(present);
     return;
   }
-  SCOPED_UNDO_EXCLUDE(); // nobody made it, so nobody can undo that
+  SCOPED_UNDO_EXCLUDE(); // no person made it, so it cannot be undone
   auto proxy = vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy(proxyGroup, proxyName));
   proxy->UpdateVTKObjects(); // its object says which devices there are
   ApplySettings(manager, proxy);
@@ -330,7 +330,7 @@ void pqHapticController::adopt(vtkSMProxy* proxy)
   }
   if (this->session())
   {
-    this->session()->GetDeviceCheck()->Stop(); // nobody could follow it, or stop it, any more
+    this->session()->GetDeviceCheck()->Stop(); // it could not be followed, or stopped, any more
   }
   this->Frames->setActive(false);
   this->Mouse->setActive(false);

@@ -35,7 +35,7 @@ public:
   ~pqHapticViewFollower() override;
 
   void setSession(vtkHapticSession* session);
-  /// Only while active is the view looked at: surfaces nobody touches cost nothing.
+  /// Only while active is the view looked at: untouched surfaces cost nothing.
   void setActive(bool active);
 
   pqRenderView* view() const { return this->View; }

@@ -142,7 +142,7 @@ void PidOutput::makeConditions()
   }
 }
 
-/// Empty, for nobody promises that a new effect does nothing.
+/// Empty, as a new effect is not promised to do nothing.
 bool PidOutput::makeCondition(Effect& effect, HidUsage type)
 {
   bool taken = this->make(effect, type, EffectSettings{}.comesFrom_deg).empty();

@@ -77,7 +77,7 @@ private:
     int block = 0; ///< 0: the device has none
     std::int64_t started_ns = never;
     std::int64_t stopped_ns = never; ///< when a stop was sent to it last
-    bool lapses = false;             ///< nobody renews it, so it ends by itself
+    bool lapses = false;             ///< it is not renewed, so it ends by itself
     bool lingers = false;            ///< stopped with all others, not yet by itself
     bool unsettled = false;          ///< its conditions changed after its settings were sent
   };

@@ -295,7 +295,7 @@ void vtkHapticHeldMechanism::Look(palpate::HapticSession& core, const palpate::H
   }
   const auto pushing = [](const palpate::ConstraintReport& law) { return law.force_N > 0.0; };
   const bool pushes = std::any_of(this->Now.laws.begin(), this->Now.laws.begin() + this->Now.lawCount, pushing);
-  const bool changes = !this->Felt && this->Seen.Held; // of constraints, and nobody knows which of them push
+  const bool changes = !this->Felt && this->Seen.Held; // of constraints, and it is unknown which of them push
   this->Begin_W = pushes || changes ? this->Begin_W : state.device_W.p;
   this->Depth = (state.device_W.p - this->Begin_W).dot(state.proxy_W.q * palpate::Vec3::UnitZ());
 }

@@ -18,7 +18,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// Nobody else's: among the files that are temporary, named by the time, the process and a number.
+/// Its own name: among the files that are temporary, named by the time, the process and a number.
 std::string WorkingFile()
 {
   static int number = 0;

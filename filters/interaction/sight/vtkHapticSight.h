@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkHapticSight
- * @brief   a session as whoever draws or follows a view needs it
+ * @brief   a session as pictures and followers of a view need it
  */
 #ifndef vtkHapticSight_h
 #define vtkHapticSight_h
@@ -36,7 +36,7 @@ public:
   void ForgetPrepared();
   int GetScenesCancelled() const; ///< how often CancelScene() did that
   /// Other data that the field is compared with, and whose points and lines the hand snaps to; null: none. Kept by
-  /// reference. FeltSource, CompareSource and SnapSource name all of them for whoever follows a view.
+  /// reference. FeltSource, CompareSource and SnapSource name all of them for followers of a view.
   void SetComparedField(vtkDataObject* compared, vtkDataObject* snap);
 #ifndef __VTK_WRAP__
   bool AddRemoteField(const char* name, const vtkHapticFieldResult& made); ///< of data elsewhere, made there

@@ -55,7 +55,7 @@ protected:
   virtual void Look(palpate::HapticSession& core, const palpate::HapticState& state, double now_s) = 0;
   /// Of converted data.
   virtual std::string Sentence(palpate::HapticSession& core, const palpate::HapticState& state) const = 0;
-  /// Of a source that was chosen, which nobody has looked for yet.
+  /// Of a source that was chosen and not looked for yet.
   static const char* Chosen(const palpate::HapticSession& core);
   virtual const char* Absent() const = 0; ///< the remedy, after the name of a source that is not there
 

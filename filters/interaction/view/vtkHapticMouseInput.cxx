@@ -32,7 +32,7 @@ public:
   std::vector<unsigned long> Observers;
   bool ButtonTaken = false; ///< the left button went down to press, so until it is up its drag is no camera's
 
-  /// True: nobody else is to hear of it.
+  /// True: no other observer is to hear of it.
   bool Heard(vtkObject*, unsigned long event, void*);
   bool Take(unsigned long event);
   bool TakeWheel(bool on);

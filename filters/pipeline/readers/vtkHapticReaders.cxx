@@ -152,7 +152,7 @@ SurfacePointer ReadWithParser(const std::string& path, TextParser parse)
   return ToPolyData(mesh);
 }
 
-/// Lines do as well: they can be touched by whoever has a radius for them.
+/// Lines do as well: they can be touched with a radius.
 void CheckHasTriangles(vtkPolyData* surface, vtkIdType pointsOfFile)
 {
   if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() + surface->GetNumberOfLines() > 0)

@@ -17,7 +17,7 @@ class vtkDoubleArray;
 /// Material of a body.
 struct vtkHapticSoftMaterial
 {
-  static constexpr double UsualYoungPa = 20e3;   ///< about that of liver; nobody has measured this one
+  static constexpr double UsualYoungPa = 20e3;   ///< about that of liver; the body's own is not measured
   static constexpr double UsualPoisson = 0.4;    ///< the most that is true with few tetrahedra
   static constexpr double UsualDensity = 1000.0; ///< as water
 

@@ -10,9 +10,9 @@
 /**
  * The block of numbers around a hand, made where the data are.
  *
- * Whoever feels data of a server asks this filter there: of all data only the block travels, as the bytes of a table's
- * one column (vtkHapticFieldPacket.h). Data in pieces on several ranks are gathered once and after each change; the
- * first rank has the block.
+ * Clients that feel data of a server ask this filter there: of all data only the block travels, as the bytes of a
+ * table's one column (vtkHapticFieldPacket.h). Data in pieces on several ranks are gathered once and after each change;
+ * the first rank has the block.
  */
 class VTKHAPTICPIPELINE_EXPORT vtkHapticFieldBlock : public vtkTableAlgorithm
 {

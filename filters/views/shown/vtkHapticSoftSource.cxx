@@ -19,7 +19,7 @@ vtkHapticSoftBody* FilterOf(vtkSMProxy* proxy)
   return proxy ? vtkHapticSoftBody::SafeDownCast(proxy->GetClientSideObject()) : nullptr;
 }
 
-/// A body at rest: the same object as long as nobody makes another one.
+/// A body at rest: the same object until another one is made.
 vtkDataObject* BodyOf(vtkSMProxy* view, const std::string& name)
 {
   vtkDataObject* const made = name.empty() ? nullptr : vtkHapticNamedData(view, name);

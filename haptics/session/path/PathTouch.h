@@ -15,8 +15,7 @@ namespace palpate
 class PathTouch
 {
 public:
-  /// `scene`: null where there is a field alone. `first_s`: how long the first tick is, of which nobody knows when the
-  /// one before was.
+  /// `scene`: null where there is a field alone. `first_s`: how long the first tick is, as there is none before.
   PathTouch(std::shared_ptr<const Scene> scene, const HapticParameters& parameters, double first_s);
 
   /// Numbers in space are felt as well, from the next tick on. Their blocks are as large as the memory of one allows,

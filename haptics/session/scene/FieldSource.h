@@ -28,7 +28,7 @@ struct FieldSmoothness
 {
   int passes = 0;                ///< of smoothing that it had
   double noise = 0.0;            ///< that it would have without, as far as it was measured [spacings of the grid]
-  std::optional<double> level{}; ///< that it was measured beside; none: nobody asked
+  std::optional<double> level{}; ///< that it was measured beside; none: not asked for
   double until = std::numeric_limits<double>::infinity(); ///< from there on it is to be measured anew [values]
 };
 

@@ -75,8 +75,8 @@ struct Contact
     double shownAge_s = 0.0;         ///< since one of another revision was: snapshots of a soft body bring many of one
     double shownShare = 1.0;         ///< progress of the motion of all surfaces, 0..1
   };
-  /// Touched features are no part of a recording: they are numbers of surfaces and triangles, and nobody knows yet of
-  /// which. The age of visible data is reported, and has no effect on the force.
+  /// Touched features are no part of a recording: they are numbers of surfaces and triangles, which are not known yet.
+  /// The age of visible data is reported, and has no effect on the force.
   template<class Visit, class... S>
   static void stateFields(const Visit& visit, S&... s)
   {
