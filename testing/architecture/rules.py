@@ -221,7 +221,7 @@ def _room_of(file):
 
 
 def circle_through(start, arrows):
-    """The shortest way along the arrows from `start` back to it, both ends named, or None."""
+    """The shortest path along the arrows from `start` back to it, both ends named, or None."""
     came_from, ways = {}, deque([start])
     while ways:
         node = ways.popleft()

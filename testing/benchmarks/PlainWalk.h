@@ -17,7 +17,7 @@ class PlainWalk
 public:
   explicit PlainWalk(const TriangleMesh& mesh);
 
-  /// The fraction of the way, 0..1, at which the segment first meets the mesh; above 1 where it does not.
+  /// The fraction of the segment, 0..1, at which the segment first meets the mesh; above 1 where it does not.
   [[nodiscard]] double firstHit(const Vec3& from_W, const Vec3& to_W) const;
 
 private:

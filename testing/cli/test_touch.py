@@ -84,7 +84,7 @@ class OnAPlane(CommandLineTest):
         self.assertEqual(slow[1]["force_z"], quick[1]["force_z"])
 
     def test_the_kinetic_friction_is_the_static_one_unless_it_is_given(self):
-        depth, static, way = 0.5, 0.5, 0.4  # the way is beyond the cone, whose half width is 0.25
+        depth, static, way = 0.5, 0.5, 0.4  # the displacement is beyond the cone, whose half width is 0.25
         rows = [(0, 0.25, 0.25, 1.0), (1 / 1024, 0.25, 0.25, -depth), (2 / 1024, 0.25 + way, 0.25, -depth)]
         for given, trails in (((), static), (("--mu-kinetic", 0.25), 0.25)):
             out = self.touch(rows, "--stiffness", STIFFNESS, "--mu-static", static, *given)

@@ -71,7 +71,8 @@ TEST_F(HapticMousePlane, APointerThatLeavesTheViewLetsTheHandRestAtTheProxy)
 
 TEST_F(HapticMousePlane, PreciseTheHandGoesAFourthOfTheWayInThePlane)
 {
-  this->begin(above_W, true); // without perspective equal ways on the screen are equal ways in the plane
+  this->begin(above_W, true); // without perspective equal displacements on the screen are equal displacements in the
+                              // plane
   this->pointAt({ 5, 3, 0 });
   this->session_->SetSetting("PrecisionFactor", 4.0);
   this->session_->SetSetting("Precision", true);

@@ -151,7 +151,8 @@ TEST_F(HapticSessionStability, TheSentenceIsThatOfTheChosenDeviceAndOfTheRunning
   EXPECT_TRUE(std::isinf(this->session_->GetLargestStiffness()));
 }
 
-/// Damping (1/2 + delay + reserve) K T from the start, at most one K T more to repay, with v T = way of the last tick.
+/// Damping (1/2 + delay + reserve) K T from the start, at most one K T more to repay, with v T = displacement of the
+/// last tick.
 class HapticSessionPassivity
   : public HapticSessionStability
   , public ::testing::WithParamInterface<int>

@@ -51,7 +51,7 @@ TEST_F(HapticSessionMotion, BetweenTwoTimeStepsTheSurfaceIsFeltOnItsStraightWayI
   this->session_->Step(100);
   this->session_->SetHandPosition(hand_W.data());
   this->session_->Step(ticksToSettle);
-  this->show(makePlane(half, 0.1)); // the last one at rest: how long the first way takes
+  this->show(makePlane(half, 0.1)); // the last one at rest: how long the first motion takes
   ASSERT_TRUE(this->session_->FinishScene());
   this->session_->Step(ticks);
   double begin = 0.1;
@@ -144,7 +144,7 @@ TEST_P(MovingActor, WhoseMeshDeformsInTheSameFramesIsFeltUnderBothInEveryTick)
   this->session_->Step(300);
   this->session_->SetHandPosition(hand_W.data());
   this->session_->Step(300);
-  this->show(makePlane(half, begin.tilt), matrixOf(begin)); // the last one at rest: how long the first way takes
+  this->show(makePlane(half, begin.tilt), matrixOf(begin)); // the last one at rest: how long the first motion takes
   ASSERT_TRUE(this->session_->FinishScene());
   this->session_->Step(ticks);
   const Frame frames[] = { { 0.12, 0.3, { 2.5, 1.0, 0.8 } }, { 0.2, 0.7, { 1.0, 0.0, 1.5 } },

@@ -18,7 +18,7 @@ WITHIN_N = 1e-5 * STIFFNESS_N_PER_M * SIDE  # a tool keeps a gap of some million
 
 
 def slide(**settings):
-    """Forces on a hand that presses a cube on a floor and slides it along x, without the way down (n, 3)."""
+    """Forces on a hand that presses a cube on a floor and slides it along x, without the path down (n, 3)."""
     floor, cube, touch = vtkPlaneSource(), vtkCubeSource(), vtkTouchAlongPath()
     way, places = vtkPolyData(), vtkPoints()
     floor.SetOrigin(-20, -20, 0)

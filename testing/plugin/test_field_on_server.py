@@ -27,7 +27,7 @@ class Hand(ViewTest):
         self.session.FinishField()
 
     def forces(self):
-        """Along a way that is longer than a block, and again once the data are others."""
+        """Along a path that is longer than a block, and again once the data are others."""
         wavelet = simple.Wavelet(registrationName="Waves", WholeExtent=[-80, 80, -80, 80, -80, 80])
         display = self.show(wavelet)
         display.SetRepresentationType("Outline")

@@ -32,7 +32,7 @@ def drill():
 
 
 def depths(x, z):
-    """Where a way from the front enters and leaves the front wall of the shell [mm]."""
+    """Where a line from the front enters and leaves the front wall of the shell [mm]."""
     across = (x - CENTRE[0]) ** 2 + (z - CENTRE[2]) ** 2
     return (CENTRE[1] - math.sqrt(radius ** 2 - across) for radius in (OUTER, INNER))
 

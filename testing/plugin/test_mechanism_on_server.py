@@ -17,7 +17,7 @@ from view_fixture import ViewTest
 
 SCENES = pathlib.Path(os.environ["PALPATE_SOURCE_DIR"]) / "data" / "mechanisms"
 TIP, FACE = 150.0, -8.0  # u: of the needle before the hand, of the wall's lower side
-DEPTHS = (0.5, 1.0, 1.5, 2.0, 6.0, 12.0, 14.0)  # of the tip in the wall, which is pierced on the way [u]
+DEPTHS = (0.5, 1.0, 1.5, 2.0, 6.0, 12.0, 14.0)  # of the tip in the wall, which is pierced meanwhile [u]
 
 
 class Held(ViewTest):

@@ -36,7 +36,7 @@ def waves():
 
 
 def slide():
-    """A way of the hand below the highest surface over a line, by a ray through the data that are here."""
+    """A path of the hand below the highest surface over a line, by a ray through the data that are here."""
     contour = waves()
     surface, locator, hand = servermanager.Fetch(contour), vtkStaticCellLocator(), []
     locator.SetDataSet(surface)
@@ -75,7 +75,7 @@ class Hand(ViewTest):
         self.follow()
 
     def forces(self, hand, limit):
-        """In virtual time, along the way."""
+        """In virtual time, along the path."""
         self.touch(hand, limit)
         self.session.Step(1200)
         x, y, z = hand[0]

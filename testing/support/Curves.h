@@ -59,7 +59,7 @@ private:
   int rubs_ = 0; ///< points of the line left to stroke along
 };
 
-/// Judges the way of a ball's centre: whether it is continuous and how near it comes to any tube.
+/// Judges the path of a ball's centre: whether it is continuous and how near it comes to any tube.
 class TubeChecker final : public PathSink
 {
 public:

@@ -20,12 +20,12 @@ namespace palpate::test
 /// The sums of many ticks under a random hand: faults of single ticks, and four more that must be 0.
 struct RunFigures : TickFigures
 {
-  std::uint64_t fallen = 0;    ///< ticks whose way met the clean closed shape, or sank deeper than its gaps allow
-  std::uint64_t stuck = 0;     ///< the way to the hand was free and the ball did not come in many ticks
+  std::uint64_t fallen = 0;    ///< ticks whose path met the clean closed shape, or sank deeper than its gaps allow
+  std::uint64_t stuck = 0;     ///< the segment to the hand was free and the ball did not come in many ticks
   std::uint64_t restless = 0;  ///< the hand kept still and the ball still moved
   std::uint64_t notAtRest = 0; ///< where the ball stood it could have gone on towards the hand
   std::uint64_t touching = 0;
-  std::uint64_t pulls = 0; ///< times the hand pulled away on a free way
+  std::uint64_t pulls = 0; ///< times the hand pulled away on a free path
   std::uint64_t rests = 0; ///< times it kept still with something touched
   std::uint64_t infeasible = 0;
   std::uint64_t work = 0;
@@ -93,7 +93,7 @@ private:
 
   RunTask task_;
   TickJudge judge_;
-  PathChecker wayChecker_; ///< for ways that are only asked for
+  PathChecker wayChecker_; ///< for segments that are only asked for
   std::optional<PathChecker> shapeChecker_;
   Random random_;
   double depth_u_;

@@ -105,7 +105,7 @@ void requireFourWalls(const test::PidLayout& layout)
     VirtualPidDevice::Axes push, rest;
   };
   const double inside = 0.5 / VirtualPidDevice::springGain;
-  // HID's y points the other way, and these two walls are alike.
+  // HID's y has the other direction, and these two walls are alike.
   for (const Push& push : { Push{ { 0.5, 0.0 }, { 0.5 + inside, 0.0 } }, Push{ { -0.5, 0.0 }, { -0.3 - inside, 0.0 } },
          Push{ { 0.0, 0.5 }, { 0.0, 0.2 + inside } }, Push{ { 0.0, -0.5 }, { 0.0, -0.2 - inside } } })
   {

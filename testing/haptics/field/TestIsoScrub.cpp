@@ -65,7 +65,7 @@ TEST(IsoScrub, MovesTheSurfaceUnderAStillHandByLessThanATenthOfANewtonATickAndKe
   const Scrubbed seen = scrub(ball, 2.0, 12.0, 0.0, 1630);
   EXPECT_EQ(seen.wrong, 0U);
   EXPECT_GT(seen.touching, 100U);
-  // The proxy is taken along by 1.1 ways of the scrub and goes one itself: below 0.1 N at 1 N a spacing.
+  // The proxy is taken along by 1.1 displacements of the scrub and makes one itself: below 0.1 N at 1 N a spacing.
   EXPECT_LE(seen.mostChange_u, 2.1 * scrub_u + 1e-9);
 }
 

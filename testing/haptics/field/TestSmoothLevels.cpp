@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Smooth levels have a potential up to the strength that mostSmooth_N() says, wherever the hand goes. The judge is the
-// work over closed ways, and derivatives that are sampled densely.
+// work over closed paths, and derivatives that are sampled densely.
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -62,7 +62,7 @@ DetentPlan levelsOf(double strength_N, const LevelBounds& bounds)
   return plan;
 }
 
-/// The work that levels do on a hand over a closed way, after a first turn on which it takes its place. No step of the
+/// The work that levels do on a hand over a closed path, after a first turn on which it takes its place. No step of the
 /// force is longer than asked. `largest_N` becomes the largest force.
 double workOver(const Way& way, const FieldBlockAt& brickAt, const DetentPlan& detent, double& largest_N)
 {

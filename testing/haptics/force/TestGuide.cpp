@@ -58,7 +58,7 @@ TEST(Guide, ComesAndGoesLinearlyInItsRampTime)
   EXPECT_EQ(rampedShare(0.3, false, 0.0, T), 0.0);
 }
 
-// With d_k the heights of a closed way and steps D_k = d_{k+1} - d_k the held force of the spring gives K/2 sum D_k^2,
+// With d_k the heights of a closed path and steps D_k = d_{k+1} - d_k the held force of the spring gives K/2 sum D_k^2,
 // and the damping K T takes K sum D_k D_{k-1}: all energy of the hold, and as much again but for the part of the hand's
 // acceleration, K/2 sum (D_k - D_{k-1})^2.
 TEST(Guide, AClosedWayTakesFromTheHandWhatTheHoldOfTheForceWouldGiveIt)

@@ -163,7 +163,7 @@ Loop makeSimple(std::size_t corners, Random& random)
   return loop;
 }
 
-/// A rectangle with star-shaped holes, each reached from the lower side by a way that is gone there and back.
+/// A rectangle with star-shaped holes, each reached from the lower side by a cut that is gone there and back.
 Loop makeKeyholes(std::size_t holes, Random& random)
 {
   constexpr double cell = 1000.0;

@@ -36,7 +36,7 @@ protected:
     return law;
   }
 
-  /// Along a straight way, then at rest.
+  /// Along a straight line, then at rest.
   const MechanismResult& lead(const Vec3& from, const Vec3& to, int ticks)
   {
     for (int i = 0; i < 2 * ticks; ++i)

@@ -49,7 +49,7 @@ Pose wayIntoGroove(int i)
 
 constexpr int lengthOfWay = 300;
 
-/// Seconds of this process for the way, a tick each pose.
+/// Seconds of this process for the path, a tick each pose.
 double secondsOf(BallHand& hand)
 {
   const ProcessorClock clock;

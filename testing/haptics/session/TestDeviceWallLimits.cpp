@@ -55,7 +55,7 @@ TEST(DeviceWallLimits, ALeadPushesNoHarderThanAnythingMay)
   EXPECT_LE(strongest_N, tick.parameters.safety.maxForce_N);
 }
 
-// K times the reach of the draw is the largest force of the plan, whichever way the start lies.
+// K times the reach of the draw is the largest force of the plan, in any direction of the start.
 TEST(DeviceWallLimits, AlongAnAxisAndBetweenAxesALeadPushesWithAllThatItsPlanSays)
 {
   for (const double angle : { 0.0, 0.3, std::numbers::pi / 4, std::numbers::pi / 2 })

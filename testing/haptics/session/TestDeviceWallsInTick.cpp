@@ -202,7 +202,7 @@ TEST(DeviceWallsInTick, WallsGoWithTheGainAndAreGoneWhenNoForceMayBeGiven)
   EXPECT_EQ(tick.at(0, 0).command.wallCount, 0);
 }
 
-/// A corridor of 4 mm that goes along y by that way, in that time.
+/// A corridor of 4 mm that goes along y by that displacement, in that time.
 std::shared_ptr<const Scene> movingCorridor(double way_m, double time_s)
 {
   std::vector<Surface> surfaces = sceneOf(corridor(0.002))->surfaces();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The guide to a plane in a closed loop: every simulated device that moves in space, in every hand, in planes turned
-// any way, at 1 kHz and 125 Hz. K = 200 N/m or the stable stiffness of device and rate, at most 2 N.
+// The guide to a plane in a closed loop: every simulated device that moves in space, in every hand, in planes of any
+// direction, at 1 kHz and 125 Hz. K = 200 N/m or the stable stiffness of device and rate, at most 2 N.
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -88,7 +88,7 @@ TEST_F(SoftInLoop, WhatHasMovedBesideItRestsASecondLater)
   commit(1.001, SphereBeside::way_s);
   this->hold(Vec3(0, 0, 0.02), 1000);
   EXPECT_FALSE(felt.rests());
-  this->hold(Vec3(0, 0, 0.02), 200); // its way, and until the next snapshot brought it
+  this->hold(Vec3(0, 0, 0.02), 200); // its motion, and until the next snapshot brought it
   EXPECT_TRUE(felt.rests());
 }
 

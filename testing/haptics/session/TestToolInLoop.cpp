@@ -36,7 +36,7 @@ TriangleMesh sheetAt(double z)
   return shifted(makeSheet({ 0.4, 0.4, 6, 6, 0.3 }, random), Vec3(0, 0, z));
 }
 
-/// The same surfaces, at the end of a way to `place`.
+/// The same surfaces, at the end of a motion to `place`.
 std::shared_ptr<const Scene> movedTo(const Scene& scene, const Pose& place, std::uint64_t revision)
 {
   std::vector<Surface> surfaces = scene.surfaces();

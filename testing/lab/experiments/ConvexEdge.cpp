@@ -16,7 +16,7 @@ namespace convex_edge_experiment
 
 constexpr double stiffness_N_per_m = 1000.0, edge_m = 0.05, depth_m = 1e-3;
 
-/// A way over the edge in equal steps, one of which ends `offset_m` behind it.
+/// A path over the edge in equal steps, one of which ends `offset_m` behind it.
 struct Way
 {
   std::string name;

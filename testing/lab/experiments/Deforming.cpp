@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The force of a surface between two snapshots, on its way or in steps, and the cost of keeping it felt: moving the
-// vertices of its tree against building it anew, and a tick on the way against one on a surface that stands.
+// The force of a surface between two snapshots, in motion or in steps, and the cost of keeping it felt: moving the
+// vertices of its tree against building it anew, and a tick in motion against one on a surface that stands.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -134,7 +134,7 @@ TriangleMesh sheet()
 
 struct Felt
 {
-  double wrong_N = 0.0; ///< against the straight way between the snapshots
+  double wrong_N = 0.0; ///< against the straight motion between the snapshots
   double step_N = 0.0;  ///< largest change from one tick to the next
 };
 
@@ -199,7 +199,7 @@ int passes(double speed, double depth_m, double ball_m)
   return through;
 }
 
-/// The same stroke over a noisy sphere that stands and one whose vertices are on their way.
+/// The same stroke over a noisy sphere that stands and one whose vertices are in motion.
 void compareTicks(std::size_t triangles, int ticks, Table& table)
 {
   const test::NoisySphere sphere(triangles, 1e-3);

@@ -20,7 +20,7 @@ struct Press
 
 struct Energies
 {
-  double meter_J = 0.0;    ///< the product's: force of the last period times the way in it
+  double meter_J = 0.0;    ///< the product's: force of the last period times the displacement in it
   double textbook_J = 0.0; ///< force of now times speed of now times the period
 };
 

@@ -22,7 +22,7 @@ struct Loop
 {
   double off_deg = 0.0;  ///< largest angle between force and radius
   double jump_deg = 0.0; ///< largest turn of the force in a tick beyond that of the radius
-  double work_mJ = 0.0;  ///< on the hand over the closed way, at 1 N/mm
+  double work_mJ = 0.0;  ///< on the hand over the closed path, at 1 N/mm
   Cost cost;
 };
 

@@ -79,7 +79,7 @@ void breakAway(const std::shared_ptr<const Scene>& floor, const Ours& ours, Tabl
   table.atMost({ name, ours.name, "error of the force, sticking and sliding", "N" }, wrong_N, 1e-9);
 }
 
-/// A triangle wave of amplitude 1 that begins at 0: the device's way there and back.
+/// A triangle wave of amplitude 1 that begins at 0: the device's path there and back.
 double wave(double phase)
 {
   return phase <= 1 ? phase : phase <= 3 ? 2 - phase : phase - 4;

@@ -84,7 +84,7 @@ struct Comparison
   std::vector<Vec3> path_W; ///< of the device
 };
 
-/// The same way in both scenes, tick by tick in turn, so that a change of the machine's pace meets both.
+/// The same path in both scenes, tick by tick in turn, so that a change of the machine's pace meets both.
 Comparison compare(
   const std::shared_ptr<const Scene>& many, const std::shared_ptr<const Scene>& one, double radius_m, int ticks)
 {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 27 for surfaces that change along the way, and the felt share of data: stiffness and texture given at the
+// Row 27 for surfaces that change along the path, and the felt share of data: stiffness and texture given at the
 // vertices, beside a wall in series with the coupling, a stiffness cut off at the vertices, one without a slope, a
 // turned normal, a texture that stands out of the contact surface, and three other limits of a texture's speed.
 //
 // The truth is the energy V = k(x) max(0, d - c(x))^2 / 2 of a wall that is pressed d deep over hollows c: its force is
-// -grad V, and no closed way does work. K = 1000 N/m; scenes in metres.
+// -grad V, and no closed path does work. K = 1000 N/m; scenes in metres.
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -117,7 +117,7 @@ void platforms(const TriangleMesh& plate, Table& table)
       ridesOfOurs(plate, platform, speed, table);
     }
   }
-  // One that rests at the device looks at no way at all: any plate passes it.
+  // One that rests at the device looks at no segment at all: any plate passes it.
   table.within({ nameOf(comes, 0.01), staticName, "falls" }, staticRide(plate, comes, 0.01).falls, 1.0, 0.0);
   // One that is pressed has its gap, 0.1 mm: a plate faster than that in a tick has passed it.
   const double limit = StaticFrameProxy::gap_u / T;
@@ -226,7 +226,7 @@ Rubbing rub(test::Actor& actor, const Vec3& hand_W, int ticks)
     const Vec3 before_S = actor.inSurface(0);
     const bool slips = actor.tick(hand_W).friction == FrictionState::Slips;
     const Vec3 force_N = K * (actor.state.x_W - hand_W);
-    // The contact's way over the plate, in W: friction on the hand is against it.
+    // The contact's displacement over the plate, in W: friction on the hand is against it.
     const Vec3 way_W = actor.pose(0).q * (actor.inSurface(0) - before_S);
     if (slips && slipped)
     {

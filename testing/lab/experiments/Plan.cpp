@@ -95,7 +95,7 @@ Leaves flatList(const SurfaceData& data)
   return leaves;
 }
 
-/// Ways as a tick of sliding contact asks for: from where a ball touches, mostly along, a little down.
+/// Segments as a tick of sliding contact asks for: from where a ball touches, mostly along, a little down.
 std::vector<SweepQuery> slides(double radius_u, double size_u, std::size_t count, test::Random& random)
 {
   std::vector<SweepQuery> queries(count);

@@ -56,7 +56,7 @@ CurveSet maze(std::size_t segments, test::Random& random)
   return curves;
 }
 
-/// Where the way from a to b first meets a line, as a share of it, 1 if nowhere: all lines in turn.
+/// Where the segment from a to b first meets a line, as a share of it, 1 if nowhere: all lines in turn.
 double firstCrossing(const CurveSet& curves, const Vec2& a, const Vec2& b)
 {
   const auto cross = [](const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); };
@@ -121,7 +121,7 @@ void judgeStroke(const World& world, const std::vector<Vec3>& path_W, Table& tab
   table.info({ name, ours, "nodes in a tick, most" }, nodes);
 }
 
-/// The question of which a tick asks several: where a way, 20 ticks long here, first meets a line.
+/// The question of which a tick asks several: where a segment, 20 ticks long here, first meets a line.
 void judgeQuestion(const World& world, const std::vector<Vec3>& path_W, Table& table)
 {
   const std::string name = world.name();
@@ -158,7 +158,7 @@ Cost tickCost(const std::shared_ptr<const Scene>& scene, const std::vector<Vec3>
   return Cost::of(sample);
 }
 
-/// A tick among very many lines against one among two thousand: the way down a tree grows with their logarithm.
+/// A tick among very many lines against one among two thousand: the path down a tree grows with their logarithm.
 void judgeGrowth(const World& few, const World& many, const std::vector<Vec3>& path_W, Table& table)
 {
   constexpr int allowed = 2;

@@ -25,7 +25,7 @@ struct Segment
 
 using Segments = std::vector<Segment>;
 
-/// Short ways near the surface in any direction, as between two ticks: about half of them meet it.
+/// Short segments near the surface in any direction, as between two ticks: about half of them meet it.
 Segments nearSurface(const test::NoisySphere& sphere, std::size_t count, test::Random& random)
 {
   Segments segments;
@@ -55,8 +55,8 @@ Segments throughSeams(const test::NoisySphere& sphere, std::size_t count, test::
   return segments;
 }
 
-/// Ways from outside that end `short_u` before a vertex. With 0 the closed segment meets the surface in its last point
-/// and nowhere else; with more it is free.
+/// Segments from outside that end `short_u` before a vertex. With 0 the closed segment meets the surface in its last
+/// point and nowhere else; with more it is free.
 Segments ontoVertices(const test::NoisySphere& sphere, double short_u, std::size_t count, test::Random& random)
 {
   const TriangleMesh& mesh = sphere.mesh();
@@ -305,8 +305,8 @@ void judgeQueries(const test::NoisySphere& sphere, std::size_t count, std::uint6
   }
 }
 
-/// The sphere far from the origin, as a survey in national coordinates is: 500 km, where single precision tells
-/// 32 mm apart, so that it can know nothing of ways of 2 mm, and double precision 6e-8 mm.
+/// The sphere far from the origin, as a survey in national coordinates is: 500 km, where single precision tells 32 mm
+/// apart, so that it can know nothing of segments of 2 mm, and double precision 6e-8 mm.
 void judgeFarAway(const test::NoisySphere& sphere, std::size_t count, std::uint64_t seed, Table& table)
 {
   const Vec3 far_W(5e8, -5e8, 0.0);

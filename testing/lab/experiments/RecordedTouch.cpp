@@ -52,8 +52,8 @@ void judge(const AnalyticTouch& touch, int ticks, Table& table)
   }
 }
 
-/// A rough body: exact where the way is straight on flat ground, elsewhere in the limit of small steps and of a depth
-/// that is small beside the bends of way and body.
+/// A rough body: exact where the path is straight on flat ground, elsewhere in the limit of small steps and of a depth
+/// that is small beside the bends of path and body.
 void judgeRubbed(const AnalyticTouch& smooth, int ticks, Table& table)
 {
   constexpr double mu = 0.3;

@@ -121,7 +121,7 @@ void runFin(Table& table)
   }
 }
 
-/// Random ways among triangles that cross each other, judged in exact arithmetic.
+/// Random segments among triangles that cross each other, judged in exact arithmetic.
 void runCrossing(const Conditions& conditions, test::Random& random, double r, Table& table)
 {
   const TriangleMesh mesh = test::makeSoup(r > 0 ? 150 : 400, 10.0, random);

@@ -155,7 +155,7 @@ void compare(const std::string& name, const LedTool& led, const Hand& hand, int 
   }
 }
 
-/// Row 61: a peg in the mouth of a slot, at the widest tilt at which it goes in; the hand is free all the way.
+/// Row 61: a peg in the mouth of a slot, at the widest tilt at which it goes in; the hand is free on the whole path.
 LedTool pegAtMouth(double tilt_rad)
 {
   constexpr double wide = 0.01, room = 2.5e-5;

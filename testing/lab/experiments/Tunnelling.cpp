@@ -66,7 +66,7 @@ struct DiscreteTest
     return inside || (p_W - face.point_W).norm() <= this->radius_m;
   }
 
-  /// Of `phases` ways straight down at this speed, the share that is never seen.
+  /// Of `phases` segments straight down at this speed, the share that is never seen.
   [[nodiscard]] double missed(const FaceTree& faces, double speed_m_per_s, int phases) const
   {
     const double step_m = speed_m_per_s * period_s, top_m = 2 * this->radius_m + this->thickness_m + step_m;

@@ -10,7 +10,7 @@
 namespace palpate::lab
 {
 
-/// A textbook proxy to which surfaces that move are a new scene each tick: its place in W stays, and the way to the
+/// A textbook proxy to which surfaces that move are a new scene each tick: its place in W stays, and the segment to the
 /// device is looked at as if the surfaces had always been where they are now. The proxy rests `gap` above a touched
 /// surface, so a surface that comes at it by more than that in a tick leaves it behind.
 class StaticFrameProxy

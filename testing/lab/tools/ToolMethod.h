@@ -8,7 +8,7 @@
 namespace palpate::lab
 {
 
-/// A way to keep a tool out of a scene. Textbook ones are to compare with and are never shipped.
+/// A method to keep a tool out of a scene. Textbook ones are to compare with and are never shipped.
 class ToolMethod
 {
 public:

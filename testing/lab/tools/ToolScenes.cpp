@@ -174,9 +174,9 @@ ToolScene turnedNut()
   return scene;
 }
 
-/// Pulled without a turn it comes along the axis by its slack, for flanks of 45 degrees give as much that way as along
-/// the radius. True flanks would then turn it, (z - slack) p / (p^2 + L^2) with p = pitch / 2 pi, and lead it on by p
-/// times that; those of 64 corners a turn lock before. Places between the two are accepted.
+/// Pulled without a turn it comes along the axis by its slack, for flanks of 45 degrees give as much in that direction
+/// as along the radius. True flanks would then turn it, (z - slack) p / (p^2 + L^2) with p = pitch / 2 pi, and lead it
+/// on by p times that; those of 64 corners a turn lock before. Places between the two are accepted.
 ToolScene pulledNut()
 {
   ToolScene scene = nut("nut pulled");
