@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(Row9, Shots, ::testing::Combine(::testing::Bool(), ::te
 
 TEST(Shots, AWayExactlyThroughAVertexOrAlongAnEdgeIsHeld)
 {
-  // A grid of whole numbers: the ways below meet vertices and run in the planes of edges without any rounding.
+  // A grid of whole numbers: the segments below meet vertices and run in the planes of edges without any rounding.
   Random random(testSeed(62));
   const TriangleMesh mesh = makeSheet({ 16, 16, 16, 16, 0.0 }, random);
   const auto scene = sceneOf(mesh);
