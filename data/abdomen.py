@@ -1,6 +1,6 @@
 #!/usr/bin/env pvpython
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes an abdominal wall in front of a liver, a needle's way through both, and the scene file that joins them.
+"""Makes an abdominal wall in front of a liver, a needle's path through both, and the scene file that joins them.
 
     pvpython data/abdomen.py LIVER FOLDER [EDGE] [--skin SURFACE] [--side xmin|xmax|ymin|ymax|zmin|zmax]
 
@@ -26,7 +26,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 from palpate.vtkHapticPipeline import vtkHapticFileReader, vtkHapticNIfTIReader, vtkHapticSoftBody
 
-THICK, GAP, BEND = 18.0, 6.0, 12.0  # mm: of the wall, from the wall to the liver, by what the rim of a dome comes forward
+THICK, GAP, BEND = 18.0, 6.0, 12.0  # mm: of the wall, from the wall to the liver, bend of a dome's rim
 PATCH = 90.0  # mm: of a skin, along both sides
 CELLS = 10, 10, 2  # of the wall
 NEEDLE = 150.0  # mm
@@ -84,7 +84,7 @@ class Lines:
 
 
 def skin(path, side, box):
-    """The outer surface of a wall below the box: what lines from that side meet first of a surface, turned so that they go up."""
+    """The outer surface of a wall below the box: the first hits of lines from that side on a surface, turned so that they go up."""
     reader = vtkHapticFileReader()
     reader.SetFileName(str(path))
     reader.Update()

@@ -1,13 +1,13 @@
 #!/usr/bin/env pvpython
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes a probe, its way behind the engine of the motorbike, and a ParaView state in which a hand holds the probe.
+"""Makes a probe, its path behind the engine of the motorbike, and a ParaView state in which a hand holds the probe.
 
     pvpython data/engine.py MOTORBIKE FOLDER
 
 MOTORBIKE is the file that `data/get motorbike` prints. FOLDER gets probe.vtp, way.csv for `palpate touch --tool --path`, and
-engine.pvsm. The probe is a rod of 0.3 m with a ball of 12 mm at its end. It comes from the right, between the engine and the
-wheel behind it, and is then led forward, 4 cm further than the engine lets it. Needs PYTHONPATH and PV_PLUGIN_PATH as the
-README says.
+engine.pvsm. The probe is a rod of 0.3 m with a ball of 12 mm at its end. The probe comes from the right, between the engine and the
+wheel behind it, and is then led forward, 4 cm further than the engine lets it. Needs PYTHONPATH and PV_PLUGIN_PATH as the README
+says.
 """
 
 import csv
@@ -37,7 +37,7 @@ def fail(text):
 
 
 def write_probe(path):
-    """What hangs below the hand is laid along y: a hand that cannot turn holds it so."""
+    """A tool that hangs below the hand is laid along y: a hand that cannot turn holds it so."""
     probe, forward, turned, writer = vtkHapticToolShape(), vtkTransform(), vtkTransformPolyDataFilter(), vtkXMLPolyDataWriter()
     probe.SetShape(vtkHapticToolShape.Burr)
     probe.SetRadius(RADIUS)

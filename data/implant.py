@@ -1,6 +1,6 @@
 #!/usr/bin/env pvpython
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes an implant for the frontal defect of the skull: what the other side of the head has and this one lacks.
+"""Makes an implant for the frontal defect of the skull: the bone that the other side of the head has and this one lacks.
 
     pvpython data/implant.py SKULL OUTPUT [PLAY [SPACING]]
 
@@ -94,7 +94,7 @@ def distance(surface):
 
 
 def on_the_way_in(grid, name):
-    """In place of each value of an array the smallest on the way to it from the front: what is wider inside cannot be put in."""
+    """In place of each value of an array the smallest on the way to it from the front: nothing wider inside can be put in."""
     width, depth, height = grid.GetDimensions()
     values = grid.GetPointData().GetArray(name)
     for column in range(width * height):
@@ -112,7 +112,7 @@ def box():
 
 
 def implant(bone, play, spacing):
-    """The closed surface of what the mirrored bone has and the bone has not."""
+    """The closed surface of the bone that is mirrored only."""
     solid, border = vtkArrayCalculator(), vtkContourFilter()
     grid = sampled(distance(other_side(bone)), spacing)
     grid.GetPointData().GetScalars().SetName("mirrored")

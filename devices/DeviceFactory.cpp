@@ -111,7 +111,7 @@ std::shared_ptr<EvdevBus> eventDevices(const DeviceOptions& options)
   return options.hid != nullptr || options.evdev != nullptr ? options.evdev : systemEvdevBus();
 }
 
-/// One device is listed once: what HID cannot use may be what the kernel's driver pushes.
+/// One device is listed once: a device that HID cannot use may be one that the kernel's driver pushes.
 std::vector<Kind> pluggedIn(const DeviceOptions& options)
 {
   const std::shared_ptr<HidBus> bus = options.hid != nullptr ? options.hid : systemHidBus();
@@ -135,7 +135,7 @@ std::vector<Kind> pluggedIn(const DeviceOptions& options)
 
 constexpr const char* toDo = "; remove the file, or check the device again";
 
-/// What is kept of it, and what this session felt where no serial number says for which one that holds.
+/// The kept calibration, and the trust from this session's check where the device has no serial number.
 KeptCalibration knownOf(const DeviceInfo& info, const std::string& folder, const std::optional<Calibration>& felt)
 {
   KeptCalibration kept = loadCalibration(folder, info.name, info.serial);
@@ -234,7 +234,7 @@ void applyCalibrations(
 MadeDevice makeDevice(const std::string& name, const DeviceOptions& options)
 {
   std::string names;
-  // What is plugged in is looked for only where nothing else has the name: looking means opening it.
+  // Plugged devices are looked for only where nothing else has the name: looking means opening them.
   for (const auto& list : { std::function(builtIn), std::function([&options] { return pluggedIn(options); }) })
   {
     for (const Kind& kind : list())

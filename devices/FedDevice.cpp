@@ -46,14 +46,14 @@ DeviceStatus FedDevice::read(double tickTime_s, DeviceSample& sample) noexcept
   return DeviceStatus::Ok;
 }
 
-/// Steps of one size: what is left of the way, over the ticks that are left for it.
+/// Steps of one size: the rest of the displacement, over the ticks that are left for it.
 void FedDevice::glideTo(const Fed& fed, double tickTime_s) noexcept
 {
   const double dt_s = tickTime_s - this->last_s_;
   this->last_s_ = tickTime_s;
   if (this->seen_ == 0 || fed.places != this->placed_ || !this->hand_D_.allFinite())
   {
-    this->hand_D_ = fed.sample.pose_D.p; // there is no way from nowhere
+    this->hand_D_ = fed.sample.pose_D.p; // there is no displacement from nowhere
   }
   if (fed.count != this->seen_)
   {

@@ -52,7 +52,7 @@ private:
   {
     DeviceSample sample;
     std::uint64_t count = 0;  ///< of poses fed so far
-    std::uint64_t places = 0; ///< of these, where the hand was put without a way
+    std::uint64_t places = 0; ///< of these, where the hand was put without a motion
   };
 
   FedDevice(const char* name, const Glide& glide);

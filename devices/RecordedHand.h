@@ -17,7 +17,7 @@ namespace palpate
 struct RecordedHand
 {
   std::vector<DeviceSample> samples; ///< one a tick, from where there was a hand
-  /// With it the hand is in the scene where it was. Where the map changed on the way, the positions are as if it had
+  /// With it the hand is in the scene where it was. Where the map changed meanwhile, the positions are as if it had
   /// not.
   WorkspaceMap map;
   std::optional<Vec3> ball_W;         ///< where the ball was in the beginning [u], if it was anywhere

@@ -167,7 +167,7 @@ bool pqHapticEventPlayer::show(const QStringList& arguments)
   return true;
 }
 
-/// Least and largest distance of the camera from what it looks at [u].
+/// Least and largest distance of the camera from its focal point [u].
 bool pqHapticEventPlayer::checkCamera(const QStringList& range) const
 {
   pqRenderView* view = this->Controller->follower()->view();
@@ -248,7 +248,7 @@ bool pqHapticEventPlayer::undo(int steps) const
   return stack != nullptr;
 }
 
-/// As a script does it: no person can choose what only a program can lead.
+/// As a script does it: no person can choose a device that only a program can lead.
 bool pqHapticEventPlayer::chooseDevice(const QString& name)
 {
   vtkSMProxy* proxy = this->Controller->sessionProxy();

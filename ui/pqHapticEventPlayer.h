@@ -24,7 +24,7 @@ class pqHapticController;
  *   hapticUndoStep "name"            fails unless the next step back has this name
  *   hapticDevice "name"              chosen as a script does it
  *   hapticProperty "source,name,number"  set and applied; hapticShow "source,0|1": its eye
- *   hapticCamera "least,largest"     distance of the camera from what it looks at [u]
+ *   hapticCamera "least,largest"     distance of the camera from its focal point [u]
  *   hapticHas "words"                in a label that is enabled, a table or the status bar of a window
  *   hapticWindow "width,height"      size of the main window [pixels]: there is no window manager
  *   hapticWait "ms"                  processes events for that long

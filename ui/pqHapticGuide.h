@@ -9,7 +9,7 @@
  *
  * `page`: the name of a page of the panel, for example "field", whose help is opened. docs/guide/make.py writes a file
  * for each, panel-field.html, that leads to the heading. Returns "" once the browser was asked, or a sentence that says
- * why there is no guide and what to do.
+ * why there is no guide, and the remedy.
  */
 [[nodiscard]] QString pqHapticOpenGuide(const QString& page);
 

@@ -37,7 +37,7 @@ constexpr int readOutEvery_ms = 100;
 /// Less than the smallest step of a colour on a screen.
 constexpr double unseenOpacity = 1e-3;
 
-/// What a game sets.
+/// The settings of a game.
 constexpr const char* settings[] = { "LinesAsWalls", "Radius", "Scale", "Offset", "Rotation" };
 
 QPushButton* Button(QWidget* parent, const char* name, const QString& text, const QString& tip)
@@ -282,7 +282,7 @@ void pqHapticLabyrinths::end()
   this->Message->setText(tr("The game is over: proxy radius, scale and position are restored."));
 }
 
-/// So transparent that nobody sees it, yet not wholly: what is not shown at all is not felt.
+/// Too transparent to be seen, yet not wholly: an invisible surface is not felt.
 void pqHapticLabyrinths::hideWalls(bool hidden)
 {
   pqHapticController::instance()->showPlaces(!hidden);
@@ -356,7 +356,7 @@ void pqHapticLabyrinths::readOut()
 
 void pqHapticLabyrinths::grant(int wish)
 {
-  if (wish > 0 && wish <= this->Worlds->count() && this->Source) // whoever touches something else keeps it
+  if (wish > 0 && wish <= this->Worlds->count() && this->Source) // a person who touches something else keeps it
   {
     this->Worlds->setCurrentRow(wish - 1);
     this->play();

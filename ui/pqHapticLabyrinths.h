@@ -16,9 +16,9 @@ class pqDataRepresentation;
 class pqPipelineSource;
 
 /**
- * The game of finding the way: a world of the gallery or of one's own, start again, walls hidden so that it is explored
- * by touch alone, where the hand is and how long it took. Everything can be reached with the keyboard. The game ends
- * with its button, with the dialog and with its source; ball, scale and place are then as before.
+ * The labyrinth game: a world of the gallery or of one's own, start again, walls hidden so that it is explored by touch
+ * alone, where the hand is and how long it took. Everything can be reached with the keyboard. The game ends with its
+ * button, with the dialog and with its source; ball, scale and place are then as before.
  */
 class pqHapticLabyrinths : public QDialog
 {
@@ -38,7 +38,7 @@ private:
   void hideWalls(bool hidden);
   /// Requests by the buttons of the device.
   void grant(int wish);
-  /// The way is shown from the exit on, unless somebody asks for it before.
+  /// The path is shown from the exit on, unless somebody asks for it before.
   void followTrace();
   /// Enlarges the world about the hand until neighbouring corridors can be told apart.
   void zoom();

@@ -8,7 +8,7 @@
 
 class vtkHapticSession;
 
-/// What hapticCheck and hapticWaitFor can ask for of a session; null: no such name.
+/// The quantities of a session for hapticCheck and hapticWaitFor; null: no such name.
 std::function<double(vtkHapticSession&)> pqHapticQuantityOf(const QString& name);
 
 #endif

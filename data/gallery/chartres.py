@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The labyrinth of Chartres by its rule: the walls are what the way leaves between itself and itself.
+"""The labyrinth of Chartres by its rule: the walls are the space that the path leaves between its parts.
 
-The way is a list of turns (in or out by so many circuits) and of arcs between them in quarters of a circle, as the
-literature on labyrinths lists them: in 5; in 1; in 5; four out; four in; ten out; four in; four out; in 5; in 1; in 5.
-It goes once through each of the 44 quarters of its 11 circuits, which is checked.
+The path is a list of turns (in or out by so many circuits) and of arcs between them in quarters of a circle, as the literature on
+labyrinths lists them: in 5; in 1; in 5; four out; four in; ten out; four in; four out; in 5; in 1; in 5. The path goes once through
+each of the 44 quarters of its 11 circuits, which is checked.
 """
 
 import math
@@ -16,12 +16,12 @@ CENTRE = 3.0  # radius of the place in the middle
 IN, OUT = 1, -1
 STEPS = [5, 1, 5] + 4 * [OUT] + 4 * [IN] + 10 * [OUT] + 4 * [IN] + 4 * [OUT] + [5, 1, 5]
 QUARTERS = [1, 1, 2, 2, 1] + 3 * [1, 2, 1, 2, 1, 2, 1] + [1, 2, 2, 1, 1]
-# Axes in the order of the way: 0 below, where one enters, 1 left, 2 above, 3 right; 4 is 0 again.
+# Axes in the order of the path: 0 below, where one enters, 1 left, 2 above, 3 right; 4 is 0 again.
 LEFT_LANE, RIGHT_LANE = 0, 4
 
 
 def way():
-    """Arcs of the way: (circuit counted from outside, axis where it begins, axis where it ends)."""
+    """Arcs of the path: (circuit counted from outside, axis where it begins, axis where it ends)."""
     arcs, circuit, axis, direction = [], 0, LEFT_LANE, 1
     for step, quarters in zip(STEPS, QUARTERS):
         circuit += step
@@ -40,12 +40,12 @@ def _radius(circuit):
 
 
 def _through(arcs):
-    """Which (circuit, axis) the way passes straight on."""
+    """Which (circuit, axis) the path passes straight on."""
     return {(c, axis) for c, begin, end in arcs for axis in range(min(begin, end) + 1, max(begin, end))}
 
 
 def _gaps(arcs):
-    """(wall, axis, side): where the way turns from one circuit to the next, on the side of the axis it comes from."""
+    """(wall, axis, side): where the path turns from one circuit to the next, on the side of the axis it comes from."""
     gaps = set()
     for (c, begin, end), (after, _, _) in zip(arcs, arcs[1:]):
         if abs(after - c) == 1:
@@ -54,7 +54,7 @@ def _gaps(arcs):
 
 
 def _circles(arcs):
-    """Walls between circuits, a quarter each, shortened by a corridor where the way turns round their end."""
+    """Walls between circuits, a quarter each, shortened by a corridor where the path turns round their end."""
     lines, gaps = [], _gaps(arcs)
     for wall in range(1, CIRCUITS + 2):
         radius = _radius(wall)
@@ -69,7 +69,7 @@ def _circles(arcs):
 
 
 def _barriers(arcs):
-    """Walls along the axes at the left, above and right where the way does not pass."""
+    """Walls along the axes at the left, above and right where the path does not pass."""
     through = _through(arcs)
     return [
         [(r * math.cos(_angle(axis)), r * math.sin(_angle(axis))) for r in (_radius(c), _radius(c + 1))]

@@ -117,8 +117,8 @@ def _hedge(x, y, runs):
 
 
 def hampton_court():
-    """The maze of Hampton Court (about 1690) as its plan is published, every corridor as wide as any other and all
-    corners square: the same ways in the same order, not the trapezium of the garden."""
+    """The maze of Hampton Court (about 1690) as its plan is published, every corridor as wide as any other and all corners square:
+    the same paths in the same order, not the trapezium of the garden."""
     return PlaneWorld([_hedge(*hedge) for hedge in HAMPTON_HEDGES], start=(9.5, -0.5), exit=(9.0, 5.5))
 
 

@@ -11,7 +11,7 @@ namespace palpate
 /// and Apple's.
 ///
 /// `deadBand` is counted from the centre to either side, in the unit of the metric. Linux and SDL count the whole width
-/// instead: twice as much. Whoever converts a corridor must halve its width.
+/// instead: twice as much. A conversion of a corridor must halve its width.
 struct Condition
 {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -29,8 +29,8 @@ struct Condition
 ///     m > centre + deadBand:  -positiveCoefficient (m - centre - deadBand)
 ///     m < centre - deadBand:  -negativeCoefficient (m - centre + deadBand)
 ///
-/// cut to the saturation of its side. One formula for whoever converts to conditions and whoever carries them out.
-/// Real-time safe.
+/// cut to the saturation of its side. One formula for conversions to conditions and for models of devices. Real-time
+/// safe.
 [[nodiscard]] double conditionForce(const Condition& condition, double m) noexcept;
 
 /// The condition that keeps the metric at or above `edge`, pushing with `coefficient` per unit below it.

@@ -67,7 +67,7 @@ public:
   /// The descriptors of all HID interfaces behind the same plug, its own among them. Needs no permission.
   [[nodiscard]] virtual std::vector<std::vector<std::uint8_t>> behindPlug(const HidEntry& entry) = 0;
 
-  using Opened = Outcome<std::unique_ptr<EvdevConnection>>; ///< or why it cannot be opened and what to do
+  using Opened = Outcome<std::unique_ptr<EvdevConnection>>; ///< or why it cannot be opened, and the remedy
   [[nodiscard]] virtual Opened open(const HidEntry& entry) = 0;
 };
 

@@ -21,9 +21,9 @@ struct FoundEvdev
 };
 
 /// The devices that the kernel's own driver pushes, and joysticks without force that are not HID. Devices of the PID
-/// class are left out, with all that is behind its plug: it is driven past that driver, and two that drive one device
-/// undo each other. So are HID devices without force: whoever looks through HID says why they cannot be used. What can
-/// be used is opened for a moment to see whether it may be.
+/// class are left out, with all devices behind the same plug: PID devices are driven past that driver, and two that
+/// drive one device undo each other. So are HID devices without force: the search through HID says why they cannot be
+/// used. A usable device is opened for a moment to see whether this user may use it.
 [[nodiscard]] std::vector<FoundEvdev> findEvdevDevices(EvdevBus& bus);
 
 } // namespace palpate

@@ -11,8 +11,8 @@
 namespace palpate
 {
 
-/// Effects through the kernel's own driver for a device. An effect is always given whole, so what was told of it is
-/// kept here and given again with each change.
+/// Effects through the kernel's own driver for a device. An effect is always given whole, so its numbers are kept here
+/// and given again with each change.
 ///
 /// A direction says, as with PID, where a force comes from, but 0 is called "down": 0x4000 pushes to the left and
 /// 0xC000 to the right (linux/input.h, ff_effect; drivers/input/ff-memless.c gives a driver sin and -cos of it as x and
@@ -26,8 +26,8 @@ public:
 
   /// Full gain, and the device's own spring to its middle off. Empty, or why not.
   [[nodiscard]] std::string open();
-  /// Stops and takes away all effects. The device's own spring is again what the driver said before. Most drivers say
-  /// nothing: the spring then stays off, as those drivers leave a device that is plugged in.
+  /// Stops and takes away all effects. The device's own spring gets back the strength that the driver told before. Most
+  /// drivers tell none: the spring then stays off, as those drivers leave a device that is plugged in.
   void close() noexcept;
 
   [[nodiscard]] Created create(HidUsage type) override;

@@ -45,7 +45,7 @@ void EvdevInput::ask() noexcept
 
 double EvdevInput::step() const noexcept
 {
-  // The kernel holds back what changes by less than the fuzz.
+  // The kernel holds back changes smaller than the fuzz.
   const input_absinfo& x = this->axes_[0];
   return 2.0 * std::max(1, x.fuzz) / (static_cast<double>(x.maximum) - x.minimum);
 }

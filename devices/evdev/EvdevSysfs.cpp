@@ -44,7 +44,7 @@ std::bitset<N> bitsIn(const fs::path& file)
   return bits;
 }
 
-/// What a folder holds; none where it cannot be read.
+/// The entries of a folder; none where it cannot be read.
 std::vector<fs::path> within(const fs::path& folder)
 {
   std::error_code problem;

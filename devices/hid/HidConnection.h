@@ -63,7 +63,7 @@ public:
 class HidBus : public DeviceListing
 {
 public:
-  using Opened = Outcome<std::unique_ptr<HidConnection>>; ///< or why it cannot be opened and what to do
+  using Opened = Outcome<std::unique_ptr<HidConnection>>; ///< or why it cannot be opened, and the remedy
   [[nodiscard]] virtual Opened open(const HidEntry& entry) = 0;
 };
 

@@ -21,7 +21,7 @@ namespace palpate
 namespace
 {
 
-/// UTF-8 of the wide strings that hidapi gives; what is not a character is left out.
+/// UTF-8 of the wide strings that hidapi gives; numbers that are no characters are left out.
 std::string narrow(const wchar_t* wide)
 {
   std::string text;
@@ -111,8 +111,8 @@ public:
     return found;
   }
 
-  /// From sysfs, which everybody may read: hidapi itself gives it only from version 0.14 on, and to whoever may open
-  /// the device.
+  /// From sysfs, which everybody may read: hidapi itself gives it only from version 0.14 on, and only to users who may
+  /// open the device.
   Descriptor descriptor(const HidEntry& entry) override
   {
     const std::string node = entry.path.substr(entry.path.rfind('/') + 1);

@@ -13,7 +13,7 @@ namespace palpate
 
 struct LineRun::Run
 {
-  /// The tick of a line, with what its owner asks of it.
+  /// The tick of a line, with the owner's requests.
   struct Tick
   {
     LineWorld world;
@@ -47,7 +47,7 @@ std::string LineRun::start(
   const DeviceInfo& info = device->info();
   const bool pushes = info.rendersForce && info.deviceClass != DeviceClass::Vibration0D;
   HapticParameters plain;
-  plain.passivity.enabled = false; // nothing takes back what a held force gives too much
+  plain.passivity.enabled = false; // nothing takes back the excess of a held force
   const LoopSettings loop = loopSettings(plain, options.period_s);
   const double largest_N_per_m = pushes ? stabilityLimits(info, loop).largest_N_per_m : 0.0;
   std::string problem =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pushes a point into a sphere along a line and prints the force: what a program needs of the installed library.
+// Pushes a point into a sphere along a line and prints the force: a program that uses the installed library.
 
 #include <cmath>
 #include <cstdint>
@@ -46,7 +46,7 @@ std::shared_ptr<const palpate::TriangleMesh> sphere(std::uint32_t rows)
 
 int main()
 {
-  // A scene is built once, off the servo thread; meshes are cleaned, and the report says what was dropped.
+  // A scene is built once, off the servo thread; meshes are cleaned, and the report names the parts left out.
   const palpate::SceneBuildResult built = palpate::SceneBuilder().build({ { .name = "sphere", .mesh = sphere(100) } });
   if (!built.scene)
   {

@@ -40,7 +40,7 @@ def html_name(page):
 
 
 def api():
-    """Every public function with a docstring, its arguments and what it says."""
+    """Every public function with a docstring, its arguments and the docstring."""
     parts = []
     for file in DOCUMENTED:
         tree = ast.parse((ROOT / file).read_text(encoding="utf-8"))
@@ -54,7 +54,7 @@ def api():
 
 
 def with_links(page, text, out):
-    """Links among the pages lead to their HTML, pictures are copied, and what else they lead to is named instead."""
+    """Links among the pages lead to their HTML, pictures are copied, and other targets are named instead."""
 
     def replaced(match):
         attribute, target, anchor = match.groups("")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Friction: two coefficients that may come in either order, and what it does now.
+// Friction: two coefficients that may come in either order, and its effect now.
 #include <algorithm>
 
 #include "vtkHapticSessionInternals.h"

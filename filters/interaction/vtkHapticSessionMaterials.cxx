@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What surfaces are made of, from their arrays.
+// Materials of surfaces, from their arrays.
 #include "vtkHapticPathData.h"
 #include "vtkHapticSceneSurfaces.h"
 #include <algorithm>

@@ -11,7 +11,7 @@
 #include "vtkHapticServerSurfaces.h"
 #include "vtkHapticTool.h"
 
-/// The parts that have a room of their own.
+/// The parts that have a folder of their own.
 struct vtkHapticSession::Internals::Parts
 {
   explicit Parts(Internals& session) : Server(session.Core, session.Scene, Surfaces), Recorded(session) {}

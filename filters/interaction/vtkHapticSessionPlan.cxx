@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// By what a scene is touched, and whether simpler surfaces of it are.
+// The contact plan of a scene, and whether simpler surfaces of it are touched.
 #include "haptics/session/PlanText.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkHapticTool.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is read of a session, by name, as of the last Update().
+// Read-outs of a session, by name, as of the last Update().
 #include <cmath>
 #include <limits>
 #include <map>
@@ -20,7 +20,7 @@ using I = vtkHapticSession::Internals;
 
 constexpr double NoNumber = std::numeric_limits<double>::quiet_NaN();
 
-/// Of what was found at the contact.
+/// Of the data found at the contact.
 double ValueOf(const I& s, const char* name)
 {
   return s.Contact.Found ? s.Contact.Found->Number(name) : NoNumber;
@@ -59,7 +59,7 @@ const std::map<std::string_view, double (*)(I&)> Numbers = {
   { "FieldTicksBeyond", [](I& s) { return static_cast<double>(s.State.field.beyondTicks); } },
   { "FieldValue", [](I& s) { return ValueOfField(s); } },
   { "ForceLimited",
-    [](I& s) // a torque may be what is cut
+    [](I& s) // the torque may be the limited one
     {
       return static_cast<double>(
         s.State.clamped && s.State.force_D.norm() > 0.999 * s.Core.parameters().safety.maxForce_N);

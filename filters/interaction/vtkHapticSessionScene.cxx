@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surfaces of the scene: put together, committed, and what came of them.
+// The surfaces of the scene: put together, committed, and taken over.
 #include <algorithm>
 
 #include "haptics/session/plan/FittedMap.h"

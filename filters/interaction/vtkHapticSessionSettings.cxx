@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Settings by their name: which values are taken, where they are kept, and what follows from them.
+// Settings by their name: which values are taken, where they are kept, and their effects.
 #include <limits>
 #include <map>
 

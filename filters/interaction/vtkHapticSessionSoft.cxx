@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A body that gives way.
+// A soft body.
 #include "vtkHapticHeldMechanism.h"
 #include "vtkHapticPressedBody.h"
 #include "vtkHapticSessionInternals.h"

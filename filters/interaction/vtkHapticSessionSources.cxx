@@ -98,7 +98,7 @@ bool vtkHapticSession::Internals::AddFelt(
   const bool before = isInHand();
   const std::string problem = felt.Take(NameOf(name), data, NameOf(reason));
   this->Feel(felt, problem);
-  if (this->Core.running() && !before && isInHand()) // what comes into the hand must not begin inside of something
+  if (this->Core.running() && !before && isInHand()) // a held body must not begin inside of a surface
   {
     this->LeadMouseAnew();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What keeps a held force from shaking the hand, and what that costs.
+// The measures that keep a held force from shaking the hand, and their cost.
 #include "haptics/session/DeviceAdaptation.h"
 #include "haptics/session/SessionWorkers.h"
 #include "vtkHapticSessionInternals.h"

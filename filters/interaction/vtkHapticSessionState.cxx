@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a session says about itself.
+// The status texts of a session.
 #include "devices/common/LinkNotes.h"
 #include "vtkHapticSessionInternals.h"
 

@@ -38,8 +38,8 @@ std::vector<std::string> vtkHapticArraysOfSource(const vtkHapticViewScan::Source
 
 namespace
 {
-/// Whether a source has all arrays that the session names; of what the values are compared with only where that is in
-/// the same data.
+/// Whether a source has all arrays that the session names; an array to compare with only where that is in the same
+/// data.
 bool HasArrays(const vtkHapticViewScan::Source& source, const vtkHapticSession& session)
 {
   const std::vector<std::string> names = NamesOf(session), has = vtkHapticArraysOfSource(source);

@@ -6,7 +6,7 @@
 
 class vtkSMProxy;
 
-/// A colour map of what is seen, and the array that it colours.
+/// A colour map that is seen, and the array that it colours.
 struct vtkHapticColourMap
 {
   std::string Array; ///< "": a representation that is hidden, or coloured by none
@@ -17,7 +17,7 @@ struct vtkHapticColourMap
 /// `representation`: null has none.
 vtkHapticColourMap vtkHapticColourMapOf(vtkSMProxy* representation);
 
-/// Gives a session's settings what the colour maps of a view say of the arrays that are felt and seen: to an array of
+/// Gives a session's settings the ranges of a view's colour maps of arrays that are felt and seen: to an array of
 /// stiffness, friction or texture the ends of its map as data range; to the values of a field the lowest value that the
 /// map shows half as opaque as any as isovalue (the middle where all are alike), its low end as first level and an
 /// eighth of it from level to level. A line for each that was given, "" where nothing that is felt is coloured by.

@@ -84,7 +84,7 @@ vtkSmartPointer<vtkSMProxy> NewOfKind(vtkSMProxy* proxy)
     proxy->GetSessionProxyManager()->NewProxy(proxy->GetXMLGroup(), proxy->GetXMLName()));
 }
 
-/// What is unchanged is not modified, so a copy of what did not move costs no run of it.
+/// Equal values do not modify the copy, so a copy of a curve that did not move costs no run of it.
 void CopyDrawn(vtkSMProxy* from, vtkSMProxy* to)
 {
   auto each = vtkSmartPointer<vtkSMPropertyIterator>::Take(from->NewPropertyIterator());

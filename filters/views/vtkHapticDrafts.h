@@ -15,8 +15,8 @@ class vtkSMSourceProxy;
  * Curves as their widgets draw them, before they are applied.
  *
  * A widget in a view (line, poly line, spline) writes the unchecked values of a source's properties while a handle is
- * dragged; Apply makes them the source's, Reset forgets them. What the source would give is asked of a copy of it that
- * is in no pipeline and no view, so neither the source nor what is behind it changes. GUI thread, built-in server.
+ * dragged; Apply makes them the source's, Reset forgets them. The curve is computed by a copy of the source that is in
+ * no pipeline and no view, so neither the source nor the filters behind it change. GUI thread, built-in server.
  */
 class vtkHapticDrafts
 {
@@ -26,9 +26,9 @@ public:
   vtkHapticDrafts(const vtkHapticDrafts&) = delete;
   void operator=(const vtkHapticDrafts&) = delete;
 
-  /// What `source` would give; null where it has no such widget or an input, or where all it has is applied.
+  /// The curve that `source` would give; null where it has no such widget or an input, or where all it has is applied.
   vtkDataObject* Changed(vtkSMProxy* source);
-  /// What `source` would give, applied or not; null where it has no such widget or an input.
+  /// The curve that `source` would give, applied or not; null where it has no such widget or an input.
   vtkDataObject* Drawn(vtkSMProxy* source);
   /// Whether Changed() or Drawn() gave something of that source.
   bool Knows(vtkSMProxy* source) const;

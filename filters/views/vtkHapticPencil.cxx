@@ -44,7 +44,7 @@ void MakeActive(vtkSMProxy* source, vtkSMProxySelectionModel* sources)
   }
 }
 
-/// Shown in the view, while what was active stays so: a panel need not follow each point.
+/// Shown in the view, while the active source stays so: a panel need not follow each point.
 vtkSmartPointer<vtkSMSourceProxy> NewLine(vtkSMViewProxy* view, const std::vector<palpate::Vec3>& points_W)
 {
   vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
@@ -77,7 +77,7 @@ public:
   vtkHapticSurfaceGround Surfaces;       ///< that are drawn on
   vtkWeakPointer<vtkSMSourceProxy> Line; ///< the pipeline keeps it
 
-  /// True: nobody else is to hear of it.
+  /// True: no other observer is to hear of it.
   bool Heard(vtkObject*, unsigned long event, void*);
   void Watch(vtkSMRenderViewProxy* view);
   void ViewDeleted();

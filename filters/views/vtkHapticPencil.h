@@ -6,9 +6,9 @@
  * While active, a press of the left button without Shift begins a line, moving draws it, release ends it; all else is
  * left to the camera. Each line is a Poly Line Source, shown and applied point by point, so it is felt while it is
  * being drawn; at its end it is reduced to the points that hold it within a pixel and becomes the active source, whose
- * handles ParaView's widget shows. It lies in the plane of the session's plane world; where there is none, on the
- * surfaces that are seen, if it begins on one, and else in the plane through the camera's focal point parallel to the
- * screen.
+ * handles ParaView's widget shows. The line lies in the plane of the session's plane world; where there is none, on the
+ * surfaces that are seen, if the line begins on one, and else in the plane through the camera's focal point parallel to
+ * the screen.
  *
  * StartInteractionEvent, before the source of a line is made; InteractionEvent, a point was added; EndInteractionEvent.
  * GUI thread only.

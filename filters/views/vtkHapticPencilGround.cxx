@@ -89,7 +89,7 @@ struct vtkHapticSurfaceGround::Piece
   vtkSmartPointer<vtkStaticCellLocator> Tree;
   vtkSmartPointer<vtkMatrix4x4> FromWorld;
 
-  /// As a share of the way from one point to another, where that first meets a polygon; none where it does not.
+  /// As a share of the segment from one point to another, where that first meets a polygon; none where it does not.
   [[nodiscard]] std::optional<double> FirstOn(const Vec3& from_W, const Vec3& to_W) const
   {
     const Vec3 from = In(this->FromWorld, from_W), to = In(this->FromWorld, to_W);

@@ -27,7 +27,7 @@ using vtkHapticPencilGround = std::function<std::optional<palpate::Vec3>(double 
 class vtkHapticSurfaceGround
 {
 public:
-  /// What is nearest to the eye of the polygons that are shown now; null where none is under that place.
+  /// The place nearest to the eye on the polygons that are shown now; null where none is under that place.
   [[nodiscard]] vtkHapticPencilGround At(vtkSMRenderViewProxy* view, double x, double y);
 
 private:

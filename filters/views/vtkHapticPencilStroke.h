@@ -6,7 +6,7 @@
 
 #include "vtkHapticPencilGround.h"
 
-/// The way of a pointer over a renderer, as points of a ground.
+/// The path of a pointer over a renderer, as points of a ground.
 class vtkHapticPencilStroke
 {
 public:

@@ -84,7 +84,7 @@ std::uint64_t GeometryKey(vtkDataObject* shown, const Also& also)
 constexpr const char* OnlyOutline = "only the outline or edges are drawn; choose the representation Surface";
 constexpr const char* LinesNeedRadius = "drawn as lines; set Radius of lines in the panel to touch the lines as tubes";
 
-/// What is drawn of it instead of polygons.
+/// The cells that are drawn instead of polygons.
 struct Drawn
 {
   vtkIdType Lines = 0;
@@ -131,7 +131,7 @@ std::string ReasonOf(vtkSMProxy* representation, const std::string& otherwise)
            : otherwise;
 }
 
-/// What helps depends on what is drawn: lines can be felt as they are, points become a surface by a filter.
+/// The remedy depends on the drawn cells: lines can be felt as they are, points become a surface by a filter.
 std::string WhyNoPolygons(vtkObject* active, vtkDataObject* shown)
 {
   const Drawn drawn = CountDrawn(shown);
@@ -163,14 +163,14 @@ std::string WhyNoSurface(vtkObject* active)
   return "not drawn as a surface; choose the representation Surface";
 }
 
-/// What a representation draws: where it is, and what is to be felt of it.
+/// A representation's actor, and the geometry to be felt.
 struct Seen
 {
   vtkPVLODActor* Actor = nullptr; ///< null: no surface
   vtkHapticShape Shape;           ///< without data and problem: there was no picture yet
 };
 
-/// ParaView offers no way to the mapper of the glyphs.
+/// ParaView offers no access to the mapper of the glyphs.
 struct GlyphAccess : public vtkGlyph3DRepresentation
 {
   static vtkGlyph3DMapper* MapperOf(vtkGlyph3DRepresentation& of) { return of.*(&GlyphAccess::GlyphMapper); }
@@ -224,13 +224,13 @@ Seen SeenThere(vtkSMProxy* proxy, vtkObject* active, const vtkHapticRemoteSurfac
                  : OnlyOutline } };
 }
 
-/// Others show what they make of a curve, and nothing of it while it is drawn.
+/// Others show a result of a curve, and nothing of it while it is drawn.
 bool DrawsCurves(vtkObject* active)
 {
   return !active->IsA("vtkOutlineRepresentation") && !active->IsA("vtkFeatureEdgesRepresentation");
 }
 
-/// What a mapper shows of a source that gives poly data: a composite of that one; null if it is of more or none.
+/// The poly data that a mapper shows, also as the only piece of a composite; null if it shows more pieces or none.
 vtkPolyData* OnlyPiece(vtkDataObject* shown)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(shown);
@@ -293,7 +293,7 @@ bool AddSurface(
   return true;
 }
 
-/// What is not seen is not felt.
+/// Invisible data are not felt.
 bool IsTransparent(vtkSMProxy* representation)
 {
   vtkSMProperty* const opacity = representation->GetProperty("Opacity");

@@ -10,18 +10,18 @@ class vtkHapticRemoteSurfaces;
 class vtkHapticShapes;
 class vtkSMProxy;
 
-/// What is followed beside polygons.
+/// The options beside polygons.
 struct vtkHapticScanOptions
 {
-  bool Lines = false;                              ///< what is drawn as lines alone
-  bool Points = false;                             ///< what is drawn as points alone
+  bool Lines = false;                              ///< also data drawn as lines alone
+  bool Points = false;                             ///< also data drawn as points alone
   vtkHapticDrafts* Drafts = nullptr;               ///< with them a shown curve is where its widget draws it
-  const vtkHapticRemoteSurfaces* Remote = nullptr; ///< what was fetched of a server's
+  const vtkHapticRemoteSurfaces* Remote = nullptr; ///< fetched from a server
   vtkSMProxy* Drawing = nullptr;                   ///< a source that is not shown yet, where its widget draws it
 };
 
-/// GUI thread. `view` may be null or any kind of view: what cannot be followed is refused with a sentence. `shapes`
-/// keeps what was made of glyphs and slices from one look to the next.
+/// GUI thread. `view` may be null or any kind of view: a view that cannot be followed is refused with a sentence.
+/// `shapes` keeps the geometry of glyphs and slices from one look to the next.
 VTKHAPTICVIEWS_EXPORT vtkHapticViewScan vtkHapticScanView(
   vtkSMProxy* view, vtkHapticShapes& shapes, const vtkHapticScanOptions& options = {});
 

@@ -56,14 +56,14 @@ public:
   std::string Report;
   std::map<std::string, std::string> Rejected; ///< surfaces the session would not take, and why
   std::string FieldName;                       ///< of the source that is felt as a field; "": none
-  vtkHapticFieldKey FieldKey;                  ///< what it made then
+  vtkHapticFieldKey FieldKey;                  ///< its output then
   vtkMTimeType FieldSettings = 0;
   std::shared_ptr<const bool> FieldChanged;   ///< since then, on a server; null: it is not on one
   std::string FieldRefusal;                   ///< why none of those that have the arrays is
   std::string BesideRefusal;                  ///< which data beside the field are not there
   bool HandedOver = false;                    ///< the session has Scan
   std::optional<vtkHapticViewScan> Preparing; ///< a scan that is read by threads
-  std::optional<vtkHapticViewScan> Left;      ///< what was shown when it was cancelled
+  std::optional<vtkHapticViewScan> Left;      ///< shown when the reading was cancelled
   int Cancelled = 0;                          ///< how often the session had been told so then
   vtkMTimeType MaterialTime = 0;              ///< of the session's settings when it got Scan
 
@@ -74,10 +74,10 @@ public:
 
   bool TouchesPoints() const { return this->Session && this->Session->GetSetting("PointRadius") > 0.0; }
 
-  /// At what is shown, curves as they were applied.
+  /// At the shown data, curves as they were applied.
   vtkHapticViewScan Look() { return this->Look({ this->TouchesLines(), this->TouchesPoints() }); }
 
-  /// But for what is in the hand.
+  /// Without the source that is in the hand.
   vtkHapticViewScan Look(vtkHapticScanOptions options)
   {
     options.Remote = &this->Remote;
@@ -89,7 +89,7 @@ public:
   /// Whether the session can take a scan without holding the thread. If one of the same sources is being read it takes
   /// the place of this one: a series of pictures may come faster than they are read.
   bool IsPrepared(vtkHapticViewScan& scan);
-  /// What is shown while the person cancels is not wanted.
+  /// The data that are shown while the person cancels are left out.
   void FollowCancel(const vtkHapticViewScan& now);
 
   /// Gives the session the data that it names beside the field; "", or which of them is not there.
@@ -100,10 +100,10 @@ public:
   bool HandOverField(const vtkHapticViewScan::Source& source);
   /// Whether a source has the arrays that are to be felt.
   bool CouldFeelField(const vtkHapticViewScan& scan) const;
-  /// The refusals that stand: what is felt as a field needs no surface.
+  /// The refusals that stand: data that are felt as a field need no surface.
   std::vector<std::string> RefusalsOf(const vtkHapticViewScan& scan) const;
 
-  /// What the session makes of the surfaces' arrays is what it made of those of Scan.
+  /// Whether the session reads the same materials from the surfaces' arrays as from those of Scan.
   bool SameMaterials(const vtkHapticViewScan& now) const
   {
     return !this->Session || (this->Session->GetSight()->GetMaterialTime() == this->MaterialTime &&
@@ -370,7 +370,7 @@ bool vtkHapticViewScene::Update()
   const bool left = this->Impl->Left && now.SameAs(*this->Impl->Left);
   const bool differs = !same && this->Impl->Session && !left;
   const bool handOver = differs && (!this->ReadsAhead || this->Impl->IsPrepared(now));
-  if (!differs && this->Impl->Preparing) // what was being read is hidden again
+  if (!differs && this->Impl->Preparing) // the data that were being read are hidden again
   {
     this->Impl->Preparing.reset();
     this->Impl->Session->GetSight()->ForgetPrepared();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkHapticViewScene
- * @brief   keeps the scene of a haptic session the same as what a render view shows
+ * @brief   keeps the scene of a haptic session the same as the surfaces that a render view shows
  *
  * Every visible surface of the view is touched, under the name it has in the pipeline browser and with the
  * transform of its representation; 3-D glyphs as many surfaces, an image slice as curves. Volumes, views of a remote
@@ -51,8 +51,8 @@ public:
   vtkSMProxy* GetDrawing() const;
   ///@}
 
-  /// Gives a session's proxy what the colour maps of the view say of the arrays that are felt: data ranges, isovalue
-  /// and levels. What was given, a line each; "" where nothing that is felt is coloured by.
+  /// Gives a session's proxy the ranges of the view's colour maps of arrays that are felt: data ranges, isovalue and
+  /// levels. A line for each that was given; "" where nothing that is felt is coloured by.
   std::string TakeColorRange(vtkSMProxy* session);
 
   ///@{
@@ -79,14 +79,14 @@ public:
   /// Repeats cancelled work: the next Update() passes it on.
   void TakeAgain();
 
-  /// What the session holds and what gives way are shown as it has them now, without handing over anything else: at
-  /// rest once it does not touch any more.
+  /// Shows the held body and the soft body as the session has them now, without handing over anything else: at rest
+  /// once it does not touch any more.
   void ShowHanded();
 
-  /// Names of the touched surfaces, then one line for each thing that is not touched: why, and what to do.
+  /// Names of the touched surfaces, then one line for each thing that is not touched: reason and remedy.
   const char* GetReport() const;
 
-  /// Why nothing of what the view shows now can be touched, and what to do; "" where something can. Looks at the view,
+  /// Why nothing that the view shows now can be touched, and the remedy; "" where something can. Looks at the view,
   /// hands nothing over.
   std::string GetRefusal() const;
 

@@ -32,7 +32,7 @@ void vtkSMHapticSessionProxy::UpdateVTKObjects()
   }
   this->Telling = true;
   this->Superclass::UpdateVTKObjects();
-  this->Superclass::UpdateVTKObjects(); // what was read back meanwhile
+  this->Superclass::UpdateVTKObjects(); // the values that were read back meanwhile
   this->Telling = false;
 }
 

@@ -12,7 +12,7 @@ namespace
 
 constexpr std::size_t bytesAtOnce = 8;
 
-/// Row k has what a byte becomes when k more bytes of zeros follow it.
+/// Row k has the remainder of a byte that k more bytes of zeros follow.
 using ByteTables = std::array<std::array<std::uint32_t, 256>, bytesAtOnce>;
 
 constexpr ByteTables makeByteTables() noexcept
@@ -41,7 +41,7 @@ constexpr ByteTables makeByteTables() noexcept
 
 constexpr ByteTables byteTables = makeByteTables();
 
-/// The checksum of what came before, gone on with eight bytes at once ("slicing by eight").
+/// The checksum of the bytes before, continued with eight bytes at once ("slicing by eight").
 std::uint32_t withEight(std::uint32_t rest, const char* bytes) noexcept
 {
   static_assert(std::endian::native == std::endian::little);

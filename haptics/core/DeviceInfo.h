@@ -78,14 +78,14 @@ struct DeviceInfo
   Pacing pacing = Pacing::Timer;
   bool rendersForce = true;   ///< false: forces go nowhere (poses fed by a program, a replay, a SpaceMouse)
   bool rendersTorque = false; ///< it turns the hand; otherwise torques of commands are ignored
-  /// Without torque: the stiffness at least with which the hand's rotation is held, for no wrist gives way; 0: it is
-  /// free.
+  /// Without torque: the least stiffness with which the device holds the hand's rotation, as it has no wrist that
+  /// turns; 0: the rotation is free.
   double heldTurning_N_m_per_rad = 0.0;
   bool simulated = false; ///< lateness is counted, never a fault
   DeviceAbilities abilities;
   bool offersWalls = false; ///< so it says; with viscosity
   HeldProof heldProof = HeldProof::Unfelt;
-  double effectsEndAfter_s = 0.0; ///< the device stops pushing by itself when nobody renews its effects; 0: never
+  double effectsEndAfter_s = 0.0; ///< the device stops pushing by itself when its effects are not renewed; 0: never
   DeviceQuantity workspaceRadius_m{ 0.1, false };
   DeviceQuantity resolution_m{ 0.0, false };
   DeviceQuantity turnResolution_rad{ 0.0, false }; ///< of how the hand is turned
@@ -100,7 +100,7 @@ struct DeviceInfo
   DeviceQuantity mass_kg{ 0.0, false };
   DeviceQuantity damping_Ns_per_m{ 0.0, false };
   DeviceQuantity friction_N{ 0.0, false };
-  DeviceQuantity turnInertia_kg_m2{ 0.0, false }; ///< of its handle; 0: not known, or it turns nobody
+  DeviceQuantity turnInertia_kg_m2{ 0.0, false }; ///< of its handle; 0: not known, or without torque
   DeviceQuantity turnDamping_Nms{ 0.0, false };
   DeviceQuantity turnFriction_Nm{ 0.0, false };
 

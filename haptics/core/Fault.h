@@ -17,7 +17,7 @@ enum class Fault : std::uint8_t
   VelocityCut,     ///< the handle moved faster than a hand can
   SceneRefused,    ///< the scene is empty or was refused
   PlacementFailed, ///< the ball overlaps a surface and no free place lies within its radius
-  NoHand,          ///< nobody has said yet where the hand is
+  NoHand,          ///< the hand's place has not been given yet
   ToolWaits,       ///< the tool meets the scene wherever the hand has been
   BodyLate,        ///< a soft body that is pressed is not computed any more: latched
 };

@@ -16,7 +16,7 @@ enum class DeviceStatus : std::uint8_t
   Ok,
   Ended,   ///< a scripted or replayed device has no more samples
   Lost,    ///< the device does not answer any more
-  Waiting, ///< nobody has said yet where the hand is
+  Waiting, ///< the hand's place has not been given yet
 };
 
 /// The seam between the servo and whatever moves and pushes a hand.

@@ -8,7 +8,7 @@ namespace palpate
 namespace
 {
 
-/// What the 26 neighbours of an inner point are to it.
+/// Comparison of an inner point with its 26 neighbours.
 struct Around
 {
   int below = 0, above = 0;

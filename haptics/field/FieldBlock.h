@@ -65,8 +65,8 @@ enum class FieldBlockRole : std::uint8_t
 using FieldBlockLine = std::array<Vec3, 2>;
 [[nodiscard]] Vec3 nearestOn(const FieldBlockLine& line_W, const Vec3& p_W) noexcept;
 
-/// Values at the points of a grid, x fastest, components together, less an offset: so single precision holds what
-/// differs little from a large number. NaN: there is no value.
+/// Values at the points of a grid, x fastest, components together, less an offset: so single precision resolves small
+/// differences of large numbers. NaN: there is no value.
 struct FieldBlockArray
 {
   FieldBlockRole role = FieldBlockRole::Scalar;
@@ -80,7 +80,7 @@ struct FieldBlockArray
   return role == FieldBlockRole::Vector || role == FieldBlockRole::Axis ? 3 : 1;
 }
 
-/// One component of an array on the grid of its brick, which must outlive it.
+/// One component of an array on the grid of its block, which must outlive it.
 class FieldBlockComponent
 {
 public:
@@ -134,18 +134,18 @@ struct FieldSample
 class FieldBlock
 {
 public:
-  /// All bricks together are to stay below 32 MB; an owner may hold the one felt, the one before and the one being
+  /// All blocks together are to stay below 32 MB; an owner may hold the one felt, the one before and the one being
   /// made.
   static constexpr std::size_t mostBytes = std::size_t{ 9 } << 20;
 
-  /// Empty, or one sentence why these are no brick.
+  /// Empty, or one sentence why these are no block.
   [[nodiscard]] static std::string refuse(const FieldBlockGrid& grid, const std::vector<FieldBlockArray>& arrays,
     std::size_t mostBytes = FieldBlock::mostBytes);
   static constexpr std::size_t mostPlaces = 256; ///< that a hand snaps to: a tick looks at all of them
-  /// Assumptions that refuse() does not check. Infinities become NaN: there is no value. `places_W`, `lines_W`: what
-  /// the hand snaps to, the first mostPlaces of each. `finer`: the same arrays at points that are nearer to each other,
-  /// in a part of this brick; it has none of its own. `cells`: the data's own, with the scalar, where it is known by
-  /// those.
+  /// Assumptions that refuse() does not check. Infinities become NaN: there is no value. `places_W`, `lines_W`: places
+  /// and lines of the detents, the first mostPlaces of each. `finer`: the same arrays at points that are nearer to each
+  /// other, in a part of this block, without a finer block of its own. `cells`: the data's own, with the scalar, where
+  /// the data have one.
   FieldBlock(std::uint64_t revision, const FieldBlockGrid& grid, std::vector<FieldBlockArray> arrays,
     std::vector<Vec3> places_W = {}, std::vector<FieldBlockLine> lines_W = {},
     std::shared_ptr<const FieldBlock> finer = nullptr, std::shared_ptr<const FieldCells> cells = nullptr);
@@ -161,7 +161,7 @@ public:
   [[nodiscard]] const std::shared_ptr<const FieldCells>& cells() const noexcept { return this->cells_; }
   /// The finer one where that reaches to a place, else this.
   [[nodiscard]] const FieldBlock& finestAt(const Vec3& p_W) const noexcept;
-  /// Hash of grid, roles, values, places, lines, of the finer one and of the cells: names a brick in a recording.
+  /// Hash of grid, roles, values, places, lines, of the finer one and of the cells: names a block in a recording.
   [[nodiscard]] std::uint64_t contentHash() const noexcept { return this->contentHash_; }
   /// This or the finer one, whichever has that hash; null: neither.
   [[nodiscard]] const FieldBlock* called(std::uint64_t contentHash) const noexcept;

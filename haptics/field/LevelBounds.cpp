@@ -12,7 +12,8 @@ namespace
 
 constexpr int edge = 4;            ///< cells of a block along each axis
 constexpr double closeTo = 1.05;   ///< a block that may exceed the largest coefficient by no more is not looked at
-constexpr int mostCells = 1 << 18; ///< looked at one by one, which is half of a second; beyond, what blocks may exceed
+constexpr int mostCells = 1 << 18; ///< looked at one by one, which is half of a second; the bound of a block for all
+                                   ///< others
 
 /// Coefficients of a polynomial of degree 2 along each axis.
 using Controls = std::array<double, 27>;
@@ -45,7 +46,7 @@ Controls derivative(const Controls& of, int axis, double length_u) noexcept
   return slope;
 }
 
-/// The values of a grid, and what its function is on the cells round each point.
+/// The values of a grid, and bounds of the spline on the cells round each point.
 class SplineValues
 {
 public:
@@ -143,7 +144,7 @@ private:
   Vec3 spacing_u_;
 };
 
-/// Some cells beside one another, and what nothing on them exceeds: of each component the largest difference.
+/// Some neighbouring cells and bounds of the spline on them: of each component the largest difference.
 struct Block
 {
   GridIndex first{};
@@ -226,8 +227,8 @@ LevelBounds onBlock(const SplineValues& spline, const GridIndex& first) noexcept
   return bounds;
 }
 
-/// Looks at the blocks that may be the largest in one bound, those that may exceed most first. What is left may exceed
-/// no more than it says.
+/// Looks at the blocks that may be the largest in one bound, in decreasing order of that bound. The bounds of the other
+/// blocks stand.
 void lookAt(const SplineValues& spline, std::vector<Block>& blocks, double LevelBounds::*bound, LevelBounds& found)
 {
   std::ranges::sort(blocks, std::ranges::greater{}, [bound](const Block& block) { return block.most.*bound; });

@@ -11,7 +11,7 @@ namespace palpate
 {
 
 /// How steep a scalar is and how much it bends, at most, anywhere in the data: the limit for the strength of smooth
-/// levels. Infinite: nobody knows them, and smooth levels do not hold. 0: nothing limits their strength.
+/// levels. Infinite: they are unknown, and smooth levels do not hold. 0: nothing limits their strength.
 struct LevelBounds
 {
   double gradient_per_u = 0.0; ///< the largest norm of the gradient

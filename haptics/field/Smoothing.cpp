@@ -86,7 +86,7 @@ bool besideLevel(
   return false;
 }
 
-/// What smoothing took away: how alike it is from point to point.
+/// The residual of smoothing and its correlation from point to point.
 class Residual
 {
 public:
@@ -135,7 +135,7 @@ private:
 };
 
 /// A wave along one axis, however fine, is alike along the other two: (1 + 1 + cos) / 3 is 1/3 at least. White noise
-/// has -0.11, and noise over what is smooth comes below a third where it is three fifths of what smoothing takes away.
+/// has -0.11, and noise over a smooth field comes below a third where the noise is three fifths of the residual.
 constexpr double noiseIsLess = 1.0 / 3.0;
 
 } // namespace

@@ -13,7 +13,7 @@ struct GuidePlan
   Vec3 point_W = Vec3::Zero();      ///< of the plane [u]
   Vec3 normal_W = Vec3::UnitZ();    ///< unit
   double stiffness_N_per_m = 200.0; ///< towards the plane
-  double largest_N = 2.0;           ///< whoever pushes harder leaves the plane
+  double largest_N = 2.0;           ///< a hand that pushes harder leaves the plane
   double ramp_s = 0.5;              ///< from nothing to all of it, and back once it is switched off
 
   friend bool operator==(const GuidePlan&, const GuidePlan&) = default;
@@ -31,8 +31,8 @@ struct GuidePlan
 /// Force [N] along the unit normal of a guide whose plane is `height_m` below the hand, which leaves it with
 /// `speed_m_per_s`. Within the limit a spring with the damping K T / 2 that a force held for a period T lacks (Colgate
 /// & Schenkel 1997) and as much again, so that a device without damping comes to rest too: the least damping that
-/// StabilityLimits counts with. Beyond it the limit: a potential, so that a closed way takes no work but the damping's.
-/// Never pushes away from the plane. `share` scales stiffness and limit alike.
+/// StabilityLimits counts with. Beyond it the limit: a potential, so that a closed path takes no work but the
+/// damping's. Never pushes away from the plane. `share` scales stiffness and limit alike.
 [[nodiscard]] double guideForce(
   const GuidePlan& plan, double share, double height_m, double speed_m_per_s, double dt_s) noexcept;
 

@@ -15,8 +15,8 @@ struct PassivityPlan
   friend bool operator==(const PassivityPlan&, const PassivityPlan&) = default;
 };
 
-/// Energy of the held force, measured as it was: force of the last period times the way the hand made in it, which
-/// is exact for a zero-order hold (Hannaford & Ryu 2002). The force must be the one the hand really got.
+/// Energy of the held force, measured as it was: force of the last period times the hand's displacement in it, which is
+/// exact for a zero-order hold (Hannaford & Ryu 2002). The force must be the one the hand really got.
 struct EnergyMeter
 {
   double delivered_J = 0.0; ///< net work on the hand since the start; negative: taken from it
@@ -38,17 +38,17 @@ struct SpringTick
   bool restart = false; ///< the force was not the spring's own (limits, ramps, another scene): nothing to compare with
 };
 
-/// Enters the work of the last period and compares with the energy V = K s^2 / 2 the spring holds. What was taken
-/// beyond V (a damper's share) is no credit for later: else a long rub would mask an active contact.
+/// Enters the work of the last period and compares with the energy V = K s^2 / 2 the spring holds. Energy that was
+/// taken beyond V (a damper's share) is no credit for later: else long friction would mask an active contact.
 void measureEnergy(const SpringTick& tick, EnergyMeter& meter) noexcept;
 
 /// Damping [N s/m] along the spring, to be added to the coupling, >= 0.
 ///
 /// One-tick prediction: a held spring misses K v T / 2 of the force of the true one, which is the leak K v T p of the
 /// held spring. That much is added from the start, (1/2 + delay) K T. A reserve makes the spring that is followed a
-/// dissipative one. What was given in excess all the same is repaid while the hand moves, E / (v^2 T) as in the
-/// passivity controller of Hannaford & Ryu (2002), but bounded, so that no speed near zero and no encoder step makes
-/// a pulse. Free space: 0, by construction no drag. Real-time safe.
+/// dissipative one. A remaining excess is repaid while the hand moves, E / (v^2 T) as in the passivity controller of
+/// Hannaford & Ryu (2002), but bounded, so that no speed near zero and no encoder step makes a pulse. Free space: 0, by
+/// construction no drag. Real-time safe.
 [[nodiscard]] double stabilisingDamping(
   const PassivityPlan& plan, const SpringTick& tick, const EnergyMeter& meter) noexcept;
 

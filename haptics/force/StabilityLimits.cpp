@@ -45,7 +45,7 @@ LoopSettings throughLink(const DeviceInfo& device, LoopSettings loop)
   return loop;
 }
 
-/// What moves and the light hand that may hold it, or what turns as it is felt at a lever.
+/// The moving part and the light hand that may hold it, or a turning part as it is felt at a lever.
 struct MovingPart
 {
   double mass_kg, damping_Ns_per_m;
@@ -77,8 +77,8 @@ SampledWall wallOf(const MovingPart& part, const LoopSettings& loop)
   return wall;
 }
 
-/// Too much damping shakes a sampled wall like too little: both ends of what the controller does must hold.
-/// The controller leads by periods of `tick_s`, however slow the link is.
+/// Too much damping shakes a sampled wall like too little: both ends of the controller's range must be stable. The
+/// controller leads by periods of `tick_s`, however slow the link is.
 double stableStiffness(SampledWall wall, const PassivityPlan& plan, double tick_s)
 {
   const Lead lead = leadOf(plan);

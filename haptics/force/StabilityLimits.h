@@ -17,7 +17,7 @@ enum class StiffnessLimit : std::uint8_t
   None,    ///< nothing is known of the device, or no force reaches a hand
   Device,  ///< the largest stiffness the device is made for
   Loop,    ///< the sampled loop itself: mass, damping, rate, delay
-  Turning, ///< likewise of the turns of a tool: inertia, damping, and the lever between turns and ways
+  Turning, ///< likewise of the turns of a tool: inertia, damping, and the lever between turns and displacements
 };
 
 /// How stiff a wall a device can hold at a rate. All in N/m; infinity where nothing limits.
@@ -25,11 +25,11 @@ struct StabilityLimits
 {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-  /// b / (T/2 + delay) less |B|: passive whoever holds the device (Colgate & Schenkel 1997), without controller.
+  /// b / (T/2 + delay) less |B|: passive in any hand (Colgate & Schenkel 1997), without controller.
   double passive_N_per_m = unlimited;
   /// 2 c / D: friction dissipates the energy of the encoder's steps (Abbott & Okamura 2005).
   double quantised_N_per_m = unlimited;
-  /// Exact eigenvalues of the loop, nobody holding the device.
+  /// Exact eigenvalues of the loop without a hand on the device.
   double stable_N_per_m = unlimited;
   double device_N_per_m = unlimited;
   /// For rotation, referred to the tool's lever arm: eigenvalues of the loop of its inertia. Times the lever's square
@@ -48,7 +48,7 @@ struct LoopSettings
   double period_s = 1e-3;
   double damping_Ns_per_m = 0.0; ///< B of the coupling
   PassivityPlan passivity;
-  double lever_m = 0.0; ///< of a tool: a turn of 1 rad is felt as such a way is; 0: nothing turns
+  double lever_m = 0.0; ///< of a tool: a turn of 1 rad is felt as such a displacement is; 0: nothing turns
 
   friend bool operator==(const LoopSettings&, const LoopSettings&) = default;
 };

@@ -9,7 +9,8 @@ namespace palpate
 {
 
 /// A handle thrown to and fro between two walls that the device or the host closes once a period. The motor's limit
-/// lets it in deep, a held spring gives back more than it took, and what is little damped never comes to rest.
+/// lets the handle in deep, a held spring gives back more than it took, and a handle with little damping never comes to
+/// rest.
 struct Corridor
 {
   double halfWidth_m = 0.0;       ///< from the middle to each wall, >= 0
@@ -43,8 +44,8 @@ struct Throw
 
 /// The viscosity that a device with held walls of that stiffness needs in corridors of any width: the largest of those
 /// from 0.25 to 8 mm, thrown at 0.1 m/s, its own loop at 1 kHz. A mass that is not known is taken as 50 g, a damping
-/// that is not known as none. What no viscosity stops gets mass / period, which stops a handle within a period. Off the
-/// servo thread: some hundred throws, milliseconds.
+/// that is not known as none. A handle that no viscosity stops gets mass / period, which stops a handle within a
+/// period. Off the servo thread: some hundred throws, milliseconds.
 [[nodiscard]] double corridorViscosity(const DeviceInfo& device, double stiffness_N_per_m);
 
 } // namespace palpate

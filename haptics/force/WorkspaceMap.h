@@ -28,8 +28,7 @@ struct WorkspaceMap
 };
 
 /// Whether a hand that another map has put from one place to the other went no further than a brisk hand does in ten
-/// ticks: then surfaces hold it back as on any other way. Further away it is elsewhere: the gap was not
-/// passed.
+/// ticks: then surfaces hold it back as on any other motion. Further away it is elsewhere: the gap was not passed.
 [[nodiscard]] inline bool isNearby(const WorkspaceMap& map, const Vec3& before_W, const Vec3& now_W) noexcept
 {
   constexpr double nearby_m = 0.005;

@@ -50,7 +50,7 @@ public:
     return std::clamp(static_cast<int>(at.y()), 0, this->rows_ - 1) * this->columns_ + column;
   }
 
-  /// The least clearance along the way between two cells on which that is largest [u].
+  /// The least clearance along the path between two cells on which that is largest [u].
   [[nodiscard]] double widestBetween(int from, int to) const
   {
     std::vector<double> reached_u(this->clearance_u_.size(), -1.0);
@@ -166,7 +166,7 @@ std::optional<double> corridorWidth(const Labyrinth& labyrinth)
   const Clearances clearances(curves, box);
   const double half_u =
     clearances.widestBetween(clearances.cellOf(*labyrinth.start_W), clearances.cellOf(*labyrinth.exit_W));
-  // A line between two cells is within half a step of one of them: a way that keeps farther off crosses none.
+  // A line between two cells is within half a step of one of them: a path that keeps farther off crosses none.
   return half_u > 0.5 * clearances.step_u() ? std::optional<double>(2.0 * half_u) : std::nullopt;
 }
 

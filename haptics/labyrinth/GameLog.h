@@ -10,8 +10,8 @@
 namespace palpate
 {
 
-/// The record of a game so far, for an occasional reader: the way of the proxy, and the labyrinth that the
-/// device's buttons asked for.
+/// The record of a game so far, for an occasional reader: the path of the proxy, and the labyrinth that the device's
+/// buttons asked for.
 class GameLog
 {
 public:
@@ -25,7 +25,7 @@ public:
     Vec3 proxy_W = Vec3::Zero();
   };
 
-  /// Another labyrinth: its way begins anew, with points no nearer than that [u].
+  /// Another labyrinth: its path begins anew, with points no nearer than that [u].
   void begin(double apart_u);
   /// `deadMan`: buttons that choose nothing. Time that goes back is another game.
   void look(const Look& now, std::uint32_t deadMan);

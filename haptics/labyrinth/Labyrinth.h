@@ -19,7 +19,7 @@ struct Labyrinth
   std::optional<Eigen::Vector2d> start_W, exit_W;
   double corridor_u = 1.0; ///< width of its corridors, > 0
 
-  /// Radius of the disc that is led through: the disc fits with room to spare, and never leaves a corridor by rounding.
+  /// Radius of the disc that is led through: the disc fits with clearance, and never leaves a corridor by rounding.
   [[nodiscard]] double radius_u() const noexcept { return 0.2 * this->corridor_u; }
   /// How near to the exit's middle the disc has arrived; less than half a corridor and a radius, so never through a
   /// wall.

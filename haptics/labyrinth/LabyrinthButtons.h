@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// Whether a hand is on its way: from the lead on until the exit.
+/// Whether a hand plays: from the lead on until the exit.
 [[nodiscard]] constexpr bool isPlayed(GamePhase phase) noexcept
 {
   return phase == GamePhase::Leads || phase == GamePhase::LetsGo || phase == GamePhase::Explores;

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double creep_m_per_s = 0.01; // of the draw beyond the start, for a hand that friction holds short of it
-constexpr double carefully = 0.625;    // of the fastest speed, left for what the velocity's estimate is late
+constexpr double carefully = 0.625;    // of the fastest speed; the rest is for the delay of the velocity estimate
 constexpr double lightest_kg = 0.02;   // a damper that acts once a period never turns a mass like this round
 
 void enter(GamePhase phase, GameState& state) noexcept
@@ -22,7 +22,7 @@ void enter(GamePhase phase, GameState& state) noexcept
   state.phase_s = 0.0;
 }
 
-/// What a spring and a damper may be at the rate of the loop.
+/// The plan with spring and damper limited to the rate of the loop.
 GamePlan atRate(GamePlan plan, const GameTick& tick) noexcept
 {
   plan.stiffness_N_per_m = std::min(plan.stiffness_N_per_m, tick.stiffness_N_per_m);
@@ -31,7 +31,8 @@ GamePlan atRate(GamePlan plan, const GameTick& tick) noexcept
   return plan;
 }
 
-/// The draw goes straight to the start, then beyond it against what is missing; a hand that stays behind stops it.
+/// The draw goes straight to the start, then beyond it by the missing distance; a hand that stays behind stops the
+/// draw.
 void draw(const GamePlan& plan, const GameTick& tick, GameState& state) noexcept
 {
   const Vec3 way_D = tick.start_D - state.drawn_D, missing_D = tick.start_D - tick.hand_D;

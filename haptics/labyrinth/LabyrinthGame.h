@@ -11,7 +11,7 @@ namespace palpate
 
 struct Labyrinth;
 
-/// Where a game of finding the way stands.
+/// The phase of a labyrinth game.
 enum class GamePhase : std::uint8_t
 {
   Off,      ///< nobody plays
@@ -50,8 +50,7 @@ struct GamePlan
 /// The plan of a labyrinth that refuse() has nothing against.
 [[nodiscard]] GamePlan gameOf(const Labyrinth& labyrinth);
 
-/// Empty, or one sentence that names the number that cannot be used: a speed, a force or a duration beyond what a hand
-/// may be given.
+/// Empty, or one sentence that names the refused number: a speed, a force or a duration beyond the limits for a hand.
 [[nodiscard]] std::string refuse(const GamePlan& plan);
 
 /// All that a game remembers from tick to tick.

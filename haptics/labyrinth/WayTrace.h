@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// The way of a hand in bounded memory: every point that was added lies within 2 apart_u() of one that is kept.
+/// The path of a hand in bounded memory: every point that was added lies within 2 apart_u() of one that is kept.
 class WayTrace
 {
 public:

@@ -35,7 +35,7 @@ struct LineWorld
 ///
 ///     -dV/ds - k_d (s - nearest detent) + k (stop - s) beyond a stop,    k_d = 2 detent_N / detentEvery_m
 ///
-/// Over a closed way it does no work. The world must not be refused. Real-time safe; a binary search.
+/// Over a closed path the force does no work. The world must not be refused. Real-time safe; a binary search.
 [[nodiscard]] double lineForce(const LineWorld& world, double s_m) noexcept;
 
 /// Coulomb's friction as a spring to an anchor that follows once it is stretched to the friction of the place: at rest

@@ -37,8 +37,8 @@ enum class ConstraintKind : std::uint8_t
 {
   Contact,     ///< A's point stays on the outer side of the plane through B's point, axis_B its normal
   Attachment,  ///< both points are one
-  Hinge,       ///< and both axes point the same way
-  Slider,      ///< A's point stays on the line through B's along axis_B, and both axes point the same way
+  Hinge,       ///< and both axes have the same direction
+  Slider,      ///< A's point stays on the line through B's along axis_B, and both axes have the same direction
   Break,       ///< an attachment until it is pulled at with strength_N
   Friction,    ///< a contact with Coulomb's friction
   DryFriction, ///< along axis_B a force of at most dryFriction_N, whatever else presses
@@ -48,7 +48,7 @@ enum class ConstraintKind : std::uint8_t
   Insertion,   ///< A's shaft goes through B's point, along itself against dryFriction_N
 };
 
-/// A law between two bodies. Points and axes are in the frames of their bodies.
+/// A constraint between two bodies. Points and axes are in the frames of their bodies.
 struct MechanismConstraint
 {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -78,7 +78,7 @@ struct Mechanism
 {
   static constexpr std::size_t mostBodies = 8;
   static constexpr std::size_t mostConstraints = 16;
-  static constexpr int mostRows = 48; ///< of all laws together
+  static constexpr int mostRows = 48; ///< of all constraints together
 
   std::vector<MechanismBody> bodies;
   std::vector<MechanismConstraint> laws;
@@ -88,7 +88,7 @@ struct Mechanism
 [[nodiscard]] const char* nameOf(ConstraintKind kind) noexcept;
 /// "held", "rigid", "soft", "world".
 [[nodiscard]] const char* nameOf(MechanismBodyKind kind) noexcept;
-/// How many rows a law has where it has most.
+/// How many rows a constraint has where it has most.
 [[nodiscard]] int mostRowsOf(ConstraintKind kind) noexcept;
 
 /// How the hand holds the held body: with a spring, whose compliance is in series with all others.

@@ -20,7 +20,7 @@ struct PlannedBody
   Vec3 load_W = Vec3::Zero();
 };
 
-/// A law as the tick knows it: numbers in place of names.
+/// A constraint as the tick knows it: numbers in place of names.
 struct PlannedConstraint
 {
   ConstraintKind kind = ConstraintKind::Contact;

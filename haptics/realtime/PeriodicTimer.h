@@ -14,7 +14,7 @@ struct Wakeup
   std::uint64_t missed = 0;     ///< periods that passed unseen since the last wake-up: skipped, never caught up
 };
 
-/// What paces the servo: the wall clock, or a virtual one in tests.
+/// The clock that paces the servo: the wall clock, or a virtual one in tests.
 class TickTimer
 {
 public:

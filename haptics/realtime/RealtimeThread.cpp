@@ -81,7 +81,7 @@ struct SchedulingAttributes
   std::uint64_t period_ns = 0;
 };
 
-/// What the calling thread has now: 0 unless it is a real-time one.
+/// Real-time priority of the calling thread; 0: none.
 int realtimePriority()
 {
   sched_param parameters{};
@@ -91,7 +91,7 @@ int realtimePriority()
   return policy == SCHED_FIFO || policy == SCHED_RR ? parameters.sched_priority : 0;
 }
 
-/// One broker's answer; what it says is believed only if the thread has it.
+/// One broker's answer; a grant is believed only if the thread has the priority.
 Granted ask(RealtimeBroker& broker, int wantedPriority)
 {
   const Granted answer = broker.request(wantedPriority);

@@ -16,12 +16,12 @@ namespace palpate
 
 using RealtimeBrokers = std::vector<std::shared_ptr<RealtimeBroker>>;
 
-/// What scheduling the servo thread got, and why not more.
+/// Scheduling of the servo thread, and the reason where it is not real-time.
 struct SchedulingReport
 {
   bool realtime = false; ///< SCHED_FIFO or SCHED_RR was granted
   int priority = 0;      ///< 1..99 with one of these, else 0
-  std::string message;   ///< what was granted; if not real time, cause and cure
+  std::string message;   ///< the scheduling granted; if not real time, cause and cure
 };
 
 /// Steps of the acquisition, for the calling thread. Never abort; safe to repeat.
@@ -37,7 +37,7 @@ struct SchedulingReport
 [[nodiscard]] Granted limitRealtimeRuns(std::int64_t longest_us);
 
 /// Tries real-time scheduling for the calling thread within the limits granted to the user, then one broker after the
-/// other, else ordinary scheduling with what niceness is allowed, 1 ns timer slack and a 0.1 ms slice; pre-faults the
+/// other, else ordinary scheduling with the least niceness allowed, 1 ns timer slack and a 0.1 ms slice; pre-faults the
 /// stack. Real-time scheduling is asked for only once a runaway would be demoted.
 [[nodiscard]] SchedulingReport acquireScheduling(
   int wantedPriority = 20, std::span<const std::shared_ptr<RealtimeBroker>> brokers = {});

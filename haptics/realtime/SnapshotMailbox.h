@@ -11,9 +11,10 @@ namespace palpate
 
 /// Hands immutable snapshots (scenes) to the servo. The publisher alone owns and frees them; the reader sees a raw
 /// pointer that stays valid until its next acquire(), and in the tick that takes a new one also the one before.
-/// Wait-free on both sides: what the reader puts down goes into a bay of three slots that the publisher empties before
-/// each publish. From the start of one emptying to the end of the next the reader can take two snapshots, the one that
-/// was pending and the one published in between; with the one it already had to put down that makes three.
+/// Wait-free on both sides: a snapshot that the reader puts down goes into a bay of three slots that the publisher
+/// empties before each publish. From the start of one emptying to the end of the next the reader can take two
+/// snapshots, the one that was pending and the one published in between; with the one it already had to put down that
+/// makes three.
 template<class T>
 class SnapshotMailbox
 {
@@ -33,14 +34,15 @@ public:
     delete this->held_;
   }
 
-  /// Publisher thread only; wait-free but for the freeing of what the reader has put down. Null is a snapshot too.
+  /// Publisher thread only; wait-free but for the freeing of snapshots that the reader has put down. Null is a snapshot
+  /// too.
   void publish(Holder snapshot)
   {
     this->collect();
     delete this->pending_.exchange(new Holder(std::move(snapshot)), std::memory_order_acq_rel);
   }
 
-  /// Frees what the reader has put down. Publisher thread only.
+  /// Frees the snapshots that the reader has put down. Publisher thread only.
   void collect() noexcept
   {
     for (auto& slot : this->bay_)
@@ -62,7 +64,7 @@ public:
     return this->held_ != nullptr ? this->held_->get() : nullptr;
   }
 
-  /// What the last acquire() replaced, or null if it brought nothing new. Reader thread only; wait-free.
+  /// The snapshot that the last acquire() replaced, or null if it brought nothing new. Reader thread only; wait-free.
   [[nodiscard]] const T* replaced() const noexcept
   {
     return this->previous_ != nullptr ? this->previous_->get() : nullptr;

@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// Bytes with a name, so that a recording may lack what has been added since.
+/// Bytes with a name, so that a recording may lack parts that were added later.
 struct NamedPart
 {
   std::string name;
@@ -30,7 +30,7 @@ inline void putPart(ByteWriter& out, std::string_view name, const ByteWriter& pa
   out.put(std::string(payload.bytes().begin(), payload.bytes().end()));
 }
 
-/// The next part of bytes that are not trusted; what it says is true while in.ok().
+/// The next part of bytes that are not trusted; valid while in.ok().
 [[nodiscard]] inline NamedPart nextPart(ByteReader& in)
 {
   constexpr std::size_t longestName = 64;

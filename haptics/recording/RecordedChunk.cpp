@@ -78,8 +78,8 @@ void readHead(ByteReader& in, RecordedChunk& chunk)
   in.get(chunk.version);
 }
 
-/// Whether what comes next is the checksum of the bytes from `begin` up to it. Where nothing comes it is none that is
-/// wrong.
+/// Whether the next four bytes are the checksum of the bytes from `begin` up to them. At the end of the bytes no
+/// checksum is wrong.
 bool isNextCheck(ByteReader& in, const char* begin)
 {
   const char* const end = in.at();

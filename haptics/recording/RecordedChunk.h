@@ -20,15 +20,14 @@ struct RecordedChunk
   std::uint32_t version = 0;
   std::uint64_t number = 0; ///< from 1 on
   ByteReader payload{ nullptr, 0 };
-  bool headDamaged = false; ///< it is not what was written: neither is where its payload ends
+  bool headDamaged = false; ///< the head's checksum is wrong, so the end of the payload is unknown
   bool payloadDamaged = false;
 };
 
-/// The next chunk of bytes that are not trusted; what it says is true while in.ok() and nothing is damaged.
+/// The next chunk of bytes that are not trusted; valid while in.ok() and nothing is damaged.
 [[nodiscard]] RecordedChunk nextChunk(ByteReader& in);
 
-/// Enters what a chunk of one kind holds into a recording; the payload is ok() and at its end if it is what it should
-/// be.
+/// Enters the payload of a chunk of one kind into a recording; a payload in order is ok() and at its end afterwards.
 struct ChunkReader
 {
   ChunkKind kind;

@@ -87,7 +87,7 @@ auto putStage(ByteWriter& out, const Object& object)
   };
 }
 
-/// Fills an object from parts, stage by stage; what it has no member for fails.
+/// Fills an object from parts, stage by stage; a part without a member fails.
 template<class Object, class ForEach>
 void getStages(ByteReader& in, Object& object, const ForEach& forEachStage)
 {

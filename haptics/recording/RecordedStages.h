@@ -7,12 +7,12 @@
 namespace palpate
 {
 
-/// Parameters and state as named parts, one a stage of the tick, of named fields. What is read keeps its value where
-/// the bytes lack a field. All of `in` is read; damaged bytes and what no stage knows make it fail.
+/// Parameters and state as named parts, one a stage of the tick, of named fields. A field that the bytes lack keeps its
+/// value. All of `in` is read; damaged bytes and parts that no stage knows make it fail.
 void putParameters(ByteWriter& out, const HapticParameters& parameters);
 void putState(ByteWriter& out, const RendererState& state);
-/// What a recording that begins with this state knows of it: all but the features that are touched, which are numbers
-/// of surfaces and triangles, and the positions of before. Of a field that is felt it knows the cells. Real-time safe.
+/// The part of this state that a recording begins with: all but the features that are touched, which are numbers of
+/// surfaces and triangles, and earlier positions. Of a field that is felt the cells are part. Real-time safe.
 [[nodiscard]] RendererState recordedPart(const RendererState& state) noexcept;
 void getParameters(ByteReader& in, HapticParameters& parameters);
 void getState(ByteReader& in, RendererState& state);

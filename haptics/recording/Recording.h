@@ -31,8 +31,8 @@ struct RecordedChange
 using RecordedEntry = std::variant<TickRecord, RecordedChange>;
 
 /// A whole recording: a text header, then little-endian chunks, then a closing chunk, each with its checksum
-/// (RecordingLayout.h). What a program does not know it refuses; a plan or a field that a recording lacks keeps its
-/// default.
+/// (RecordingLayout.h). A part that the program does not know is refused; a plan or a field that a recording lacks
+/// keeps its default.
 struct Recording : TickInputs::Recorded
 {
   static constexpr int formatVersion = 8;
@@ -59,9 +59,9 @@ struct ReplayResult
   std::string problem;    ///< not empty: it could not be recomputed, and why
 };
 
-/// Computes every tick again and compares force, proxy, contacts, energy, flags and what the device is asked to do by
-/// itself (walls, viscosity, signal) bit for bit. Scenes come from the recording, or from `given` (by their meshes'
-/// hash) where it left them out. `visit` sees each recomputed tick.
+/// Computes every tick again and compares force, proxy, contacts, energy, flags and the device's own walls, viscosity
+/// and signal bit for bit. Scenes come from the recording, or from `given` (by their meshes' hash) where it left them
+/// out. `visit` sees each recomputed tick.
 [[nodiscard]] ReplayResult replay(const Recording& recording,
   const std::vector<std::shared_ptr<const Scene>>& given = {}, unsigned workers = 1,
   const std::function<void(const TickOutput&)>& visit = {});

@@ -20,7 +20,7 @@ struct RecordedWalls
   double viscosity_Ns_per_m = 0.0;
 };
 
-/// One tick as it was: what went in, and what came out to compare with.
+/// The record of one tick: its inputs, and its outputs to compare with.
 struct TickRecord
 {
   std::uint64_t tick = 0;
@@ -34,7 +34,7 @@ struct TickRecord
   std::int32_t contacts = 0;
   std::uint64_t sceneRevision = 0;
   double delivered_J = 0.0; ///< energy meter: net work on the hand
-  double excess_J = 0.0;    ///< and what the contact has given too much
+  double excess_J = 0.0;    ///< and energy that the contact has returned in excess
   std::uint32_t flags = 0;  ///< see recordFlags
   RecordedWalls walls;
   Signal signal = Signal::None;
@@ -42,7 +42,7 @@ struct TickRecord
   PoseTarget target;
 };
 
-/// Hands each member of what went into a tick to visit(name, member...); of several records, the same of each.
+/// Hands each input of a tick to visit(name, member...); of several records, the same of each.
 template<class Visit, class... R>
 void inputFields(const Visit& visit, R&... r)
 {
@@ -62,7 +62,7 @@ void inputFields(const Visit& visit, R&... r)
   visit("hand", r.hand...);
 }
 
-/// And of what came out.
+/// And each output.
 template<class Visit, class... R>
 void outputFields(const Visit& visit, R&... r)
 {

@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// What a hand must hold for a force to be given. None of both: nothing.
+/// Controls that a hand must hold for a force to be given. None of both: nothing.
 struct DeadMan
 {
   std::uint32_t buttons = 0; ///< bit i: button i + 1 will do

@@ -8,17 +8,19 @@
 namespace palpate
 {
 
-/// What no hand does and no wall gives. Beyond it the force ends until the person engages again.
+/// Limits beyond the motion of any hand and the energy of any wall. Beyond them the force ends until the person engages
+/// again.
 struct HandLimits
 {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
   double speed_m_per_s = unlimited; ///< of the hand while there is a force: a workspace radius in 50 ms
-  double excess_J = unlimited;      ///< given beyond what the touched spring holds: five times 5 mJ for a device of 3 N
+  double excess_J = unlimited;      ///< energy beyond the stored energy of the touched spring: five times 5 mJ for a
+                                    ///< device of 3 N
 };
 
-/// The speed cut and the energy latch. `force_N` is what the hand got in the last tick; without a force a hand may be
-/// as fast as it likes. Pure; real-time safe.
+/// The speed cut and the energy latch. `force_N`: on the hand in the last tick; without a force no speed is too fast.
+/// Pure; real-time safe.
 [[nodiscard]] constexpr Fault judgeHand(
   const HandLimits& limits, double speed_m_per_s, double force_N, double excess_J) noexcept
 {
@@ -29,7 +31,7 @@ struct HandLimits
   return excess_J > limits.excess_J ? Fault::EnergyLatch : Fault::None;
 }
 
-/// Those of a device, from its workspace radius [m] and its largest force [N]; what is not known is not limited.
+/// Those of a device, from its workspace radius [m] and its largest force [N]; an unknown value sets no limit.
 [[nodiscard]] constexpr HandLimits handLimits(double workspaceRadius_m, double maxForce_N) noexcept
 {
   constexpr double radiusWithin_s = 0.05;

@@ -6,16 +6,16 @@
 namespace palpate
 {
 
-/// What the loop's lateness allows: a share of the stiffness, or nothing.
+/// The verdict on the loop's lateness: a share of the stiffness, or a fault.
 struct LatenessVerdict
 {
   double stiffnessFactor = 1.0;
   Fault fault = Fault::None;
 };
 
-/// The lateness rows of the fault table (docs/faults.md): a tick gap above 20 ms or p99 lateness above 5 ms over
-/// 5 s drops the force; p99 of 1-5 ms scales the stiffness to what that rate can hold, K ~ 1 / (T / 2 + lateness)
-/// (Gil et al. 2009). Simulated devices only count. Pure; real-time safe.
+/// The lateness rows of the fault table (docs/faults.md): a tick gap above 20 ms or p99 lateness above 5 ms over 5 s
+/// drops the force; p99 of 1-5 ms scales the stiffness to the stable one at that rate, K ~ 1 / (T / 2 + lateness) (Gil
+/// et al. 2009). Simulated devices only count. Pure; real-time safe.
 [[nodiscard]] constexpr LatenessVerdict judgeLateness(
   double gap_s, double p99_s, double period_s, bool simulated) noexcept
 {

@@ -11,8 +11,8 @@
 namespace palpate
 {
 
-/// What the hand is protected by. The defaults are for a device whose largest force nobody knows, and that turns
-/// nobody: 3 N, reached in 20 ms or more, and a ramp of 1 s from a small force.
+/// Limits that protect the hand. The defaults are for a device of unknown largest force and without torque: 3 N,
+/// reached in 20 ms or more, and a ramp of 1 s from a small force.
 struct SafetyLimits
 {
   double maxForce_N = 3.0;
@@ -24,7 +24,7 @@ struct SafetyLimits
   double releaseRamp_s = 0.05;
   double faultRamp_s = 0.01;
   bool needsEngage = true; ///< false: a program's own path, engaged from the first tick
-  DeadMan deadMan;         ///< what must be held; let go: force to zero, and armed again
+  DeadMan deadMan;         ///< controls that must be held; let go: force to zero, and armed again
   HandLimits hand;
   double frozenAbove_N = PositionWatch::never; ///< a position that stays the same under more force than this is said
 
@@ -40,8 +40,8 @@ struct SafetyLimits
     return limits;
   }
 
-  /// Of a device: 60 % of its largest force, growing by no more than all of it in 20 ms, and what no hand does. A
-  /// device that pushes nobody may be led as fast as one likes; a simulated one may stand still to the bit.
+  /// Of a device: 60 % of its largest force, growing by no more than all of it in 20 ms, and the limits of a hand. A
+  /// device without a force may be led at any speed; a simulated one may stand still to the bit.
   [[nodiscard]] static SafetyLimits forDevice(const DeviceInfo& device) noexcept
   {
     SafetyLimits limits;
@@ -54,8 +54,8 @@ struct SafetyLimits
     }
     if (device.rendersTorque)
     {
-      // Of one whose largest torque nobody knows: the largest force on an arm of 30 mm, from the fingers to the middle
-      // of a handle.
+      // Of one with unknown largest torque: the largest force on an arm of 30 mm, from the fingers to the middle of a
+      // handle.
       constexpr double unknownArm_m = 0.03;
       const double known_Nm = device.maxTorque_Nm.value;
       const double largest_Nm = known_Nm < std::numeric_limits<double>::infinity() ? known_Nm : 5.0 * unknownArm_m;

@@ -11,8 +11,7 @@
 namespace palpate
 {
 
-/// What the loop of these parameters is, for StabilityLimits. `characteristic_u`: of the tool that is held; 0: the
-/// ball.
+/// The loop of these parameters, for StabilityLimits. `characteristic_u`: of the tool that is held; 0: the ball.
 [[nodiscard]] inline LoopSettings loopSettings(
   const HapticParameters& parameters, double period_s, double characteristic_u = 0.0) noexcept
 {
@@ -27,7 +26,7 @@ struct JudgedLoop
   std::string sentence;
 };
 
-/// Milliseconds: for changes of what it depends on only.
+/// Takes milliseconds: call after a change of an argument only.
 [[nodiscard]] inline JudgedLoop judgeLoop(
   const HapticParameters& parameters, const DeviceInfo& device, double period_s, double characteristic_u = 0.0)
 {
@@ -36,12 +35,12 @@ struct JudgedLoop
   return { limits, describe(limits, device, loop) };
 }
 
-/// What a person set, completed by what the device says about itself.
+/// The settings of a person, completed by the device's description.
 ///
-/// The velocity is estimated with the device's encoder step, the stiffness is limited to what the loop can hold, and
-/// passivity control is off where no force reaches a hand. Walls are left to the device only if it closes them. Then
-/// nothing, held by the device or closed by the host, is stiffer or harder than the device can hold. Walls are moved no
-/// more often than the device's link carries them. `viscosity_Ns_per_m`: what the device's corridors need
+/// The velocity is estimated with the device's encoder step, the stiffness is limited to the stable one of the loop,
+/// and passivity control is off where no force reaches a hand. Walls are left to the device only if it closes them.
+/// Then nothing, held by the device or closed by the host, is stiffer or harder than the device can hold. Walls are
+/// moved no more often than the device's link carries them. `viscosity_Ns_per_m`: need of the device's corridors
 /// (Viscosity.h).
 [[nodiscard]] inline HapticParameters adaptToDevice(HapticParameters parameters, const DeviceInfo& device,
   const StabilityLimits& limits, double viscosity_Ns_per_m = 0.0) noexcept

@@ -10,8 +10,8 @@
 namespace palpate
 {
 
-/// Periods that the device begins: each of its samples is one, and what passed since the one before, in whole periods
-/// to the nearest, tells how many were missed. Servo thread.
+/// Periods that the device begins: each of its samples is one, and the time since the sample before, rounded to whole
+/// periods, tells how many were missed. Servo thread.
 class DeviceTimer final : public TickTimer
 {
 public:

@@ -203,7 +203,7 @@ void HapticSession::breakConstraint(std::uint32_t law)
   this->push(EventKind::BreakConstraint, law);
 }
 
-/// A recording that begins has what the servo may still be pressing. `again`: one after another.
+/// Hands a recording that begins the values that the servo may still use. `again`: one after another.
 void HapticSession::storePublished(bool again)
 {
   TickInputs::forEach(

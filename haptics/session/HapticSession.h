@@ -40,7 +40,7 @@ struct SessionOptions
   RealtimeBrokers brokers;  ///< who is asked for real-time priority where the user's limits do not allow it
 };
 
-/// Owner of a device, a servo and what they share, for programs and the user interface. One thread, the owner's,
+/// Owner of a device, a servo and their shared buffers, for programs and the user interface. One thread, the owner's,
 /// calls every method. No method waits for the servo except stop() and the destructor, which end it with zero force.
 class HapticSession
 {
@@ -52,9 +52,9 @@ public:
 
   /// Opens the device and starts the servo. Empty, or one sentence why not; then nothing runs.
   [[nodiscard]] std::string start(std::unique_ptr<HapticDevice> device, const SessionOptions& options = {});
-  /// Zero force, servo joined, device closed, recording complete. Returns empty, or what went wrong with the recording.
-  /// A pushed hand is let go in the release ramp, which is waited for; a ramp longer than half a second is cut there.
-  /// In virtual time nobody is pushed, and the session ends at once.
+  /// Zero force, servo joined, device closed, recording complete. Returns empty, or the fault of the recording. A
+  /// pushed hand is let go in the release ramp, which is waited for; a ramp longer than half a second is cut there. In
+  /// virtual time nobody is pushed, and the session ends at once.
   std::string stop();
   [[nodiscard]] bool running() const noexcept;
   /// The running device, or null: to feed a FedDevice.
@@ -74,10 +74,10 @@ public:
   void setScene(std::shared_ptr<const Scene> scene, const std::optional<Vec3>& comesFrom_W = {});
   [[nodiscard]] const std::shared_ptr<const Scene>& scene() const noexcept;
 
-  /// What the worker of that task computes, felt from a tick soon after on; none: nothing. Kept over stop() and
-  /// start(). A tool takes the place of the ball, but for one beside a soft body, which only a tool that is a ball
-  /// feels. A soft body gives way beside the scene. While a mechanism is felt, ball, tool and soft body rest. Include
-  /// SessionWorkers.h for these.
+  /// The result of that task's worker is felt from a tick soon after on; none: nothing. Kept over stop() and start(). A
+  /// tool takes the place of the ball, but for one beside a soft body, which only a tool that is a ball feels. A soft
+  /// body is felt beside the scene. While a mechanism is felt, ball, tool and soft body rest. Include SessionWorkers.h
+  /// for these.
   template<class Task>
   void choose(const typename Task::Choice& choice);
   template<class Task>
@@ -124,7 +124,7 @@ public:
   /// The newest state and report; after stop() the last ones.
   [[nodiscard]] const HapticState& state();
   [[nodiscard]] const LoopReport& report();
-  /// What scheduling the servo thread got; empty message in virtual time or before it has started.
+  /// Scheduling of the servo thread; empty message in virtual time or before the thread has started.
   [[nodiscard]] SchedulingReport scheduling() const;
 
 private:
@@ -140,7 +140,7 @@ private:
   void followChoice(bool handChanges);
   void orderWork(Run& run) const;
   void storePublished(bool again = false);
-  /// Of a body that gives way a tool would feel the surface of before.
+  /// A tool would feel a soft body's surface of before.
   [[nodiscard]] ToolChoice heldTool() const;
 
   HapticParameters parameters_;

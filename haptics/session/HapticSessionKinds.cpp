@@ -8,7 +8,7 @@
 #include "haptics/session/SessionWorkers.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
 
-// What the hand holds and what gives way: tool, soft body, mechanism.
+// The choices that workers compute: tool, soft body, mechanism.
 
 namespace palpate
 {
@@ -56,7 +56,7 @@ std::string HapticSession::refuseMechanism(
   return faultsOf(checkMechanism(inputs.mechanism, soft, grip));
 }
 
-/// Of what is in the hand; 0: nothing is turned.
+/// Of the tool or mechanism in the hand; 0: nothing is turned.
 double HapticSession::characteristic_u() const noexcept
 {
   const HapticParameters& p = this->parameters_;

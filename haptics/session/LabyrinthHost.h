@@ -21,11 +21,11 @@ struct LabyrinthOnOffer
   std::shared_ptr<const Scene> walls;
 };
 
-/// What has just happened, for a person who plays without a screen.
+/// The newest event, for a person who plays without a screen.
 enum class LabyrinthNews : std::uint8_t
 {
   None,
-  Chosen, ///< and what chose it, or the dead-man, must be held now
+  Chosen, ///< and the button that chose it, or the dead-man, must be held now
   Leads,  ///< the hand is brought to the start
   LetGo,  ///< it is on its own
   Arrived,
@@ -34,24 +34,24 @@ enum class LabyrinthNews : std::uint8_t
   End,
 };
 
-/// Labyrinths on a running session, played from the device alone. A button chooses, holding what must be held starts,
-/// letting go or another button gives up. The next labyrinth begins once no force is left on the hand. No clock: time
-/// is the tick's.
+/// Labyrinths on a running session, played from the device alone. A button chooses, holding the dead-man or that button
+/// starts, letting go or another button gives up. The next labyrinth begins once no force is left on the hand. No
+/// clock: time is the tick's.
 class LabyrinthHost
 {
 public:
   /// Session and labyrinths must outlive the host. Nobody has engaged the session yet, and there is something to play.
   LabyrinthHost(HapticSession& session, const std::vector<LabyrinthOnOffer>& mazes, const DeadMan& deadMan);
 
-  /// To be called often, at least once in 50 ms: the newest state of the session, and what happened since the last
-  /// call.
+  /// To be called often, at least once in 50 ms: reads the newest state of the session, and returns the event since the
+  /// last call.
   [[nodiscard]] LabyrinthNews look();
 
   /// Of the labyrinth chosen last; null before.
   [[nodiscard]] const Labyrinth* chosen() const noexcept;
   /// Of exploring it, until now or until the exit [s].
   [[nodiscard]] double time_s() const noexcept { return this->gameTime_s_; }
-  /// What must be held for that one. Needs one.
+  /// The controls that must be held for that one. Needs one.
   [[nodiscard]] DeadMan held() const noexcept { return this->menu_.heldFor(this->chosen_); }
 
 private:

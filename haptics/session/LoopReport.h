@@ -16,7 +16,7 @@ struct LoopReport
   std::uint64_t periods = 0;      ///< elapsed: ticks + missed
   std::uint64_t contactTicks = 0; ///< with at least one contact
   std::uint64_t cappedTicks = 0;  ///< the god-object was stopped by its cap or budget
-  std::uint64_t pinnedTicks = 0;  ///< surfaces that moved left the god-object no room
+  std::uint64_t pinnedTicks = 0;  ///< surfaces that moved left the god-object no space
   double elapsed_s = 0.0;         ///< from the first period to the last
   double peakForce_N = 0.0;
   double peakStabiliser_N = 0.0; ///< largest part of a force that passivity control added

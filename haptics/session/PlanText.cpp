@@ -155,7 +155,7 @@ bool hasOwnFriction(const Scene& scene) noexcept
 
 double chosenRadius_u(double asked_u, double largest_u, bool keepLimit) noexcept
 {
-  // what is no radius at all stays so, to be refused
+  // a radius that is not finite stays so, to be refused
   return keepLimit && std::isfinite(asked_u) ? std::min(asked_u, largest_u) : asked_u;
 }
 

@@ -12,7 +12,7 @@
 namespace palpate
 {
 
-/// By what a scene is touched, and what that came from.
+/// The contact plan of a scene, and the settings behind the plan.
 struct TouchChoice
 {
   ContactPlan plan;                                           ///< as planFor() makes it
@@ -28,7 +28,7 @@ struct TouchChoice
 [[nodiscard]] double chosenRadius_u(double asked_u, double largest_u, bool keepLimit) noexcept;
 
 /// "all 320 triangles are felt (...), by a point (no radius is asked for) without friction (none is asked for), through
-/// a tree of boxes (...)": what was chosen and why, for a person.
+/// a tree of boxes (...)": the choices and their reasons, for a person.
 [[nodiscard]] std::string planText(const std::vector<SurfaceChoice>& choices, const TouchChoice& touch);
 
 /// "9000 of 79600 triangles are felt, ...": of one surface.

@@ -6,7 +6,7 @@
 namespace palpate
 {
 
-/// What a person sees of recordings at one glance.
+/// Status of recordings, for one line of text.
 struct RecordingGlance
 {
   bool wanted = false;   ///< the person wants one
@@ -16,7 +16,7 @@ struct RecordingGlance
   bool saved = false;    ///< under a name that the person gave
 };
 
-/// One line, and what can be done next; "" before anything was recorded or is wanted.
+/// One line, with the next possible action; "" before anything was recorded or is wanted.
 [[nodiscard]] std::string recordingText(const RecordingGlance& glance);
 
 } // namespace palpate

@@ -18,7 +18,7 @@ namespace palpate
 class Recordings
 {
 public:
-  /// `link`: where the servo finds who records, null for nobody. In virtual time nobody else writes: see pump().
+  /// `link`: where the servo finds the recorder; null: none. In virtual time no thread writes: see pump().
   Recordings(std::atomic<Recorder*>& link, bool virtualTime) : link_(link), virtualTime_(virtualTime) {}
 
   /// From the next tick on; the one before ends there. Empty, or one sentence; then the one before goes on.
@@ -33,11 +33,11 @@ public:
   {
     this->inEach([&value](Recorder& recorder) { recorder.store<K>(value); });
   }
-  /// Writes what has come in, in virtual time.
+  /// Writes the entries that have arrived, in virtual time.
   void pump();
-  /// Ends what has no room on its disk, and closes what has ended: each is told once.
+  /// Ends recordings without space on their disk, and closes those that have ended: each is told once.
   [[nodiscard]] std::optional<EndedRecording> takeEnded();
-  /// The servo is gone: everything is closed. The last one, if there was any, with what went wrong with any.
+  /// The servo is gone: everything is closed. The last one, if there was any, with the faults of all.
   [[nodiscard]] std::optional<EndedRecording> finish();
 
 private:

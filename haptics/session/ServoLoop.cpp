@@ -11,7 +11,8 @@ namespace
 {
 
 constexpr std::uint64_t ticksPerReport = 250; // four times a second at 1 kHz, for a person to read
-/// Room for the release to be taken and for a ramp that is no whole number of ticks; and how long a stop is waited for.
+/// Slack for the release to be taken and for a ramp that is no whole number of ticks; and how long a stop is waited
+/// for.
 constexpr double letGoSlack_s = 0.005, longestLetGo_s = 0.5;
 
 bool pushes(const DeviceCommand& command) noexcept
@@ -47,7 +48,7 @@ void ServoLoop::run(const std::stop_token& stop) noexcept
   this->finish();
 }
 
-/// Nobody waits longer than the ramp takes, whatever keeps the force.
+/// No stop waits longer than the ramp takes, whatever keeps the force.
 void ServoLoop::letGo() noexcept
 {
   double left_s = std::min(this->parameters_.safety.releaseRamp_s + letGoSlack_s, longestLetGo_s);
@@ -117,7 +118,7 @@ bool ServoLoop::replacesInput() const noexcept
   return replaces;
 }
 
-/// Not in a tick that replaces a scene or a field: what was touched before is no part of a recording that begins there.
+/// Not in a tick that replaces a scene or a field: the scene before is no part of a recording that begins there.
 void ServoLoop::followRecorder() noexcept
 {
   Recorder* const wanted = this->links_.recorder.load(std::memory_order_acquire);
@@ -139,7 +140,7 @@ void ServoLoop::followRecorder() noexcept
   }
 }
 
-/// What a recording begins with.
+/// Records the inputs that are in use when a recording begins.
 void ServoLoop::pushInputs() noexcept
 {
   TickInputs::forEach(
@@ -159,7 +160,7 @@ void ServoLoop::tellWorkers(const TickOutput& output) noexcept
   TickInputs::forEach([&]<input::TellsWorker K>(std::type_identity<K>) { K::tellWorker(done, this->links_); });
 }
 
-/// With what it brought about, which a recording would else tell of only when it is computed again.
+/// With the faults and changes of the tick, which a reader would else learn only by computing the tick again.
 void ServoLoop::recordTick(const TickOutput& output) noexcept
 {
   if (this->recorder_ == nullptr)
@@ -187,7 +188,8 @@ bool ServoLoop::tick() noexcept
   this->period_ += 1 + wakeup.missed;
   this->input_.tick = this->period_;
   this->input_.dt_s = static_cast<double>(1 + wakeup.missed) * this->period_s_;
-  // Before the hand is asked for: whoever changes what a pose means withdraws the hand first, and feeds it afterwards.
+  // Before the hand is asked for: a caller who changes the meaning of a pose withdraws the hand first, and feeds it
+  // afterwards.
   this->takeChanges();
   this->input_.status = this->device_.read(static_cast<double>(this->period_) * this->period_s_, this->input_.sample);
   if (this->input_.status == DeviceStatus::Ended)

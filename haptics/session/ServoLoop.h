@@ -18,7 +18,7 @@
 namespace palpate
 {
 
-/// What other threads and the servo share. Each buffer has one writer and one reader (ARCHITECTURE.md).
+/// Buffers between other threads and the servo. Each has one writer and one reader (ARCHITECTURE.md).
 struct ServoLinks : TickInputs::Links
 {
   struct Versioned
@@ -30,7 +30,7 @@ struct ServoLinks : TickInputs::Links
   SpscRing<HapticEvent, 64> events;   ///< owner -> servo
   TripleBuffer<HapticState> state;    ///< servo -> owner
   TripleBuffer<LoopReport> report;    ///< servo -> owner, four times a second
-  /// owner -> servo: who records; null: nobody. The servo's last push into one says that it has let go of it.
+  /// owner -> servo: the recorder; null: none. The servo's last push into one says that it has let go of it.
   std::atomic<Recorder*> recorder = nullptr;
 };
 
@@ -42,14 +42,14 @@ public:
   ServoLoop(
     HapticDevice& device, TickTimer& timer, ServoLinks& links, const Clock& costClock, double period_s) noexcept;
 
-  /// Runs until a stop is asked for or the device ends; then the device gets a zero command. Whoever asks for a stop
-  /// queues a release first: a hand that is still pushed then is let go in the release ramp, or in the first half
-  /// second of that ramp. Servo thread.
+  /// Runs until a stop is asked for or the device ends; then the device gets a zero command. The caller queues a
+  /// release before a stop: a hand that is still pushed then is let go in the release ramp, or in the first half second
+  /// of that ramp. Servo thread.
   void run(const std::stop_token& stop) noexcept;
   /// One period. False when the device has ended. Servo thread; real-time safe.
   bool tick() noexcept;
-  /// Between two ticks a recording ends, and another one begins with what a recording can know of the last tick, from
-  /// which the next one goes on. Servo thread; every tick does it.
+  /// Between two ticks a recording ends, and another one begins with the recordable part of the last tick's state, from
+  /// which the next tick goes on. Servo thread; every tick does it.
   void followRecorder() noexcept;
   /// Zero force, last report.
   void finish() noexcept;

@@ -13,8 +13,8 @@
 namespace palpate
 {
 
-// The inputs of the tick are of every kind, and with their headers comes most of the core: whoever publishes those that
-// have a method of their own needs only HapticSession.h.
+// The inputs of the tick are of every kind, and with their headers comes most of the core: callers that publish those
+// with a method of their own need only HapticSession.h.
 
 /// Over stop() and start(): the inputs that the owner published last, and the last reports.
 struct HapticSession::Kept

@@ -39,7 +39,7 @@ struct HapticSession::Run
   bool virtualTime = false;
   double period_s = 1e-3;
   double virtual_s = 0.0;   ///< time of the last tick, in virtual time
-  HapticParameters adapted; ///< what the servo runs with
+  HapticParameters adapted; ///< the parameters that the servo runs with
   BallLead lead;            ///< the last one
   StabilityLimits limits;
 

@@ -19,7 +19,7 @@ struct SessionWorkers : SessionTasks
   using SessionTasks::SessionTasks;
 };
 
-/// What the workers are to compute.
+/// The choices that the workers compute.
 struct HapticSession::Chosen : SessionTasks::Choices
 {
 };

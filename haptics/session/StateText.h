@@ -8,23 +8,23 @@
 namespace palpate
 {
 
-/// What a person sees of a session at one glance.
+/// Status of a session, for one line of text.
 struct SessionGlance
 {
   bool touching = false;
   EngageState engage = EngageState::Safe;
-  bool preparing = false;     ///< what is shown is being read and built
-  std::string refusal;        ///< why nothing of what is shown can be touched, and what to do; "" if something can
+  bool preparing = false;     ///< the shown data are being read and built
+  std::string refusal;        ///< why nothing of the shown data can be touched, and the remedy; "" if something can
   std::string refused;        ///< the first surface that was refused and why, where nothing of the scene is left
-  std::string fault;          ///< why there is no force, and what to do
-  std::string warning;        ///< what needs attention
+  std::string fault;          ///< why there is no force, and the remedy
+  std::string warning;        ///< a condition that needs attention
   std::string problem;        ///< the last thing that was refused
   std::string damaged;        ///< the first surface that is felt without a part of it, and why
   double limitedFrom_m = 0.0; ///< where the mouse presses deeper than the largest force allows: that depth; otherwise 0
   double limitedTo_N = 0.0;   ///< the largest force that is given, while the contact asks for more; otherwise 0
 };
 
-/// One line: how it is, why, and what to do. What nothing can be felt without comes first.
+/// One line: status, reason and remedy. The first condition without which nothing can be felt wins.
 [[nodiscard]] std::string stateText(const SessionGlance& glance);
 
 } // namespace palpate

@@ -9,11 +9,11 @@
 namespace palpate
 {
 
-/// What needs attention without being a fault, and what to do, for a person; empty if nothing does. The lateness is
-/// that of the report, the share of the stiffness that of the state.
+/// A condition that needs attention without being a fault, and the remedy, for a person; empty if there is none. The
+/// lateness is that of the report, the share of the stiffness that of the state.
 [[nodiscard]] std::string warning(const HapticState& state, const LoopReport& report);
 
-/// What a person is told who chose another device than the one that runs; empty if it is the same.
+/// The message for a person who chose another device than the one that runs; empty if it is the same.
 [[nodiscard]] std::string otherDeviceText(const std::string& running, const std::string& chosen);
 
 } // namespace palpate

@@ -6,8 +6,8 @@
 namespace palpate
 {
 
-/// Contacts of a tool that is rendered as a ball: its active planes, at their positions. Surfaces that give way are
-/// where they have gone to. `state`: after the move that found `result`. Real-time safe.
+/// Contacts of a tool that is rendered as a ball: its active planes, at their positions. Soft surfaces are as they are
+/// bent. `state`: after the move that found `result`. Real-time safe.
 void tellPresses(
   const ProxyTick& tick, const ContactResult& result, const RendererState& state, ToolState& tool) noexcept;
 

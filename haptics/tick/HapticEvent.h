@@ -22,8 +22,8 @@ enum class EventKind : std::uint8_t
   Tool,            ///< the tick took other contacts of a tool (value: their revision; 0: no tool)
   Body,            ///< the tick took another snapshot of a soft body (value: its revision; 0: no body)
   Mechanism,       ///< the tick took another mechanism, or snapshots of one (value: its revision; 0: no mechanism)
-  BreakConstraint, ///< the person breaks a law of the mechanism (value: its place in the plan)
-  Constraint,      ///< a law changed in the tick before it (value: its place in the plan, plus 2^32 times the
+  BreakConstraint, ///< the person breaks a constraint of the mechanism (value: its place in the plan)
+  Constraint,      ///< a constraint changed in the tick before it (value: its place in the plan, plus 2^32 times the
                    ///< ConstraintChange)
 };
 

@@ -35,7 +35,7 @@ struct FieldReport
   double error_u = 0.0;          ///< the pulls of limited strength are certainly balanced to this [u]
   std::int32_t contacts = 0;     ///< surfaces of it that push
   bool outside = false;          ///< the hand is where the field has no value
-  std::uint64_t beyondTicks = 0; ///< in which the hand was beyond the brick that was there, until now
+  std::uint64_t beyondTicks = 0; ///< in which the hand was beyond the block that was there, until now
   bool capped = false;           ///< the proxy goes on in the next tick
   EnergyMeter energy;            ///< of its springs
 };
@@ -58,7 +58,7 @@ struct ToolState
 struct SoftReport
 {
   bool felt = false;             ///< there is one
-  bool pressed = false;          ///< and it gives way under the ball
+  bool pressed = false;          ///< and it deforms under the ball
   double age_s = 0.0;            ///< of the state at which its snapshot was made
   double stored_J = 0.0;         ///< elastic energy under the hand: of body and coupling
   double added_N = 0.0;          ///< along the force, so that the hand gets back no more than it gave
@@ -82,7 +82,7 @@ struct ConstraintReport
   double inside_u = 0.0;    ///< of the shaft, beyond its hole
 };
 
-/// Which laws have changed since the mechanism was taken: the newest few.
+/// Which constraints have changed since the mechanism was taken: the newest few.
 struct ConstraintChanges
 {
   std::uint64_t plan = 0;                                          ///< its revision
@@ -107,7 +107,7 @@ struct ConstraintChanges
   }
 };
 
-/// Result of a mechanism in a tick. Bodies and laws are in the order of its description.
+/// Result of a mechanism in a tick. Bodies and constraints are in the order of its description.
 struct MechanismNow
 {
   bool held = false;          ///< one is in the hand, and has been somewhere
@@ -119,7 +119,7 @@ struct MechanismNow
   std::array<ConstraintReport, Mechanism::mostConstraints> laws{};
   ConstraintChanges changes;
   double age_s = 0.0;      ///< of the oldest snapshot of a soft body that is pressed
-  double residual_u = 0.0; ///< largest of the laws'
+  double residual_u = 0.0; ///< largest of the constraints'
   bool capped = false;     ///< the solver goes on in the next tick
 };
 
@@ -157,7 +157,7 @@ struct HapticState
   bool capped = false; ///< see ContactResult
   bool overBudget = false;
   bool infeasible = false;
-  bool pinned = false;       ///< moving surfaces leave the ball less room than it needs
+  bool pinned = false;       ///< moving surfaces leave the ball less space than it needs
   bool frozen = false;       ///< the position stays the same to the bit under force: does the device still measure?
   bool letGo = false;        ///< the dead-man switch is released
   std::uint32_t buttons = 0; ///< that are down, as DeviceSample has them

@@ -19,7 +19,7 @@ ContactResult moveIn(const ProxyTick& tick, const ContactPlan& plan, const Vec3&
            : moveGodObject(scene, plan, p_W, contact, tick.sink);
 }
 
-/// Takes the ball along to another scene, or on the way that the surfaces of this one made.
+/// Takes the ball along to another scene, or with the motion of the surfaces of this one.
 void comeAlong(
   const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, RendererState& state, ProxyStep& moved) noexcept
 {
@@ -54,7 +54,7 @@ void comeAlong(
 }
 
 /// The ball of this tick where the old one was, not at the device: a pressed one stays on its side. Nothing changes
-/// where it has no room.
+/// where it does not fit.
 void resize(const ProxyTick& tick, RendererState& state) noexcept
 {
   GodObjectState resized = state.contact;
@@ -66,8 +66,8 @@ void resize(const ProxyTick& tick, RendererState& state) noexcept
   }
 }
 
-/// What has come between a place that is outside and the ball stops it there. Where nothing was felt before the ball is
-/// where the hand is.
+/// Moves the ball from a place that is outside to its place, up to the first surface between. Where nothing was felt
+/// before the ball is where the hand is.
 void comeFrom(const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, GodObjectState& contact) noexcept
 {
   if (!contact.placed)
@@ -81,7 +81,7 @@ void comeFrom(const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, G
   const MovingScene now(scene, scene.shareAt(tick.step.age_s));
   contact.x_W = scene.moves() ? stopBefore(now, plan, plan.radius_u, from_W, to_W)
                               : stopBefore(scene, plan, plan.radius_u, from_W, to_W);
-  contact.count = 0; // what held it there is behind what stops it
+  contact.count = 0; // the contacts at that place are behind the surface that stops the ball
 }
 
 } // namespace
@@ -126,7 +126,7 @@ ProxyStep moveProxy(const ProxyTick& tick, const Vec3& p_W, RendererState& state
   {
     comeFrom(tick, plan, p_W, contact);
   }
-  const bool spent = toldToCome || tick.input.body != nullptr; // a lead past what gives way would come late
+  const bool spent = toldToCome || tick.input.body != nullptr; // a lead past a soft body would come late
   state.ballLed = spent ? tick.lead.number : state.ballLed;
   if (contact.placed && state.radius_u != tick.plan.radius_u)
   {

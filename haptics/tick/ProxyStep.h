@@ -43,8 +43,8 @@ struct ProxyTick
 };
 
 /// Takes the proxy along with its scene from the last tick to this one, then towards the device at p_W. Elsewhere it
-/// begins anew at the device. Another ball is seated where the old one was, so a pressed one stays on its side;
-/// where it has no room there the old one goes on until it has.
+/// begins anew at the device. Another ball is seated where the old one was, so a pressed one stays on its side; where
+/// it does not fit there the old one goes on until it does.
 [[nodiscard]] ProxyStep moveProxy(const ProxyTick& tick, const Vec3& p_W, RendererState& state) noexcept;
 
 } // namespace palpate

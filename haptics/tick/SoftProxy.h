@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// Moves the ball towards the device at p_W in a scene with a soft body (SoftTick.h), at a share of the scene's way.
+/// Moves the ball towards the device at p_W in a scene with a soft body (SoftTick.h), at a share of the scene's motion.
 /// The proxy of the result is the ball in the world, the contact of the state the ball among the free surfaces.
 [[nodiscard]] ContactResult moveOnBody(
   const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, double share, RendererState& state) noexcept;

@@ -17,7 +17,7 @@ struct TickContext;
 ///   refuse(const Plan&)     empty, or one sentence that names the value that cannot be used
 ///   State                   its state from tick to tick: the members become members of RendererState
 ///   stateFields(visit, s...) names each member that a recording begins with
-///   rest(TickContext&)      what it does instead in a tick that does not know where the hand is
+///   rest(TickContext&)      its step in a tick that does not know where the hand is
 ///   feels(const TickContext&) whether there is anything that it could push the hand with
 template<class S>
 concept HasPlan = requires

@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// The part of a tool's pull that turns, as ways of its lever.
+/// The part of a tool's pull that turns, as displacements of its lever.
 struct TurnPull
 {
   Vec3 pull_D = Vec3::Zero();     ///< from the device to where contact turns it [m]
@@ -70,7 +70,7 @@ struct TickContext
   /// The proxy of the hand without tool or mechanism.
   [[nodiscard]] bool holdsBall() const noexcept { return !this->touchesByMesh() && this->input.mechanism == nullptr; }
 
-  /// Something couples the hand to the scene by a spring: contact, or the laws of a mechanism.
+  /// Something couples the hand to the scene by a spring: contact, or the constraints of a mechanism.
   [[nodiscard]] bool coupled() const noexcept { return this->touchable() || this->input.mechanism != nullptr; }
 
   /// Whether there is anything that could push the hand, of any stage.

@@ -15,7 +15,7 @@ namespace palpate
 namespace
 {
 
-constexpr double leastLean = 0.02; // what leans less counts as along the axis
+constexpr double leastLean = 0.02; // a direction that leans less counts as along the axis
 constexpr std::uint32_t mostNodes = 4000;
 
 /// A hand that is this fast stays within reach for two updates.
@@ -39,7 +39,7 @@ AxisWalls touchedWalls(const AnyScene& scene, const WallTick& tick, const Vec3& 
   return wallsAround(x_D, { near.data(), count }, leastLean);
 }
 
-/// How far the way along direction i is proven free [m]; all of it where nothing that stands across it is met.
+/// How far the displacement along direction i is proven free [m]; all of it where nothing that stands across it is met.
 template<SceneView AnyScene>
 double freeAlong(const AnyScene& scene, const WallTick& tick, int i, double reach_m, std::uint32_t& nodes) noexcept
 {
@@ -55,7 +55,7 @@ double freeAlong(const AnyScene& scene, const WallTick& tick, int i, double reac
   nodes += hit.work;
   if (!hit.hit)
   {
-    return hit.freeUntil * reach_m; // what was not looked at for want of time may be a wall
+    return hit.freeUntil * reach_m; // the part not looked at for want of time may be a wall
   }
   const Vec3 normal_D = tick.map.directionToDevice(planeAt(scene, tick, hit.feature, query.from_W + hit.t * way_W).n);
   return AxisWalls::direction(i).dot(normal_D) > leastLean ? hit.t * reach_m : reach_m;

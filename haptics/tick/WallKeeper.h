@@ -31,7 +31,7 @@ struct WallTick
   double stiffness_N_per_m = 0.0; ///< of the walls
   double maxRise_N_per_s = std::numeric_limits<double>::infinity();
   double dt_s = 1e-3;
-  double share = 1.0; ///< of the way between its snapshots, where the scene moves
+  double share = 1.0; ///< of the motion between its snapshots, where the scene moves
 };
 
 /// The walls round the virtual location: those it touches, and along each of the device's four directions the first

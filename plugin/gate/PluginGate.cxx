@@ -54,7 +54,7 @@ std::string PluginBesideThis()
 }
 } // namespace
 
-/// What ParaView asks a plugin for; null, and the reason said, where it cannot be had.
+/// The plugin, for ParaView; null, and the reason said, where the series of ParaView is another.
 extern "C" __attribute__((visibility("default"))) vtkPVPlugin* pv_plugin_instance()
 {
   if (const std::string series = RunningSeries(); series != PALPATE_PARAVIEW)

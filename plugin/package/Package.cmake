@@ -18,7 +18,7 @@ set(CPACK_STRIP_FILES ON)
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-# Debian's names of what shlibdeps does not see: the client, its Python, and one minor version of both.
+# Debian's names of packages that shlibdeps does not see: the client, its Python, and one minor version of both.
 string(REGEX REPLACE "\\..*" "" major "${PALPATE_PARAVIEW}")
 string(REGEX REPLACE ".*\\." "" minor "${PALPATE_PARAVIEW}")
 math(EXPR minor "${minor} + 1")
@@ -28,7 +28,7 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview-dev, cmake")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}" "${CMAKE_BINARY_DIR}/${PALPATE_PLUGIN_DIR}/Palpate")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-# Within a minor version the library only gains: what is linked against it asks for that.
+# Within a minor version the library only gains: a package that links it asks for that version.
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 foreach (script IN ITEMS preinst postinst prerm postrm triggers)

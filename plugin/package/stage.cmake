@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Between install and packing: what a Debian package has elsewhere than a prefix of one's own, or has besides.
+# Between install and packing: files that a Debian package has elsewhere than a prefix of one's own, or has besides.
 cmake_minimum_required(VERSION 3.25)
 set(root "${CPACK_TEMPORARY_DIRECTORY}/usr")
 set(doc "${root}/share/doc/palpate")
@@ -20,7 +20,7 @@ file(RENAME "${root}/lib/python/palpate" "${root}/lib/python3/dist-packages/palp
 file(REMOVE_RECURSE "${root}/lib/python")
 replace("${root}/lib/cmake/Palpate/PalpateConfig.cmake" "/lib/python\"" "/lib/python3/dist-packages\"")
 
-# Parts of ParaView's way of building that nobody uses once it is built.
+# Parts of ParaView's build that are not used afterwards.
 file(GLOB client_server "${root}/lib/libvtkHaptic*CS.a")
 file(REMOVE ${client_server})
 file(REMOVE_RECURSE "${root}/lib/paraview-${CPACK_PALPATE_PARAVIEW}/plugins/Palpate/vtk")
@@ -42,7 +42,7 @@ file(WRITE "${doc}/changelog" "palpate (${CPACK_PACKAGE_VERSION}) unstable; urge
 ")
 run(gzip -9n "${doc}/changelog")
 
-# The pages are what the program says of itself.
+# The pages are the program's own help.
 foreach (command IN ITEMS "" devices check touch replay labyrinth turn)
   string(STRIP "palpate ${command}" words)
   string(REPLACE " " "-" name "${words}")

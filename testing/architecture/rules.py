@@ -17,10 +17,10 @@ FILTER_MODULES = ["pipeline", "interaction", "views"]
 PLAIN_LAYERS = ("haptics", "devices")
 VTK_LAYERS = ("filters", "ui", "plugin")
 
-# What a reader takes in at once: sources standing directly in one folder (headers count), lines of one file.
+# Limits of a reader's view: sources standing directly in one folder (headers count), lines of one file.
 MOST_SOURCES = 25
 MOST_LINES = 450
-# The header of the session is what everybody reads first.
+# Everybody reads the header of the session first.
 MOST_LINES_OF = {"filters/interaction/session/vtkHapticSession.h": 250}
 
 # Headers of the project behind one header. The list of stages counts as one: it has every stage's plan by value, and with it all
@@ -43,7 +43,7 @@ QT = re.compile(r"^(Q[A-Z]\w*(/\w+)?|Qt\w*/\w+|q[a-z]\w*\.h|pq(?!Haptic)\w+\.h)$
 HIDAPI = re.compile(r"^(hidapi/)?hidapi\w*\.h$")
 DBUS = re.compile(r"^dbus/")
 
-# What each place must not include: pattern, in words, and why.
+# Forbidden includes of each place: pattern, in words, and why.
 FORBIDDEN = {
     "haptics": [(VTK, "VTK"), (QT, "Qt"), (HIDAPI, "hidapi"), (DBUS, "D-Bus")],
     "devices": [(VTK, "VTK"), (QT, "Qt"), (CGAL, "CGAL"), (CHOLMOD, "CHOLMOD")],
@@ -61,7 +61,7 @@ REGISTRY_HOSTS = re.compile("|".join(["deb\\.debian" + "\\.org", "pypi" + "\\.or
 
 
 def files_of(root):
-    """All files of the project under `root`: what git tracks; without git all but build trees, caches and outputs."""
+    """All files of the project under `root`: those that git tracks; without git all but build trees, caches and outputs."""
     listing = subprocess.run(["git", "ls-files", "-z"], cwd=root, capture_output=True, text=True, check=False)
     if (root / ".git").exists() and listing.returncode == 0:
         candidates = [root / name for name in listing.stdout.split("\0") if name]
@@ -206,8 +206,8 @@ def heavy_headers(root):
 
 
 def room_arrows(arrows):
-    """The arrows between files as arrows between the folders they stand in. Only the tick is one with the rooms within it: the list
-    of its stages has their plans by value, and a stage works on all of them."""
+    """The arrows between files as arrows between the folders they stand in. Only the tick is one with the folders within it: the
+    list of its stages has their plans by value, and a stage works on all of them."""
     rooms = {}
     for source, targets in arrows.items():
         others = {_room_of(target) for target in targets} - {_room_of(source)}
@@ -221,7 +221,7 @@ def _room_of(file):
 
 
 def circle_through(start, arrows):
-    """The shortest way along the arrows from `start` back to it, both ends named, or None."""
+    """The shortest path along the arrows from `start` back to it, both ends named, or None."""
     came_from, ways = {}, deque([start])
     while ways:
         node = ways.popleft()

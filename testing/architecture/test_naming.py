@@ -97,7 +97,7 @@ def tidy(source, flags, header_filter="^$"):
 
 
 def compile_flags():
-    """Flags of each compiled source of the project, by its path relative to the root; only what clang-tidy needs."""
+    """Flags of each compiled source of the project, by its path relative to the root; only those that clang-tidy needs."""
     flags = {}
     for entry in json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8")):
         path = Path(entry["file"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tree keeps the rules of the house, and the rules catch what they are for.
+"""The tree keeps the rules of the house, and each rule catches its fault.
 
 usage: test_rules.py tree      the project's own tree
        test_rules.py rules     each rule on small good and bad examples

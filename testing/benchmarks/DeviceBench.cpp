@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// palpate-device-bench: what a USB joystick costs the servo in a tick, with its threads at work, beside a tick of
+// palpate-device-bench: cost of a USB joystick for the servo in a tick, with its threads at work, beside a tick of
 // contact.
 #include <chrono>
 #include <cstdio>
@@ -54,8 +54,8 @@ Cost pacedCost(std::size_t ticks, Call call)
   return { sample.quantile_us(0.5), sample.quantile_us(0.99) };
 }
 
-/// A virtual stick that shows another place each millisecond and takes what is written, with the threads of its link.
-/// The link's clock goes by what the stick has lived through: a machine that stands still for a while has lost no time.
+/// A virtual stick that shows another place each millisecond and takes each report, with the threads of its link. The
+/// link's clock is the stick's own time: a machine that stands still for a while has lost no time.
 class MovedStick
 {
 public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// palpate-field-bench: what one tick on an isosurface costs in sliding contact, beside plain trilinear probes of the
-// same run, ours and VTK's; and what pulls of limited strength cost.
+// palpate-field-bench: cost of one tick on an isosurface in sliding contact, beside plain trilinear probes of the same
+// run, ours and VTK's; and cost of pulls of limited strength.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -171,7 +171,7 @@ double benchmarkPulls(std::size_t count, std::size_t ticks, Random& random)
   return sample.quantile_us(0.99);
 }
 
-/// What a tick of four pulls costs at most of a hundred is asserted beside plain probes of the same run.
+/// The largest cost of a tick of four pulls among a hundred is asserted beside plain probes of the same run.
 bool arePullsQuick(double p99_us, std::size_t ticks)
 {
   constexpr int points = 64;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// palpate-mechanism-bench: what a tick of a mechanism costs the servo, beside one of a point on a rigid surface.
+// palpate-mechanism-bench: cost of a tick of a mechanism for the servo, beside one of a point on a rigid surface.
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -17,8 +17,8 @@ namespace palpate::test
 namespace
 {
 
-/// Ticks of a point on a rigid surface that one of each may be: twice what was seen. A needle that the hand turns is
-/// solved some five times a tick, until its laws are met on the finite turn.
+/// Ticks of a point on a rigid surface that one of each may be: twice the number seen. A needle that the hand turns is
+/// solved some five times a tick, until its constraints are met on the finite turn.
 constexpr double mostOfTurned = 31.0, mostOfNeedle = 13.0, mostOfBlock = 125.0, mostOfSliding = 42.0;
 
 constexpr double beyond = 0.04, before = -0.006, speed_m = 2e-4; // a tick
@@ -89,8 +89,8 @@ Seen needle(int strokes, double turning_Nm_per_rad)
   return ended(cost, seen);
 }
 
-/// A block that only balance holds on four springs that it rubs on, pushed to and fro by a needle that is fastened to
-/// it. On a slope that its friction does not hold, without a needle, it finds no place to rest.
+/// A block that only balance holds on four springs with friction, pushed to and fro by a needle that is fastened to it.
+/// On a slope that its friction does not hold, without a needle, the block finds no place to rest.
 Seen block(int ticks, double slope)
 {
   constexpr double half = 0.05, high = 0.02, rod = 0.1, weight = 2.0;

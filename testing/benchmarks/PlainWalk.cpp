@@ -19,7 +19,7 @@ Vec3 sumOf(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t)
   return mesh.vertices_W[t[0]] + mesh.vertices_W[t[1]] + mesh.vertices_W[t[2]];
 }
 
-/// True if the part of the way up to `most` meets the box.
+/// True if the part of the segment up to `most` meets the box.
 bool meetsBox(const Vec3& low_W, const Vec3& high_W, const Vec3& from_W, const Vec3& inverse, double most)
 {
   double enters = 0.0, leaves = most;

@@ -10,14 +10,14 @@ namespace palpate::test
 {
 
 /// A tree of boxes as a textbook has it: median splits along the longest side, leaves of four triangles, a segment
-/// against boxes and triangles in plain double precision. It is what costs of ticks are compared with, so it does not
-/// change: a library that is compared with gets faster with its releases.
+/// against boxes and triangles in plain double precision. Costs of ticks are compared with it, so it does not change: a
+/// library would get faster with its releases.
 class PlainWalk
 {
 public:
   explicit PlainWalk(const TriangleMesh& mesh);
 
-  /// The fraction of the way, 0..1, at which the segment first meets the mesh; above 1 where it does not.
+  /// The fraction of the segment, 0..1, at which the segment first meets the mesh; above 1 where it does not.
   [[nodiscard]] double firstHit(const Vec3& from_W, const Vec3& to_W) const;
 
 private:

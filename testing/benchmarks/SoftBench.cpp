@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// palpate-soft-bench: what a snapshot of a soft body costs its worker, beside one solve with the body's factor, and a
-// tick the servo, beside one on a rigid body.
+// palpate-soft-bench: cost of a snapshot of a soft body for its worker, beside one solve with the body's factor, and of
+// a tick for the servo, beside one on a rigid body.
 #include <sys/resource.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ namespace palpate::test
 namespace
 {
 
-/// Ticks on a soft body that one on a rigid body may be: twice what was seen.
+/// Ticks on a soft body that one on a rigid body may be: twice the number seen.
 constexpr double mostOfRigid = 32.0;
 
 struct Options
@@ -118,7 +118,7 @@ bool benchmark(const Case& c, const Options& options)
   return packet_ms <= c.mostSolves * solve_ms;
 }
 
-/// What a tick on a body costs the servo, beside the same tick on the body as it would be rigid.
+/// Cost of a tick on a body for the servo, beside the same tick on the body as it would be rigid.
 bool tickCosts(const char* name, SoftPad pad, double friction, double mostRigid)
 {
   constexpr int passes = 5, ticks = 600;
@@ -165,7 +165,7 @@ int main(int argc, char** argv)
   if (!options.small)
   {
     cases.push_back({ "neo-Hookean, 2 steps", 18, rubber, linear, Factoring::EachStep, 2, 0.0, 240.0 });
-    // First: what is resident is the most that ever was.
+    // First: the resident memory is the most that ever was.
     cases.insert(cases.begin(), { "linear law", 28, hooke, linear, Factoring::EachStep, 1, 20.0, 25.0 });
   }
   bool within = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// palpate-tick-bench: what one exact tick of contact costs at its median, in one of a hundred and at most, beside a
-// walk of a plain tree in the same run.
+// palpate-tick-bench: cost of one exact tick of contact at its median, in one of a hundred and at most, beside a walk
+// of a plain tree in the same run.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -52,7 +52,7 @@ std::vector<Vec3> devicePoints(const NoisySphere& sphere, std::size_t ticks)
   return points;
 }
 
-/// A slide over a scene that stands; `ways` receives what happened.
+/// A slide over a scene that stands; `ways` receives each tick's displacement.
 LeastCosts slide(const Scene& scene, const ContactPlan& plan, const Vec3& start_W, const std::vector<Vec3>& points,
   std::vector<Way>* ways = nullptr)
 {
@@ -197,7 +197,7 @@ TriangleMesh noisy(TriangleMesh mesh)
   return mesh;
 }
 
-/// What other libraries need for one query, for who wants to know; nothing is asserted.
+/// Time of other libraries for one query, for information; nothing is asserted.
 void reportOthers(const TriangleMesh& mesh, const std::vector<Way>& ways)
 {
   for (const lab::BackendKind& kind : lab::backendKinds())

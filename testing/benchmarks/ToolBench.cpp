@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// palpate-tool-bench: what an update of a rigid tool costs in rich contact, beside a plain query of the same two trees
-// of oriented boxes for what is near.
+// palpate-tool-bench: cost of an update of a rigid tool in rich contact, beside a plain query of the same two trees of
+// oriented boxes for near pairs.
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -96,7 +96,7 @@ void print(const char* what, const Figures& f)
   std::printf("  %-8s p50 %8.1f us  p99 %8.1f us  most %8.1f us\n", what, f.p50_us, f.p99_us, f.most_us);
 }
 
-/// What the servo pays for a set of contacts: points of a ball, pressed from all sides of a half space.
+/// The servo's cost of a set of contacts: points of a ball, pressed from all sides of a half space.
 void solveCosts(std::size_t count, std::size_t rounds)
 {
   Random random(testSeed(2003));

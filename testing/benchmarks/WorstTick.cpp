@@ -70,7 +70,7 @@ std::vector<Hard> hardOnes()
     { "scan with noise", noise(random), 2.0, { 0.0, 0.06 } } };
 }
 
-/// What a hand's ticks cost.
+/// The cost of a hand's ticks.
 struct Costs
 {
   LeastCosts ticks;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What it costs to feel the surface of a large data set of a server: run by hand, under pvpython.
+"""The cost of feeling the surface of a large data set of a server: run by hand, under pvpython.
 
     python="build/lib/python:testing/support:testing/plugin"
     PALPATE_PLUGIN=build/lib/paraview-5.11/plugins/Palpate/Palpate.so PYTHONPATH=$python \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Records a hand that slides over the square of palpate_cli.py, then over a second one that replaces it, in virtual
-// time: make-recording FILE. Or one that draws a rod off what holds it with 0.5 N: make-recording FILE mechanism.
+// time: make-recording FILE. Or one that draws a rod off its attachment with 0.5 N: make-recording FILE mechanism.
 #include <iostream>
 #include <memory>
 
@@ -42,7 +42,7 @@ MechanismChoice glued(const Vec3& at_W)
   return { inputs, "glued" };
 }
 
-/// Empty, or what went wrong.
+/// Empty, or the fault.
 std::string record(const std::string& file, bool mechanism)
 {
   HandPath path;

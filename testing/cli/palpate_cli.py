@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests of the program share: running it in an empty folder, and making its input files by hand."""
+"""Shared by the tests of the program: running it in an empty folder, and making its input files by hand."""
 
 import csv
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bad input: exit code 2 and one line that names the file and the reason; what was there before is untouched."""
+"""Bad input: exit code 2 and one line that names the file and the reason; an earlier output is untouched."""
 
 import gzip
 import json

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`palpate labyrinth`: the gallery, a blind hand, a path with a known time, and what is refused before a hand is moved."""
+"""`palpate labyrinth`: the gallery, a blind hand, a path with a known time, and refusals before a hand is moved."""
 
 import struct
 import unittest

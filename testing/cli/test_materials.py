@@ -35,7 +35,7 @@ class Materials(CommandLineTest):
         return self.read_rows()
 
     def pressed(self, *options):
-        """Down to DEPTH at each place and at rest there: what is felt at each."""
+        """Down to DEPTH at each place and at rest there: the row at each."""
         rows = []
         for place in PLACES:
             rows += [(place, 0.25, 1.0), (place, 0.25, -DEPTH), (place, 0.25, -DEPTH)]
@@ -62,7 +62,7 @@ class Materials(CommandLineTest):
         options = ("--stiffness-array", "v", "--stiffness-component", "0", "--stiffness-range", "-1,1",
                    "--stiffness-to", "100,300")
         for row, place in zip(self.pressed(*options), PLACES):
-            # The corners, at -8 and 8, lie beyond the range; between them what they feel like is interpolated.
+            # The corners, at -8 and 8, lie beyond the range; between them their stiffness is interpolated.
             wall = 100.0 + 200.0 * (place + HALF) / (2.0 * HALF)
             self.assertAlmostEqual(row["force_z"], wall * DEPTH, delta=STIFFNESS * 1e-12)
 
@@ -75,7 +75,7 @@ class Materials(CommandLineTest):
 
     def test_texture_is_the_force_of_its_potential(self):
         slope = 0.2 / HALF
-        for height in ("-0.2,0.2", "0,0.4"):  # what is highest is the surface
+        for height in ("-0.2,0.2", "0,0.4"):  # the highest texture is the surface
             for row, place in zip(self.pressed("--texture-array", "x", "--texture-to", height), PLACES):
                 deep = STIFFNESS * (DEPTH + slope * (place - HALF))
                 self.assert_force(row, (-slope * deep, 0.0, deep))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`palpate check` and `palpate touch` with a scene file of bodies and laws; each expected value from statics by hand."""
+"""`palpate check` and `palpate touch` with a scene file of bodies and constraints; each expected value from statics by hand."""
 
 import json
 import math
@@ -13,7 +13,7 @@ from palpate_cli import CommandLineTest
 SCENES = Path(os.environ["PALPATE_SOURCE_DIR"]) / "data" / "mechanisms"
 UPRIGHT = (1.0, 0.0, 0.0, 0.0)
 POSES = "t,x,y,z,qw,qx,qy,qz"
-MOST_STEP = 0.2  # N a tick that a law's change reaches the hand with
+MOST_STEP = 0.2  # N a tick that a constraint's change reaches the hand with
 
 
 class Mechanism(CommandLineTest):
@@ -71,7 +71,7 @@ class Mechanism(CommandLineTest):
         force = [row["skin_fz"] for row in rows]
         pierced = next(i for i, row in enumerate(rows) if row["skin_phase"] == 3)
         self.assertTrue(all(f == 0.0 for f in force[:50]), "a millimetre before the wall")
-        step = 1000 * 0.02 / 1000  # what the hand adds in a tick at most
+        step = 1000 * 0.02 / 1000  # largest rise of the force in a tick
         self.assertAlmostEqual(max(-f for f in force[:pierced]), strength, delta=step)
         self.assertLessEqual(max(-f for f in force), strength + step)
         self.assertAlmostEqual(-force[pierced + 200], friction, delta=1e-6)
@@ -128,7 +128,8 @@ class Mechanism(CommandLineTest):
             self.assertIn("it can be felt", self.succeed("check", name).stdout)
 
     def test_a_check_judges_the_hand_that_touches_and_not_a_stiffer_one(self):
-        """A rod that the hand does not turn has three ways to turn; a needle's tip then slips; three points that rub share nothing."""
+        """A rod that the hand does not turn has three degrees of freedom to turn; a needle's tip then slips; three points with
+        friction share nothing."""
         scene = json.loads((SCENES / "needle.json").read_text())
         for law in scene["laws"]:
             law["friction"] = 0

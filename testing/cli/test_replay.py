@@ -82,7 +82,7 @@ class Replay(Recorded):
         self.assertTrue(all(later["t"] > earlier["t"] for earlier, later in zip(rows, rows[1:])))
 
     def test_a_mechanisms_laws_have_columns_and_what_becomes_of_them_is_told(self):
-        strength, spring = 0.5, 1.0  # N, and the hand's way in a tick at 1000 N/m is below a millimetre
+        strength, spring = 0.5, 1.0  # N, and the hand's displacement in a tick at 1000 N/m is below a millimetre
         subprocess.run([MAKE_RECORDING, str(self.folder / "a.palpate"), "mechanism"], check=True, timeout=60)
         run = self.succeed("replay", "a.palpate", "--csv", "out.csv")
         said = re.search(r"palpate: (\S+) s: tick (\d+): law1 \(break\) broken at (\S+) N\n", run.stderr)

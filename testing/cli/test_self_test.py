@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`palpate devices --self-test`: a simulated hand does what it is asked; what was found is kept where settings are."""
+"""`palpate devices --self-test`: a simulated hand follows the requests; the result is kept where settings are."""
 
 import os
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`palpate touch --young`: a ball on a block that gives way, judged by Hertz's law on a layer."""
+"""`palpate touch --young`: a ball on a soft block, judged by Hertz's law on a layer."""
 
 import itertools
 import math
@@ -94,7 +94,7 @@ class Soft(CommandLineTest):
             top = max(z for _, _, z in points)
             points = [(x, y, z + (scale * numbers.uniform(-0.001, 0.001) if z == top else 0.0)) for x, y, z in points]
             self.write("bumps.vtu", vtu_text(points, tetras, cell_type=10))
-            # The second is so soft that the ball comes down to what is held, 50 mm below the top.
+            # The second is so soft that the ball comes down to the fixed nodes, 50 mm below the top.
             for young, deep, model in ((YOUNG, 0.006, "neohookean"), (10, 0.055, "linear")):
                 self.write_path([(n / 1000, scale * (0.02 + 5e-5 * n), scale * (0.05 + 0.01 * math.sin(0.01 * n)),
                                   scale * (HEIGHT + 0.009 - min(1.0, n / 100) * (0.004 + deep))) for n in range(600)])

@@ -20,7 +20,7 @@ FORCE = STIFFNESS * PLACE
 # Settings that say how numbers in space are felt.
 OF_A_FIELD = ("--eigenvector", "--component", "--smoothing", "--first-level", "--between-levels", "--levels-click", "--snap-reach",
               "--compare-full", "--full-length", "--compare-with", "--levels")
-# Settings of what this scene and path have not: an array, a tool, a body that gives way.
+# Settings of things that this scene and path lack: an array, a tool, a soft body.
 OF_OTHERS = ("--low-rate", "--lever", "--torque-stiffness", *(f"--{of}-{part}" for of in ("stiffness", "friction", "texture")
                                                              for part in ("array", "component", "range", "to")))
 WALL_POINTS = [(0, -8, -8), (0, 8, -8), (0, 8, 8), (0, -8, 8)]
@@ -84,7 +84,7 @@ class OnAPlane(CommandLineTest):
         self.assertEqual(slow[1]["force_z"], quick[1]["force_z"])
 
     def test_the_kinetic_friction_is_the_static_one_unless_it_is_given(self):
-        depth, static, way = 0.5, 0.5, 0.4  # the way is beyond the cone, whose half width is 0.25
+        depth, static, way = 0.5, 0.5, 0.4  # the displacement is beyond the cone, whose half width is 0.25
         rows = [(0, 0.25, 0.25, 1.0), (1 / 1024, 0.25, 0.25, -depth), (2 / 1024, 0.25 + way, 0.25, -depth)]
         for given, trails in (((), static), (("--mu-kinetic", 0.25), 0.25)):
             out = self.touch(rows, "--stiffness", STIFFNESS, "--mu-static", static, *given)
@@ -134,7 +134,7 @@ class OnAPlane(CommandLineTest):
                 given = ",".join(repr(number + 0.125) for number in numbers)
                 run = self.run_palpate("touch", "plane.off", "--path", "path.csv", "--csv", "out.csv", option, given)
                 if run.returncode != 0:
-                    self.assertTrue(option in run.stderr, run.stderr)  # needs what this scene or path has not
+                    self.assertTrue(option in run.stderr, run.stderr)  # needs a thing that this scene or path lacks
                 else:
                     self.assertNotEqual(felt, [{key: row[key] for key in felt[0]} for row in self.read_rows()])
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`palpate turn`: a value along a path is felt by turning; the force is what the formula says it is."""
+"""`palpate turn`: a value along a path is felt by turning; the force is that of the formula."""
 
 import csv
 import subprocess
@@ -7,7 +7,7 @@ import unittest
 
 from palpate_cli import PROGRAM, CommandLineTest
 
-# Down by 3 in 30 mm, then up by 2 in 30 mm: the steeper one draws with what was asked for.
+# Down by 3 in 30 mm, then up by 2 in 30 mm: the steeper one draws with the force that was set.
 PLACES = [(-0.03, 4.0), (0.0, 1.0), (0.03, 3.0)]
 HARDEST = 0.3
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What another program needs of the core: library, headers and find_package(Palpate). `--component core` installs it alone.
+# For another program that uses the core: library, headers and find_package(Palpate). `--component core` installs it
+# alone.
 
 include(CMakePackageConfigHelpers)
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/Palpate")
@@ -18,7 +19,7 @@ install(EXPORT PalpateTargets NAMESPACE Palpate:: DESTINATION "${package}" COMPO
 set(palpate_python_dir "${CMAKE_INSTALL_LIBDIR}/python")
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/PalpateConfig.cmake.in" "${CMAKE_CURRENT_BINARY_DIR}/PalpateConfig.cmake"
   INSTALL_DESTINATION "${package}" PATH_VARS palpate_python_dir)
-# Before 1.0 any minor version may change what a program sees.
+# Before 1.0 any minor version may change the interface of a program.
 write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/PalpateConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/PalpateConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/PalpateConfigVersion.cmake"
     "${CMAKE_CURRENT_LIST_DIR}/PalpateTouchTest.cmake"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What another program needs of the modules that know no ParaView: find_package(Palpate COMPONENTS VTK).
+# For another program that uses the modules without ParaView: find_package(Palpate COMPONENTS VTK).
 
 set(palpate_vtk_modules vtkHapticPipeline vtkHapticInteraction)
 set(palpate_vtk_folder "${CMAKE_INSTALL_LIBDIR}")

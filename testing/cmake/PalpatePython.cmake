@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What is Python in the package `palpate`, beside the wrapped modules: linked in the build tree, installed with them.
+# The Python sources of the package `palpate`, beside the wrapped modules: linked in the build tree, installed with
+# them.
 
 set(palpate_package "${CMAKE_INSTALL_LIBDIR}/python/palpate")
 file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/${palpate_package}")

@@ -25,7 +25,7 @@ set(PALPATE_TEST_ENVIRONMENT
   "PALPATE_PROGRAM=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/palpate"
   "PALPATE_PLUGIN=${PALPATE_PLUGIN_PATH}/Palpate.so"
   "PV_PLUGIN_PATH=${PALPATE_PLUGIN_PATH}"
-  "XDG_CONFIG_HOME=${PALPATE_TEST_OUTPUT}/settings") # never the person's own: what a test keeps stays in the build
+  "XDG_CONFIG_HOME=${PALPATE_TEST_OUTPUT}/settings") # never the person's own: settings of a test stay in the build
 
 # Of two ranks on any machine, in a container too, where the tests run as root.
 set(PALPATE_MPI_ENVIRONMENT

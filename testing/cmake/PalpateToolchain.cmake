@@ -25,8 +25,9 @@ if (PALPATE_SANITIZE)
   add_link_options(-fsanitize=${PALPATE_SANITIZE})
 endif ()
 
-# Results of the compiler are kept from one build to the next where ccache is installed. -fpch-preprocess keeps precompiled
-# headers apart from the source in what ccache hashes; __TIME__, which ccache fears in them, stands nowhere in this tree.
+# Results of the compiler are kept from one build to the next where ccache is installed. -fpch-preprocess keeps
+# precompiled headers apart from the source in ccache's hash; __TIME__, which ccache fears in them, stands nowhere in
+# this tree.
 option(PALPATE_CCACHE "Compile through ccache where it is installed" ON)
 find_program(PALPATE_CCACHE_PROGRAM ccache)
 mark_as_advanced(PALPATE_CCACHE_PROGRAM)

@@ -2,8 +2,8 @@
 # palpate_add_touch_test(NAME name BASELINE file.json UNIT mm
 #   SURFACE file [COMMAND program argument...]
 #   [SCENE scene] [TOLERANCE jnd] [PATH way.csv] [SETTINGS Radius=2...] [LABELS label...] [TIMEOUT seconds])
-# Declares the ctest `name`: does the surface in a file feel as the baseline says? `python3 -m palpate.testing --help` says
-# what each argument means. The surface is vtp, vtu, stl, ply, obj or off; relative names are below the current binary
+# Declares the ctest `name`: does the surface in a file feel as the baseline says? `python3 -m palpate.testing --help`
+# explains each argument. The surface is vtp, vtu, stl, ply, obj or off; relative names are below the current binary
 # folder with a COMMAND, which writes it in the test `name.surface` first, and below the current source folder without.
 # PALPATE_UPDATE_BASELINES=1 ctest -R name     writes the baseline
 # In the binary folder a test leaves name.junit.xml and, if it fails, name.differs.vtp for ParaView.

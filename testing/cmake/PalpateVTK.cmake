@@ -3,7 +3,7 @@
 
 set(modules "${CMAKE_CURRENT_SOURCE_DIR}/filters/pipeline/vtk.module" "${CMAKE_CURRENT_SOURCE_DIR}/filters/interaction/vtk.module")
 if (PALPATE_VTK STREQUAL "system")
-  # Only what the modules name: the whole of it needs Qt, MPI and more.
+  # Only components that the modules name: the whole of VTK needs Qt, MPI and more.
   set(components WrappingPythonCore)
   foreach (module IN LISTS modules)
     file(STRINGS "${module}" names REGEX "^ +VTK::")

@@ -76,7 +76,7 @@ TEST(BareSprings, OfADeviceAreOffUntilTheHostSeesTheHandleBehindAndOnUntilItSees
     ASSERT_EQ(device.open(), "");
     device.write(wallAt(0.0, 10.0));
     DeviceSample sample;
-    static_cast<void>(device.read(host_s, sample)); // crosses a quarter of the way, and nobody looks
+    static_cast<void>(device.read(host_s, sample)); // crosses a quarter of the path, and nothing is updated
     const double gained_N_s = heavy_kg * (device.speed_D().x() - way * speed_m_per_s);
     const double mean_m = from_m + way * 0.5 * speed_m_per_s * host_s;
     const double expected_N_s = way < 0.0 ? 0.0 : -K * mean_m * host_s;

@@ -128,7 +128,7 @@ TEST_F(MouseHand, AfterARestItTakesNoLongerThanThreeFrames)
   EXPECT_EQ(x_m.back(), h);
 }
 
-// A pose that is fed after it, before any tick, must not make a way of it again.
+// A pose that is fed after it, before any tick, must not make a motion of it again.
 TEST_F(MouseHand, IsAtOnceWhereItIsPut)
 {
   this->glide(0.0, 100);

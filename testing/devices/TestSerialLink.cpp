@@ -53,8 +53,7 @@ TEST(SerialLink, AForceActsWhenItsLastByteHasArrivedAndTheNewestIsSentNext)
   EXPECT_EQ(link.carry(forceOf(3.0), 0.99 * message_s).wrench_D.force.x(), 0.0);
   EXPECT_EQ(link.carry(forceOf(4.0), message_s).wrench_D.force.x(), 1.0);
   EXPECT_EQ(link.carry(forceOf(4.0), 1.99 * message_s).wrench_D.force.x(), 1.0);
-  EXPECT_EQ(
-    link.carry(forceOf(4.0), 2.0 * message_s).wrench_D.force.x(), 3.0); // what was newest when the link was free
+  EXPECT_EQ(link.carry(forceOf(4.0), 2.0 * message_s).wrench_D.force.x(), 3.0); // the newest when the link was free
   EXPECT_EQ(link.carry(forceOf(4.0), 3.0 * message_s).wrench_D.force.x(), 4.0);
 }
 

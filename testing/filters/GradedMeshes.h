@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Graded meshes as fluid dynamics has them, and what VTK's probe finds in them.
+// Graded meshes as in fluid dynamics, and the values that VTK's probe finds in them.
 #pragma once
 
 #include <algorithm>
@@ -98,7 +98,7 @@ inline vtkSmartPointer<vtkStructuredGrid> oGrid()
     [](const Vec3& p) { return profile(p.norm() - 1.0); });
 }
 
-/// What the cells of data have at the points of other data; NaN where VTK finds none.
+/// Values of the cells of data at the points of other data; NaN where VTK finds none.
 inline std::vector<double> probed(vtkDataSet* at, vtkDataSet* data)
 {
   vtkNew<vtkProbeFilter> probe;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What goes with a field: tensors, other data, places to snap to, how far a brick is from the data's own cells.
+// Companions of a field: tensors, other data, places to snap to, the distance of a block from the data's own cells.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -89,7 +89,7 @@ std::vector<double> tensorAt(const Vec3& p, int components)
   {
     return { t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(0, 2) };
   }
-  const double turn = 0.7; // what is not symmetric plays no part
+  const double turn = 0.7; // the antisymmetric part plays no part
   return { t(0, 0), t(0, 1) + turn, t(0, 2), t(1, 0) - turn, t(1, 1), t(1, 2), t(2, 0), t(2, 1), t(2, 2) };
 }
 

@@ -157,7 +157,7 @@ TEST_F(Drawings, SmoothCommandsMirrorTheLastControl)
   expectSame(this->onlyLine("M0 0 L20 20 S40 60 60 60"), this->onlyLine("M0 0 L20 20 C20 20 40 60 60 60"), "S after L");
 }
 
-/// Two circles of radius 50 pass (100, 100) and (150, 150); each has a short and a long way.
+/// Two circles of radius 50 pass (100, 100) and (150, 150); each has a short and a long arc.
 TEST_F(Drawings, AnArcTakesTheCircleAndTheWayThatItsFlagsSay)
 {
   struct Case
@@ -332,7 +332,7 @@ TEST_F(Drawings, APictureBecomesTheMiddleOfItsInkAndItsMarks)
   }
 }
 
-// The lines between would be walls in the middle of what is meant as corridors.
+// The lines between would be walls in the middle of the corridors.
 TEST_F(Drawings, APictureWithLightLinesIsSaidToBeMostlyDark)
 {
   constexpr int size = 40;

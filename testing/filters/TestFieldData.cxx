@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Data sets as bricks. The judge is VTK's own probe.
+// Data sets as blocks. The judge is VTK's own probe.
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -122,7 +122,7 @@ TEST_P(FieldOfAnImage, HasTheValuesOfVtksProbeTurnedOrMirroredAndOfUnevenSpacing
     const Vec3 p_W = made.brick->grid().toWorld(index);
     const auto f = probed(image, "f", p_W), v = probed(image, "v", p_W);
     ASSERT_TRUE(f && v) << p_W.transpose();
-    // The brick's numbers are floats.
+    // The block's numbers are floats.
     EXPECT_NEAR(made.brick->sample(FieldBlockRole::Scalar, p_W)->value, f->at(0), 1e-6);
     EXPECT_LT((*made.brick->vector(p_W) - Vec3(v->data())).norm(), 1e-6);
   }
@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(FieldData, TwoWindowsOfOneImageHaveTheSameBitsWhereTheyOverlapSmoothedOrNot)
 {
   test::Random random(test::testSeed(1702));
-  const auto image = makeImage(160, 150, 140); // 3.4 million points: more than a brick holds
+  const auto image = makeImage(160, 150, 140); // 3.4 million points: more than a block holds
   addRandom(*image, "f", 1, random);
   for (const int passes : { 0, 2 })
   {
@@ -356,7 +356,7 @@ TEST(FieldData, AScalarOfSeveralComponentsIsTheirLengthOrTheOneThatIsChosen)
 TEST(FieldData, OfDataLargerThanABrickThereAreSomeCellsAroundAHandThatReachesLessFarThanOne)
 {
   const auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(150, 150, 150); // 13.5 MB of floats, and a brick holds 10
+  image->SetDimensions(150, 150, 150); // 13.5 MB of floats, and a block holds 10
   vtkNew<vtkFloatArray> heights;
   heights->SetName("f");
   heights->SetNumberOfTuples(image->GetNumberOfPoints());
@@ -414,7 +414,7 @@ TEST(FieldData, ValuesInWhichThereIsNothingToFeelAreRefusedInWords)
   EXPECT_EQ(problem(0.0, 1.0), "");
   EXPECT_THAT(problem(3.0, 0.0), HasSubstr("the same value everywhere"));
   EXPECT_EQ(problem(3.0, 0.0, -1, "g"), ""); // it differs from another one
-  EXPECT_EQ(problem(101325.0, 1e-5), "");    // floats are 0.008 apart there, and a brick holds what differs
+  EXPECT_EQ(problem(101325.0, 1e-5), "");    // floats are 0.008 apart there, and a block holds the differences
   EXPECT_THAT(problem(0.0, 1e300), HasSubstr("beyond single precision"));
   EXPECT_THAT(problem(std::nan(""), 1.0), HasSubstr("no finite values"));
   EXPECT_THAT(problem(0.0, 1.0, 1), HasSubstr("has 1 components, counted from 0"));

@@ -36,7 +36,7 @@ namespace
 {
 using FieldFunction = std::function<double(const Vec3&)>;
 constexpr double everywhere = std::numeric_limits<double>::infinity();
-constexpr double asFloats = 3e-6; ///< numbers of a brick are floats, and functions here are below 20
+constexpr double asFloats = 3e-6; ///< numbers of a block are floats, and functions here are below 20
 
 double tilted(const Vec3& p)
 {
@@ -80,7 +80,7 @@ MadeFieldBlock fieldOf(vtkDataObject* data, const char* array = "f")
   return field.Source ? field.Source->brickAround({ Vec3::Zero(), everywhere, 1 }) : MadeFieldBlock{};
 }
 
-/// Calls visit(p_W, value) for every point of the brick; NaN where it has no value.
+/// Calls visit(p_W, value) for every point of the block; NaN where it has no value.
 template<class Visit>
 void forEachPoint(const FieldBlock& brick, const Visit& visit)
 {
@@ -98,7 +98,7 @@ void forEachPoint(const FieldBlock& brick, const Visit& visit)
   }
 }
 
-/// Every value of the brick is the function's, and those without one are no more than a share of its points.
+/// Every value of the block is the function's, and those without one are no more than a share of its points.
 void expectValues(
   const MadeFieldBlock& made, const FieldFunction& function, double withoutAtMost, double within = asFloats)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Data whose cells are smaller in a part of it. The judge is VTK's probe in the middle of the brick's cells.
+// Data whose cells are smaller in a part of it. The judge is VTK's probe in the middle of the block's cells.
 #include <cmath>
 #include <limits>
 
@@ -67,7 +67,7 @@ vtkHapticFieldResult fieldFrom(vtkDataObject* data)
   return vtkHapticToField(data, arrays);
 }
 
-/// The largest difference to VTK's probe at places around one, of a brick.
+/// The largest difference to VTK's probe at places around one, of a block.
 double errorOf(const FieldBlock& brick, vtkDataSet* data, const Vec3& centre_W, double around_u)
 {
   test::Random random(test::testSeed(1660));

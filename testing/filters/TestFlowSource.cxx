@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The generated flows against what is known of them: formulas written here anew, no divergence, their time.
+// The generated flows against their known properties: formulas written here anew, no divergence, their time.
 #include <cmath>
 #include <numbers>
 

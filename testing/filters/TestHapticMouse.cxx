@@ -203,7 +203,7 @@ TEST_F(HapticMouse, APressBeforeTheForceIsEngagedWaits)
   EXPECT_NEAR(this->force().z(), force_N, 1e-9);
 }
 
-// From the plane left of a ball that stands on it to the plane right of it: the straight way goes through the ball.
+// From the plane left of a ball that stands on it to the plane right of it: the straight line goes through the ball.
 TEST_F(HapticMouse, GoesOverWhatBarsTheStraightWay)
 {
   this->show(makePlane(100.0));
@@ -303,7 +303,7 @@ TEST_P(HapticMouseInBothViews, WhatAppearsAroundThePressingHandIsPressedFromOuts
   EXPECT_LT(this->force().norm(), 1e-6); // free air is free
 }
 
-// A fifth of the pointer's way is the hand's, from where it became precise; then all of it again.
+// A fifth of the pointer's displacement is the hand's, from where it became precise; then all of it again.
 TEST_P(HapticMouseInBothViews, PreciseAWayOfThePointerIsThatMuchShorterUntilTheHandIsLifted)
 {
   this->show(makePlane(100.0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said to a view with the mouse and the keyboard.
+// Commands to a view by the mouse and the keyboard.
 #include "HapticMouseTest.h"
 
 #include "vtkCommand.h"

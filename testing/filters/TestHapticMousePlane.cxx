@@ -22,7 +22,7 @@ protected:
   {
     this->session_->SetSetting("LinesAsWalls", vtkHapticSession::On);
     this->show(makePath({ { -40, 0, 0 }, { 40, 0, 0 } }));
-    this->look(eye_W, parallel); // what is seen sets the clipping range, whose width costs a ray its digits
+    this->look(eye_W, parallel); // the shown data set the clipping range, whose width costs a ray its digits
     this->pointAt({ 0, 10, 0 });
     this->engage();
   }
@@ -71,7 +71,8 @@ TEST_F(HapticMousePlane, APointerThatLeavesTheViewLetsTheHandRestAtTheProxy)
 
 TEST_F(HapticMousePlane, PreciseTheHandGoesAFourthOfTheWayInThePlane)
 {
-  this->begin(above_W, true); // without perspective equal ways on the screen are equal ways in the plane
+  this->begin(above_W, true); // without perspective equal displacements on the screen are equal displacements in the
+                              // plane
   this->pointAt({ 5, 3, 0 });
   this->session_->SetSetting("PrecisionFactor", 4.0);
   this->session_->SetSetting("Precision", true);

@@ -85,7 +85,7 @@ TEST(HapticSessionDevice, ADeviceWithoutALinkHasNothingToSayAboutOne)
   EXPECT_EQ(session->GetDevices()->GetLinkRestarts(), 0);
 }
 
-// What is touched and how depends on who touches it: another choice waits until touching starts again.
+// Device and surfaces are chosen by the person who touches: another choice waits until touching starts again.
 TEST(HapticSessionDevice, ADeviceThatIsChosenMeanwhileChangesNothingOfTheOneThatRuns)
 {
   vtkNew<vtkHapticSession> asBefore, chosenAnew;
@@ -244,7 +244,7 @@ TEST(HapticSessionDevice, WhoDoesNotHoldTheDeadManIsToldWhileTouching)
   EXPECT_THAT(session->GetWarning(), StrEq(""));
 }
 
-// Both buttons at once: the first one chooses, unless it is what holds the hand engaged.
+// Both buttons at once: the first one chooses, unless it holds the hand engaged.
 TEST(HapticSessionDevice, ItsButtonsChooseALabyrinthOnceUnlessTheyHoldTheHandEngaged)
 {
   const auto wishes = [](int deadMan, std::vector<std::uint32_t> pressed)

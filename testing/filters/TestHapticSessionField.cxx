@@ -71,7 +71,7 @@ TEST_F(HapticSessionField, AloneIsWhatTheHandIsFittedTo)
   EXPECT_NEAR(this->session_->GetSetting("Scale"), 2.0 * fitted, 1e-9 * fitted);
 }
 
-// A view hands over what it shows a moment after the touch, here no surface and one field.
+// A view hands over its data a moment after the touch, here no surface and one field.
 TEST_F(HapticSessionField, AloneItIsFittedAsByHandAlsoWhenItComesAfterTheTouch)
 {
   this->session_->SetSetting("FieldArray", "distance");
@@ -194,7 +194,7 @@ TEST_F(HapticSessionField, OfTetrahedraIsFeltAsOnTheImageThatTheyWereCutFrom)
 
 TEST_F(HapticSessionField, LargerThanABrickComesAlongWithTheHand)
 {
-  // 200^3 floats are 32 MB, three times what a brick may hold; the wall is a plane far from where the hand begins.
+  // 200^3 floats are 32 MB, three times the limit of a block; the wall is a plane far from where the hand begins.
   const auto image = distances(200, 1.0);
   auto* const values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
@@ -312,7 +312,7 @@ TEST_F(HapticSessionField, ADetentIsAsStrongAsItSaysWhereValuesChangeAsTheyUsual
 
 TEST_F(HapticSessionField, SaysWithHowMuchSmoothLevelsHoldAlsoWhereItIsLargerThanABrick)
 {
-  // 200^3 floats are 32 MB, three times what a brick may hold; steep far away from the hand.
+  // 200^3 floats are 32 MB, three times the limit of a block; steep far away from the hand.
   const auto image = distances(200, 1.0);
   auto* const values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)

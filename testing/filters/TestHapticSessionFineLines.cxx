@@ -137,7 +137,7 @@ protected:
 
 // From inside: the force is the stiffness times how far the hand is outside. A slide of 0.2 m/s over all segments needs
 // more passes than a tick has; over those of the level none does, and the change of level under the pressed hand is
-// less than what is noticed.
+// below the threshold of a hand.
 TEST_F(HapticSessionFineLines, ARingOf300000PointsIsFeltThroughACoarserLevelWithoutATickThatRunsOutOfPasses)
 {
   this->showLine(makeRippledRing());

@@ -17,7 +17,7 @@ namespace
 {
 constexpr double small = 5.0, large = 300.0;
 
-/// What fitting to a plane of that half width gives, by a session that is asked for it.
+/// The scale of a fit to a plane of that half width, by a session that is asked for it.
 double fittedScale(double half)
 {
   vtkNew<vtkHapticSession> other;

@@ -38,7 +38,7 @@ protected:
     ASSERT_NEAR(this->session_->GetForce()[2], normal_N, 1e-12);
   }
 
-  /// A tick with the hand at x [u], as deep as before; the force against the way [N].
+  /// A tick with the hand at x [u], as deep as before; the force against the motion [N].
   double dragTo(double x)
   {
     this->session_->SetHandPosition(x, 0.0, -depth);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a session says of the place that is touched, and the marks that are set there.
+// Texts of a session about the place that is touched, and the marks that are set there.
 #include <algorithm>
 #include <cmath>
 

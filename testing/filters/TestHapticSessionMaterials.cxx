@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A session that feels arrays: what it says of them, and what a change of them costs.
+// A session that feels arrays: its texts about them, and the cost of a change of them.
 #include <cmath>
 #include <limits>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the mouse in a view asks of a session.
+// Requests of the mouse in a view to a session.
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ using namespace palpate::testing;
 namespace
 {
 
-// A fine sphere allows only a small ball. Its way ends where the ball that touches would be stopped: so far above the
+// A fine sphere allows only a small ball. Its path ends where the ball that touches would be stopped: so far above the
 // pole, where the facets of n slices of half a turn lie below the sphere by their sagitta at most.
 TEST(HapticSessionMouse, AWayIsBarredForTheBallThatTouchesNotForALargerOneThatIsAskedFor)
 {

@@ -113,7 +113,7 @@ TEST_F(HapticSessionPlan, APressedFineSphereIsFeltWithAllItsTrianglesFirstAndWit
     ASSERT_NEAR(last_N, wall_N, stiffness * (notNoticed + sagitta(fine)) / scale) << "tick " << tick;
     ASSERT_GE(Vec3(this->session_->GetProxyPosition()).norm(), sphereRadius - notNoticed - sagitta(fine)) << tick;
   }
-  EXPECT_LE(furthest_N, 0.07 * full_N); // of what was felt before: nobody notices less
+  EXPECT_LE(furthest_N, 0.07 * full_N); // of the force before: nobody notices less
   EXPECT_LE(largestStep_N, 0.1);
   EXPECT_EQ(this->session_->GetCappedTicks(), 0);
   EXPECT_STREQ(this->session_->GetFaultText(), "");
@@ -175,7 +175,7 @@ TEST_F(HapticSessionPlan, ASmallSurfaceIsLeftAsItIsUnlessAskedFor)
   this->session_->SetSetting("Simplify", vtkHapticSession::On);
   EXPECT_TRUE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(), HasSubstr(" of " + triangles + " triangles are used"));
-  this->session_->SetSetting("Scale", scale / 10); // what was not noticed is felt ten times larger
+  this->session_->SetSetting("Scale", scale / 10); // an unnoticed difference is felt ten times larger
   this->session_->Update();
   EXPECT_THAT(
     this->sentence(), StartsWith("all " + triangles + " triangles are used (a simpler surface is looked for"));
@@ -245,7 +245,7 @@ TEST_F(HapticSessionPlan, ABallIsNoLargerThanItsWorkAllowsUnlessItIsForced)
 TEST_F(HapticSessionPlan, APressedBallGrowsAndShrinksWithWhatTheSceneAllows)
 {
   constexpr double depth = 2.0;
-  constexpr double soft = 100.0; // far below what the device gives at most
+  constexpr double soft = 100.0; // far below the device's largest force
   this->session_->SetSetting("Simplify", vtkHapticSession::Off);
   this->session_->SetSetting("Stiffness", soft);
   this->commit(makeSphere(sphereRadius, fine));

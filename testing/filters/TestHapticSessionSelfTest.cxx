@@ -22,7 +22,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// A check in virtual time, with a folder of its own for what is kept.
+/// A check in virtual time, with a folder of its own for its results.
 class HapticSessionSelfTest : public ::testing::Test
 {
 protected:

@@ -60,7 +60,7 @@ protected:
     return z;
   }
 
-  /// What theory gives for a device as it describes itself [N/m].
+  /// The theoretical limit for a device by its own description [N/m].
   static double largest(const std::string& device, const LoopSettings& loop)
   {
     return stabilityLimits(infoOf(*deviceModel(device)), loop).largest_N_per_m;
@@ -151,7 +151,8 @@ TEST_F(HapticSessionStability, TheSentenceIsThatOfTheChosenDeviceAndOfTheRunning
   EXPECT_TRUE(std::isinf(this->session_->GetLargestStiffness()));
 }
 
-/// Damping (1/2 + delay + reserve) K T from the start, at most one K T more to repay, with v T = way of the last tick.
+/// Damping (1/2 + delay + reserve) K T from the start, at most one K T more to repay, with v T = displacement of the
+/// last tick.
 class HapticSessionPassivity
   : public HapticSessionStability
   , public ::testing::WithParamInterface<int>

@@ -51,7 +51,7 @@ TEST_F(HapticSessionMotion, BetweenTwoTimeStepsTheSurfaceIsFeltOnItsStraightWayI
   this->session_->Step(100);
   this->session_->SetHandPosition(hand_W.data());
   this->session_->Step(ticksToSettle);
-  this->show(makePlane(half, 0.1)); // the last one at rest: how long the first way takes
+  this->show(makePlane(half, 0.1)); // the last one at rest: how long the first motion takes
   ASSERT_TRUE(this->session_->FinishScene());
   this->session_->Step(ticks);
   double begin = 0.1;
@@ -69,7 +69,7 @@ TEST_F(HapticSessionMotion, BetweenTwoTimeStepsTheSurfaceIsFeltOnItsStraightWayI
     }
     begin = end;
   }
-  this->session_->Step(1200); // at rest for more than a second: the tree has no room for ways any more
+  this->session_->Step(1200); // at rest for more than a second: the tree has no memory for motions any more
   this->session_->FinishScene();
   this->session_->Step(10);
   EXPECT_FALSE(this->session_->GetSceneMoves());
@@ -134,7 +134,7 @@ TEST_P(MovingActor, WhoseMeshDeformsInTheSameFramesIsFeltUnderBothInEveryTick)
   constexpr double stiffness = 100.0;
   constexpr int ticks = 50; // a time step at 20 Hz
   const Vec3 hand_W(3.0, 20.0, -2.0);
-  Frame begin{ 0.1, 0.2 }; // at the origin: what moves is W as it was baked, and turns about that
+  Frame begin{ 0.1, 0.2 }; // at the origin: the motion is that of W as baked, and turns about that
   this->start(stiffness, makePlane(half, begin.tilt), GetParam() ? nullptr : matrixOf(begin).Get(), 15.0);
   if (GetParam())
   {
@@ -144,7 +144,7 @@ TEST_P(MovingActor, WhoseMeshDeformsInTheSameFramesIsFeltUnderBothInEveryTick)
   this->session_->Step(300);
   this->session_->SetHandPosition(hand_W.data());
   this->session_->Step(300);
-  this->show(makePlane(half, begin.tilt), matrixOf(begin)); // the last one at rest: how long the first way takes
+  this->show(makePlane(half, begin.tilt), matrixOf(begin)); // the last one at rest: how long the first motion takes
   ASSERT_TRUE(this->session_->FinishScene());
   this->session_->Step(ticks);
   const Frame frames[] = { { 0.12, 0.3, { 2.5, 1.0, 0.8 } }, { 0.2, 0.7, { 1.0, 0.0, 1.5 } },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh in the hand of a session: what is held, what it says, what it refuses. Virtual time.
+// A mesh in the hand of a session: the held tool, its texts, its refusals. Virtual time.
 #include <cmath>
 #include <functional>
 #include <utility>

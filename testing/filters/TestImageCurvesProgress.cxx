@@ -40,7 +40,7 @@ vtkSmartPointer<vtkImageCurves> ringsAs(int kind)
   return filter;
 }
 
-/// What a filter reports while it runs; stopped at the first report of at least `stopAt`.
+/// Reports of a filter while it runs; stopped at the first report of at least `stopAt`.
 std::vector<double> reports(vtkImageCurves* filter, double stopAt)
 {
   struct Watch

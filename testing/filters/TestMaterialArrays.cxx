@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a surface is made of, from arrays of its points and cells.
+// Materials of a surface, from arrays of its points and cells.
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -75,7 +75,7 @@ vtkHapticMaterialResult materialOf(vtkDataObject* data, const vtkHapticMaterialS
   return vtkHapticToMaterial(data, vtkHapticToMesh(data).PartPoints, settings);
 }
 
-/// Down from above at each x, then pressed and at rest there: a row of forces. `top_u`: z of what is touched.
+/// Down from above at each x, then pressed and at rest there: a row of forces. `top_u`: z of the touched surface.
 std::vector<Vec3> pressedAt(vtkTouchAlongPath* touch, const std::vector<double>& xs, double y = 1.0, double top_u = 0.0)
 {
   std::vector<Vec3> path_W;
@@ -103,7 +103,7 @@ double xOf(const Vec3& p)
 }
 
 const std::vector<double> places = { -9.5, -6.0, -2.5, 0.0, 1.0, 4.0, 8.0 };
-/// The array runs along x from 200 to 900 N/m over what is pressed.
+/// The array runs along x from 200 to 900 N/m over the pressed part.
 void expectForcesOfARamp(const std::vector<Vec3>& forces_W)
 {
   const double slope = 700.0 / (2.0 * half); // N/m per u

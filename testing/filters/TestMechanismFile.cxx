@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scene files of mechanisms: what they say is what is read, and what they do not mean is refused with its place.
+// Scene files of mechanisms: their content is read, and text without a meaning is refused with its place.
 #include <array>
 #include <cstdio>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn of a mechanism in the hand: its soft bodies bent, what is held solid and as a ghost, and where the hand
+// A mechanism in the hand as it is drawn: its soft bodies bent, the held body solid and as a ghost, and where the hand
 // was when the bodies were computed last. Judges: the hand's spring, the needle's own place, and the whole stiffness of
 // a body, assembled and solved here.
 #include <cmath>
@@ -62,7 +62,7 @@ std::vector<bool> fixedNodes(const StrainPoints& points, std::vector<bool> fixed
   return fixed;
 }
 
-/// The stiffness of a body of Hooke's material, all of it [N/u]; what is fixed holds itself alone.
+/// The stiffness of a body of Hooke's material, all of it [N/u]; a fixed node has its own unit row.
 Eigen::MatrixXd stiffnessOf(const StrainPoints& points, const std::vector<bool>& fixed)
 {
   const auto size = 3 * static_cast<Eigen::Index>(points.rest_W.size());

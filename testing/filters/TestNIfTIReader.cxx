@@ -33,7 +33,7 @@ struct Form
 };
 constexpr std::array forms = { Form{ 1, false }, Form{ 1, true }, Form{ 2, false }, Form{ 2, true } };
 
-/// The image in a file, and what the reader said if there is none.
+/// The image in a file, and the reader's errors if there is none.
 struct Read
 {
   vtkNew<vtkHapticNIfTIReader> reader;

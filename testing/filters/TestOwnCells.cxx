@@ -226,7 +226,7 @@ TEST(OwnCells, ThatAreHiddenAreFeltToTheirFaceAndOfAPointWithoutAValueItsCellsAl
   }
 }
 
-/// What is said of a surface of data with an array "u".
+/// The text about a surface of data with an array "u".
 std::string saidOf(vtkDataObject* data, double value, const Vec3& hand_W)
 {
   vtkHapticFieldArrays arrays;

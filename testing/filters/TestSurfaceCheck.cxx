@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Holes, flipped parts and thin walls as blocks, against VTK and what was done to the surface.
+// Holes, flipped parts and thin walls as blocks, against VTK and the faults made in the surface.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

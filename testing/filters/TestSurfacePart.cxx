@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a client says of a server by the plugin that is loaded there.
+// A client's text about a server by the plugin that is loaded there.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

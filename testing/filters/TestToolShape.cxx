@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tools to hold and what they go into. Judges: VTK's own edges and volume, and the formulas of pegs and screws.
+// Tools to hold and their counterparts. Judges: VTK's own edges and volume, and the formulas of pegs and screws.
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -163,12 +163,12 @@ TEST(ToolShape, APegThatIsLedBesideItsHoleGoesDownInItAsFarAsItIsLedAndLeansOnIt
   {
     hand.push_back(turned(0.0, depth + 1.0 - 0.5 * i));
   }
-  hand.push_back(turned(0.0, 1.0, 0.5)); // aside, by more than there is room
+  hand.push_back(turned(0.0, 1.0, 0.5)); // aside, by more than the clearance
   const auto touch = lead(*shapeOf(vtkHapticToolShape::Peg), *shapeOf(vtkHapticToolShape::Hole), hand);
   vtkDataArray* const force = touch->GetOutput()->GetPointData()->GetArray("Force");
   for (vtkIdType i = 0; i < 41; ++i)
   {
-    EXPECT_EQ(force->GetComponent(i, 2), 0.0) << i; // there is room all the way
+    EXPECT_EQ(force->GetComponent(i, 2), 0.0) << i; // there is clearance all the way
   }
   const Vec3 last(touch->GetOutput()->GetPoint(41));
   // It leans until it touches the mouth, 2 below the hand where the chamfer ends, and the other wall where its own
@@ -202,8 +202,9 @@ TEST(ToolShape, AScrewIsFreeInItsNutAlongItsPitchAndPulledStraightTurnsAndRisesB
   data->GetArray("Turn")->GetTuple(3, q);
   const double turn = 2.0 * std::atan2(q[3], q[0]) - last;
   EXPECT_GT(turn, 0.01) << "out of the nut";
-  // The flank rises by one half of the pitch over the other half: the radial room is as much room along the axis. The
-  // corners of both meet where they face each other; between, there is less room by what a chord is flatter.
+  // The flank rises by one half of the pitch over the other half: the radial clearance is as much clearance along the
+  // axis. The corners of both meet where they face each other; between, the clearance is less by the sagitta of a
+  // chord.
   const double flatter = (radius + 0.5 * pitch + clearance) * (1.0 - std::cos(pi / 24.0));
   const double rise = touch->GetOutput()->GetPoint(3)[2] - last * perTurn - perTurn * turn;
   EXPECT_LE(rise, clearance * 1.001);

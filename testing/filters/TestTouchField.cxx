@@ -100,7 +100,7 @@ TEST(TouchField, AnIsosurfaceIsWhereVtksProbeFindsItsValueAndPushesOut)
   vtkDataArray* const found = probe->GetOutput()->GetPointData()->GetArray("f");
   for (vtkIdType i = 1; i < output->GetNumberOfPoints(); ++i)
   {
-    ASSERT_NEAR(found->GetTuple1(i), 0.125, 1e-6) << i; // values of a brick are floats
+    ASSERT_NEAR(found->GetTuple1(i), 0.125, 1e-6) << i; // values of a block are floats
     EXPECT_GT(tuple(*output, "Force", i).z(), 0.0);
     EXPECT_LT(
       (tuple(*output, "Force", i) - touchStiffness * (Vec3(output->GetPoint(i)) - tuple(*output, "Device", i))).norm(),

@@ -91,7 +91,7 @@ void addTurns(vtkPolyData* path, const std::vector<Quat>& turns)
   path->GetPointData()->AddArray(array);
 }
 
-/// What the filter says instead of touching.
+/// The filter's error in place of a touch.
 std::string problemOf(vtkTouchAlongPath& touch)
 {
   const std::vector<std::string> problems = errorsOf(&touch);

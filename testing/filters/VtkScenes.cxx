@@ -116,7 +116,7 @@ std::vector<std::string> errorsOf(vtkObject* object, const std::function<void()>
 
 std::vector<std::string> errorsOf(vtkAlgorithm* algorithm)
 {
-  std::vector<std::string> executives; // which reports what the algorithm has reported before
+  std::vector<std::string> executives; // which reports the algorithm's errors of before
   std::vector<std::string> errors = errorsOf(algorithm,
     [&] { executives = errorsOf(static_cast<vtkObject*>(algorithm->GetExecutive()), [&] { algorithm->Update(); }); });
   errors.insert(errors.end(), executives.begin(), executives.end());

@@ -36,10 +36,10 @@ namespace palpate::testing
 /// The volume that the triangles enclose, positive if they point out.
 [[nodiscard]] double enclosedVolume(const TriangleMesh& mesh);
 
-/// Runs the algorithm and returns what its executive and it reported as errors; prints nothing.
+/// Runs the algorithm and returns the errors that its executive and it reported; prints nothing.
 [[nodiscard]] std::vector<std::string> errorsOf(vtkAlgorithm* algorithm);
 
-/// Runs `change` and returns what the object reported as errors, in order; prints nothing.
+/// Runs `change` and returns the errors that the object reported, in order; prints nothing.
 [[nodiscard]] std::vector<std::string> errorsOf(vtkObject* object, const std::function<void()>& change);
 
 } // namespace palpate::testing

@@ -136,7 +136,7 @@ class Labyrinths(unittest.TestCase):
         session.GetLabyrinth().GetTrace(trace)
         way = [trace.GetPoint(k) for k in range(trace.GetNumberOfPoints())]
         self.assertEqual(trace.GetNumberOfLines(), 1)
-        self.assertGreaterEqual(len(way), 5)  # a way of 1 u, a point each 0.1 u at least where it does not turn
+        self.assertGreaterEqual(len(way), 5)  # a path of 1 u, a point each 0.1 u at least where it does not turn
         for a, b in zip(way, way[1:]):
             self.assertGreaterEqual(math.dist(a, b), 0.1 * CORRIDOR_U)
         for p in way:

@@ -25,7 +25,7 @@ def path(points, values):
 
 class Line(unittest.TestCase):
     def setUp(self):
-        vtkOutputWindow.SetInstance(vtkStringOutputWindow())  # what is refused is not printed
+        vtkOutputWindow.SetInstance(vtkStringOutputWindow())  # refusals are not printed
         self.line = vtkHapticLine()
         self.line.VirtualTimeOn()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The part of a surface around a hand: what the filter cuts out is what looking at every polygon finds."""
+"""The part of a surface around a hand: the filter cuts out the polygons that a look at every polygon finds."""
 
 import os
 import random

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Filters that need all of their data where each of two ranks has a half: what they find is that of the whole.
+"""Filters that need all of their data where each of two ranks has a half: their results are those of the whole.
 
 The plugin is loaded on both by PV_PLUGIN_PATH. The script runs on the first rank alone.
 """
@@ -39,7 +39,7 @@ class OnRanks(unittest.TestCase):
 
     @staticmethod
     def counted(script):
-        """What the script, which both ranks run, has counted on the first."""
+        """The counts of the script, which both ranks run, on the first."""
         counted = simple.ProgrammableSource(OutputDataSetType="vtkTable", Script=script)
         table = servermanager.Fetch(counted)
         return [table.GetColumnByName("cells").GetValue(i) for i in range(table.GetNumberOfRows())]
@@ -100,7 +100,7 @@ if rank == 0:
         path = simple.Line(Point1=[0.1, 0.2, 4.0], Point2=[0.1, 0.2, 2.0], Resolution=100)
         felt = servermanager.Fetch(simple.TouchAlongPath(Input=body, Path=path, Radius=1.0, Stiffness=500.0, Scale=100.0))
         force = felt.GetPointData().GetArray("Force").GetTuple(felt.GetNumberOfPoints() - 1)
-        # A unit into something that gives way: less than the spring of a wall, 5 N.
+        # A unit into a soft body: less than the spring of a wall, 5 N.
         self.assertGreater(force[2], 0.5)
         self.assertLess(force[2], 4.9)
 
@@ -157,7 +157,7 @@ if rank == 0:
         self.assertGreater(found["Surface"].GetNumberOfCells(), 100)
 
     def test_planes_are_compared_with_all_of_a_solid(self):
-        # A peg of radius 5 hangs below z = 0: above it and just inside, its upper end is what is nearest.
+        # A peg of radius 5 hangs below z = 0: above it and just inside, its upper end is nearest.
         for z in (10.0, -1.0):
             plane = simple.Plane(Origin=[-2, -2, z], Point1=[2, -2, z], Point2=[-2, 2, z], XResolution=12, YResolution=12)
             measured = servermanager.Fetch(simple.CompareSurfaces(Input=plane, Reference=self.halves))

@@ -20,7 +20,7 @@ pv.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns={})
 
 TICKS_TO_ENGAGE = 1100  # arming, the ramp of 1 s, and some to spare
 
-JOYSTICK_STIFFNESS = 200.0  # N/m, what the simulated joystick is made for
+JOYSTICK_STIFFNESS = 200.0  # N/m, usual for the simulated joystick
 
 
 def proxy_manager():
@@ -247,7 +247,7 @@ class Session(unittest.TestCase):
         self.assertAlmostEqual(read(self.proxy, "ForceMagnitude"), 400.0 * 2.0 / 1000.0, delta=1e-12)
         self.assertAlmostEqual(read(self.proxy, "Depth"), 2.0, delta=1e-12)
         self.assertEqual(read(self.proxy, "Contacts"), 1)
-        # One jump from free air to 2 mm: no force was held on the way, so no work filled the spring.
+        # One jump from free air to 2 mm: no force was held meanwhile, so no work filled the spring.
         self.assertEqual(read(self.proxy, "DeliveredEnergy"), 0.0)
         self.assertAlmostEqual(read(self.proxy, "PeakExcessEnergy"), 0.5 * 400.0 * 0.002**2, delta=1e-12)
         self.assertEqual(read(self.proxy, "StiffnessUsed"), 400.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The check of a device from Python: what a person reads while it runs, what was found, what is kept."""
+"""The check of a device from Python: its instructions, its result, its file."""
 
 import os
 import tempfile
@@ -12,7 +12,7 @@ from palpate.vtkHapticInteraction import vtkHapticDeviceCheck, vtkHapticSession
 
 class SelfTest(unittest.TestCase):
     def setUp(self):
-        self.window = vtkStringOutputWindow()  # what is refused is not printed
+        self.window = vtkStringOutputWindow()  # refusals are not printed
         vtkOutputWindow.SetInstance(self.window)
         folder = tempfile.TemporaryDirectory(prefix="palpate-calibration-")
         self.addCleanup(folder.cleanup)

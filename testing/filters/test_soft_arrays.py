@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The arrays of a soft body in a session are data: Displacement is the finite elements' at the node, Strain and Stress are the cell's, and
-what is drawn further, where something presses, is Dent."""
+"""The arrays of a soft body in a session are data: Displacement is the finite elements' at the node, Strain and Stress are the
+cell's, and the further displacement in the picture, where something presses, is Dent."""
 
 import math
 import unittest

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the filter Soft Body makes of tetrahedra, a closed surface and a label image, what it refuses, and what is felt of it
-along a path."""
+"""The filter Soft Body: bodies of tetrahedra, a closed surface and a label image, refusals, and the force along a path."""
 
 import math
 import unittest
@@ -75,10 +74,10 @@ def volume(grid):
 
 class SoftBody(unittest.TestCase):
     def setUp(self):
-        vtkOutputWindow.SetInstance(vtkStringOutputWindow())  # what is refused is not printed
+        vtkOutputWindow.SetInstance(vtkStringOutputWindow())  # refusals are not printed
 
     def make(self, data, fixed="zmin", held=None, **settings):
-        """The output, and what was complained of."""
+        """The output, and the errors."""
         body, errors = vtkHapticSoftBody(), []
         def complain(_object, _event, text):
             errors.append(text)
@@ -218,7 +217,7 @@ class SoftBody(unittest.TestCase):
         grid, errors = self.make(block, LoadArray="pull")
         self.assertFalse(errors)
         self.assertEqual(borne(grid), [0.25, 0, 0])
-        grid, _ = self.make(grid)  # what one body bears is not borne by what is made of it
+        grid, _ = self.make(grid)  # the load of one body is not that of a body made of it
         self.assertIsNone(borne(grid))
         for settings, words in (({"LoadArray": "none"}, "'none'"), ({"Gravity": (0, math.nan, 0)}, "gravity"),
                                 ({"Gravity": (0, 0, 1), "Density": 0.0}, "density")):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is drawn of a soft body is what is felt: no place of it is within the ball, the lowest place under it is as deep as the ball.
-Where the hand was when the body was computed is known. A fine surface rides on coarse tetrahedra."""
+"""The drawn soft body is the felt one: no place of it is within the ball, the lowest place under it is as deep as the ball. Where
+the hand was when the body was computed is known. A fine surface rides on coarse tetrahedra."""
 
 import math
 import re
@@ -109,7 +109,7 @@ class Shown(unittest.TestCase):
             self.assertGreaterEqual(self.above_ball(bent), -1e-9)
 
     def test_over_a_vertex_the_force_on_a_hand_at_rest_is_one_packet_after_packet(self):
-        self.press(0.0, 0.0, 12.0)  # four faces meet there, and each packet has them tilted by rounding in another way
+        self.press(0.0, 0.0, 12.0)  # four faces meet there, and each snapshot has them tilted by rounding in another way
         felt = []
         for _ in range(20):
             self.session.Step(1000 // RATE)

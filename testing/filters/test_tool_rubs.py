@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Touch Along Path with a tool: it rubs by FrictionKinetic, as the filter's pages say, and feels no material from data."""
+"""Touch Along Path with a tool: it has the friction FrictionKinetic, as the filter's pages say, and feels no material from data."""
 
 import unittest
 
@@ -13,12 +13,12 @@ from palpate.testing.feel import Refused, updated
 from palpate.vtkHapticPipeline import vtkTouchAlongPath
 
 SIDE, DEPTH, STIFFNESS_N_PER_M = 2.0, 0.2, 400.0
-FELT = 0.07  # of a force, what a hand tells apart (docs/theory.md, "What a hand tells apart")
+FELT = 0.07  # of a force, the difference that a hand tells apart (docs/theory.md, "What a hand tells apart")
 WITHIN_N = 1e-5 * STIFFNESS_N_PER_M * SIDE  # a tool keeps a gap of some millionths of its size
 
 
 def slide(**settings):
-    """Forces on a hand that presses a cube on a floor and slides it along x, without the way down (n, 3)."""
+    """Forces on a hand that presses a cube on a floor and slides it along x, without the path down (n, 3)."""
     floor, cube, touch = vtkPlaneSource(), vtkCubeSource(), vtkTouchAlongPath()
     way, places = vtkPolyData(), vtkPoints()
     floor.SetOrigin(-20, -20, 0)

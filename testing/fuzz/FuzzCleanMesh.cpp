@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Raw arrays through the cleaner: whatever the numbers are, it ends, what it keeps can be built into a tree, and
-// neither the order of the input nor a second cleaning changes it.
+// Raw arrays through the cleaner: whatever the numbers are, it ends, its result can be built into a tree, and neither
+// the order of the input nor a second cleaning changes it.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

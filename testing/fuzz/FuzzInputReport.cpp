@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as an input report of any descriptor: the hand and the cap stay within their travel, and what is too short
-// or another report says nothing. First two bytes: how many of the following are the descriptor.
+// Any bytes as an input report of any descriptor: the hand and the cap stay within their travel, and a report that is
+// too short or another one says nothing. First two bytes: how many of the following are the descriptor.
 #include <algorithm>
 #include <cstdint>
 #include <optional>

@@ -8,7 +8,7 @@
 
 namespace
 {
-/// What the readers rely on without asking again.
+/// The properties that the readers rely on without asking again.
 void requireConsistent(const vtkHapticFaceList& list, std::int64_t points)
 {
   require(!list.Offsets.empty() && list.Offsets.front() == 0);

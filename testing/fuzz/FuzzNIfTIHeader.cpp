@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     return 0;
   }
-  // what the readers rely on without asking again
+  // properties that the readers rely on without asking again
   require(size >= 348 && header.DataOffset >= 348);
   require(std::all_of(header.Size.begin(), header.Size.end(), [](int count) { return count >= 1; }));
   require(header.TimeSteps >= 1 && header.Vectors >= 1 && header.NumbersPerVoxel() >= 1);

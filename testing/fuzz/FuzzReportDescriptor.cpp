@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as a report descriptor: refused with one sentence, or every control it names can be read and written within
-// its report and gives back what was written.
+// its report and gives back the value that was written.
 #include <cstdint>
 #include <vector>
 

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-/// What does not hold is a finding: the fuzzer keeps the bytes that led to it.
+/// A broken requirement is a finding: the fuzzer keeps the bytes that led to it.
 inline void require(bool holds)
 {
   if (!holds)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 
 def commands(page, title):
-    """What is indented below a heading of docs/`page`."""
+    """The indented text below a heading of docs/`page`."""
     text = (Path(os.environ["PALPATE_SOURCE_DIR"]) / "docs" / page).read_text(encoding="utf-8")
     section = text.split(f"\n## {title}\n")[1].split("\n## ")[0]
     return "\n".join(line[4:] for line in section.splitlines() if line.startswith("    "))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every command of docs/mechanisms.md runs as it stands there, one after the other, and the needle pierces what it says."""
+"""Every command of docs/mechanisms.md runs as it stands there, one after the other, and the needle pierces as the page says."""
 
 import csv
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every command of docs/soft.md runs as it stands there, one after the other, and what it makes is pressed."""
+"""Every command of docs/soft.md runs as it stands there, one after the other, and its bodies are pressed."""
 
 import csv
 import math

@@ -19,7 +19,7 @@ from palpate.simple import GetHapticSession, HapticState, LetGo, SetHaptics, Tou
 
 PUSHED_N = 0.5  # the scripts stop there
 FELT_N = 0.1  # a hand feels that something is there
-STEPS = 400  # of a way of at most 100 mm, each of 5 ms: 50 mm/s
+STEPS = 400  # of a path of at most 100 mm, each of 5 ms: 50 mm/s
 # Software draws a skull for half a minute.
 DRAWN = {"skull", "brain"} & set(tutorials.present() if "PALPATE_TEST_FULL" in os.environ else ())
 
@@ -32,7 +32,7 @@ class Tutorials(unittest.TestCase):
         cls.folder = Path(folder.name)
 
     def play(self, name, first, last):
-        """The forces that it prints [N]; its picture is looked at, and its state touched on the way between two places."""
+        """The forces that it prints [N]; its picture is looked at, and its state touched on the path between two places."""
         self.said = tutorials.play(name, self.folder)
         forces_N = [float(number) for number in re.findall(r"(-?[\d.]+) N\b", self.said)]
         self.assertGreater((self.folder / f"{name}.png").stat().st_size, 10_000)
@@ -52,7 +52,7 @@ class Tutorials(unittest.TestCase):
 
     @staticmethod
     def most_N(hand, first, last):
-        """The largest force on the straight way, in as many steps as keep a hand slow."""
+        """The largest force on the straight path, in as many steps as keep a hand slow."""
         most_N = 0.0
         for step in range(1, STEPS + 1):
             hand.SetHandPosition(*(start + (end - start) * step / STEPS for start, end in zip(first, last)))
@@ -119,7 +119,7 @@ class Tutorials(unittest.TestCase):
 
     @staticmethod
     def from_above(bounds, place, above=5):
-        """A way down to the middle."""
+        """A path down to the middle."""
         return (*place, bounds[5] + above), (*place, 0.5 * (bounds[4] + bounds[5]))
 
 

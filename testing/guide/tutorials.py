@@ -22,7 +22,7 @@ def present():
 
 
 def play(name, folder):
-    """What a tutorial prints."""
+    """The output of a tutorial."""
     script = re.search(r"^```python\n(.*?)^```$", (GUIDE / f"{name}.md").read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)[1]
     simple.ResetSession()
     with chdir(folder), redirect_stdout(io.StringIO()) as said:

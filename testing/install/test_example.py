@@ -15,7 +15,7 @@ ROWS = 100  # of vertices from pole to pole, and twice as many around
 
 
 class InstalledExample(unittest.TestCase):
-    """One install, one configuration; each test builds what it asks about."""
+    """One install, one configuration; each test builds its own subject."""
 
     @classmethod
     def setUpClass(cls):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What `cpack` packs is where Debian's ParaView, python3, man and udev look, and runs from there. Unpacked, not installed:
-`testing/install/clean_root` installs it into a Debian of its own, uses and removes it."""
+"""The files that `cpack` packs are where Debian's ParaView, python3, man and udev look, and run from there. Unpacked, not
+installed: `testing/install/clean_root` installs it into a Debian of its own, uses and removes it."""
 
 import gzip
 import os
@@ -16,7 +16,7 @@ from installed import BUILD, SOURCE, run_command
 
 
 class Package(unittest.TestCase):
-    """One package, without what takes long: stripping and looking for what its libraries need."""
+    """One package, without the slow steps: stripping and looking for the needs of its libraries."""
 
     @classmethod
     def setUpClass(cls):

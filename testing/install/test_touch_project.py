@@ -32,12 +32,12 @@ class TouchProject(unittest.TestCase):
         run_command("cmake", "-S", cls.source, "-B", cls.build, f"-DCMAKE_PREFIX_PATH={cls.prefix}", f"-DMOVED_MM={moved_mm}")
 
     def touch(self, code, **more):
-        """What ctest says, and the test suite of the JUnit file."""
+        """The output of ctest, and the test suite of the JUnit file."""
         said = run_command("ctest", "--test-dir", self.build, "-L", "touch", "--output-on-failure", code=code, **more)
         return said, ElementTree.parse(self.build / "ball.junit.xml").getroot()
 
     def test_it_passes_until_the_surface_moves_and_then_says_where_it_differs(self):
-        failed = 8  # what ctest ends with
+        failed = 8  # exit code of ctest
         said, suite = self.touch(failed)
         self.assertEqual((suite.get("errors"), suite.get("failures")), ("1", "0"))
         self.assertIn("PALPATE_UPDATE_BASELINES=1", said)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A plate at a height and a way of a hand into it: what is felt follows from Hooke's law."""
+"""A plate at a height and a path of a hand into it: the force follows from Hooke's law."""
 
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 

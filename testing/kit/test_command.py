@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`python3 -m palpate.testing`: exit codes, what it prints, JUnit; and the version of the package."""
+"""`python3 -m palpate.testing`: exit codes, output, JUnit; and the version of the package."""
 
 import os
 import subprocess

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""palpate.testing makes no baseline that anything passes, and sees what comes or goes where the hand is not led."""
+"""palpate.testing makes no baseline that anything passes, and sees parts that come or go where the hand is not led."""
 
 import json
 import math

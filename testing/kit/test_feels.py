@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""palpate.testing tells surfaces apart that a hand tells apart, says where, and refuses what cannot be compared."""
+"""palpate.testing tells surfaces apart that a hand tells apart, says where, and refuses surfaces that cannot be compared."""
 
 import json
 import os

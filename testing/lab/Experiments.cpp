@@ -135,7 +135,7 @@ std::vector<Experiment> fieldExperiments()
   };
 }
 
-/// What gives way.
+/// Soft bodies.
 std::vector<Experiment> softExperiments()
 {
   return {

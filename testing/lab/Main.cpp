@@ -40,7 +40,7 @@ void list(bool json)
   }
 }
 
-/// Prints what failed and, last, how many verdicts passed.
+/// Prints the failures and, last, how many verdicts passed.
 int report(const Score& score)
 {
   for (const std::string& failure : score.failures)

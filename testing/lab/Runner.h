@@ -15,7 +15,7 @@ namespace palpate::lab
 /// names the nearest ones for a name that is not known.
 [[nodiscard]] std::vector<Experiment> choose(const std::vector<std::string>& names);
 
-/// How many verdicts of a run passed, and what failed.
+/// How many verdicts of a run passed, and the failures.
 struct Score
 {
   int passed = 0;

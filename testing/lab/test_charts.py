@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""charts.py: what it refuses, and that the same numbers give the same pictures."""
+"""charts.py: its refusals, and that the same numbers give the same pictures."""
 
 import unittest
 

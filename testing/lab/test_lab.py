@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""palpate-lab as a program: what it lists, what it refuses, and that a rerun gives the same values."""
+"""palpate-lab as a program: its list, its refusals, and that a rerun gives the same values."""
 
 import json
 import unittest

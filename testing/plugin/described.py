@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What haptics/session/settings/ describes, as properties, setters, the user guide's tables and the program's write it.
+"""The settings of haptics/session/settings/ as text: properties, setters, the user guide's tables and the program's.
 
-`ninja -C build tables` runs it with the program that prints the tables as JSON: it writes what PLACES names anew.
+`ninja -C build tables` runs it with the program that prints the tables as JSON: it writes the places of PLACES anew.
 """
 
 import json
@@ -14,7 +14,7 @@ from xml.sax.saxutils import escape
 ROOT = Path(__file__).resolve().parents[2]
 XML = ROOT / "filters" / "interaction" / "HapticInteraction.xml"
 GUIDE = ROOT / "plugin" / "README.md"
-WRAPPED = ROOT / "filters" / "interaction" / "session" / "vtkHapticSession.h"  # includes the declarations; what wraps it looks at its own time
+WRAPPED = ROOT / "filters" / "interaction" / "session" / "vtkHapticSession.h"  # includes the declarations; the wrapper looks at its own time
 DECLARATIONS = ROOT / "filters" / "interaction" / "session" / "vtkHapticSessionDescribed.h"
 TOUCH_XML = ROOT / "filters" / "pipeline" / "HapticPipeline.xml"
 PROGRAM = ROOT / "docs" / "program.md"
@@ -38,7 +38,7 @@ def number(value):
 
 
 def domain(setting):
-    """Lines that say what the property can be."""
+    """Lines that give the allowed values of the property."""
     ends = "".join(f' {end}="{number(setting[key])}"' for end, key in (("min", "low"), ("max", "high"))
                    if setting[key] is not None and not setting["above"])
     if setting["kind"] == "flag":
@@ -89,7 +89,7 @@ def readout_row(readout):
 
 
 def defined(macro, *arguments):
-    """A line of a macro that defines what it declares."""
+    """A line of a macro that defines its declaration."""
     return f"  vtkHaptic{macro}Macro({', '.join(arguments)})" + " \\\n"
 
 
@@ -100,7 +100,7 @@ ARRAY_LIST = """        <ArrayListDomain name="array_list" none_string="" input_
 
 
 def of_field(render):
-    """What *Touch Along Path* has of the settings: how numbers in space are felt."""
+    """The settings that *Touch Along Path* has: how numbers in space are felt."""
     return lambda setting: render(setting) if setting["name"].startswith("Field") else ""
 
 
@@ -127,11 +127,11 @@ def option_row(setting):
 
 
 def between(text, begin, end):
-    """What stands between the two marks, which stand once."""
+    """The text between the two marks, each of which stands once."""
     return text[text.index(begin) + len(begin):text.index(end)]
 
 
-# What a file holds between two of its lines, and what the tables make of it.
+# The text of a file between two of its lines, and its writer.
 PLACES = (
     (XML, "      <!-- Settings -->\n", "      <!-- Commands -->\n", "settings", setting_xml),
     (XML, "      <!-- Read-outs -->\n", "    </HapticSessionProxy>\n", "readouts", readout_xml),

@@ -37,7 +37,7 @@ class Abdomen(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def make(self, *options):
-        """What the script has to say where it ends in a fault."""
+        """The message of the script where it ends in a fault."""
         image = self.folder / "liver.nii"
         image.write_bytes(nifti_bytes(VOXELS, liver, [(SPACING, 0, 0, 0), (0, SPACING, 0, 0), (0, 0, SPACING, 0)]))
         script = ["pvpython", str(SOURCE / "data" / "abdomen.py"), str(image), str(self.folder), "25", *options]
@@ -95,7 +95,7 @@ class Abdomen(unittest.TestCase):
         self.assertAlmostEqual(most["capsule"], CAPSULE, delta=0.05 * CAPSULE)
         back = rows[len(rows) * 11 // 20]  # on its way out of both
         self.assertAlmostEqual(float(back["force_z"]), DRAG, delta=0.05 * DRAG)
-        self.assertAlmostEqual(float(rows[-1]["force_z"]), 0.0, delta=1e-3)  # what is spread dies away
+        self.assertAlmostEqual(float(rows[-1]["force_z"]), 0.0, delta=1e-3)  # the spread step dies away
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Results of the plugin's filters and readers are coloured by what a person asked for as soon as they are shown."""
+"""Results of the plugin's filters and readers are coloured by the array that a person asked for as soon as they are shown."""
 
 import os
 import sys

@@ -30,7 +30,7 @@ class Drawing(ViewTest):
         self.follow()
 
     def drag(self, *points):
-        """What a widget does: the source's points; then a picture's time, in which no tick changes the force by a jump."""
+        """As a widget does: the source's points; then a picture's time, in which no tick changes the force by a jump."""
         self.line.Points = [c for point in points for c in point]
         simple.Render(self.view)
         self.assertTrue(self.scene.Update())
@@ -45,7 +45,7 @@ class Drawing(ViewTest):
             self.assertLessEqual(sum((a - b) ** 2 for a, b in zip(after, before)) ** 0.5, LARGEST_STEP)
 
     def drag_widget(self, *points):
-        """What a widget does whose source is not applied at once: the unchecked values; then as drag()."""
+        """As a widget does whose source is not applied at once: the unchecked values; then as drag()."""
         drawn = [c for point in points for c in point]
         values = self.line.SMProxy.GetProperty("Points")
         values.SetNumberOfUncheckedElements(len(drawn))

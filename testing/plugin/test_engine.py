@@ -29,7 +29,7 @@ def write_block(path):
 
 
 def ball_x(row):
-    """Of the ball's middle, along y from the hand: x of the place and of what a turn makes of the axis y."""
+    """Of the ball's middle, along y from the hand: x of the place and of the turned axis y."""
     w, x, y, z = (float(row[f"proxy_q{name}"]) for name in "wxyz")
     return float(row["proxy_x"]) + TO_BALL * 2.0 * (x * y - w * z)
 

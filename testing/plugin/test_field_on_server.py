@@ -27,7 +27,7 @@ class Hand(ViewTest):
         self.session.FinishField()
 
     def forces(self):
-        """Along a way that is longer than a brick, and again once the data are others."""
+        """Along a path that is longer than a block, and again once the data are others."""
         wavelet = simple.Wavelet(registrationName="Waves", WholeExtent=[-80, 80, -80, 80, -80, 80])
         display = self.show(wavelet)
         display.SetRepresentationType("Outline")
@@ -63,7 +63,7 @@ def felt():
 class FieldOnAServer(unittest.TestCase):
     def test_forces_are_those_of_the_built_in_server_and_the_data_stay_where_they_are(self):
         expected, bricks, _, _ = felt()
-        self.assertIn("u around the hand", bricks)  # more than one brick
+        self.assertIn("u around the hand", bricks)  # more than one block
         self.assertGreater(max(abs(f[0]) for f in expected), 0.05)
         with server(os.environ, PLUGIN) as (port, _):
             simple.Connect("localhost", port)

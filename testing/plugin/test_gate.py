@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A plugin that ParaView cannot have says why: it was built for another ParaView, or what belongs beside it is missing."""
+"""A plugin that ParaView cannot have says why: it was built for another ParaView, or a library beside it is missing."""
 
 import os
 import pathlib

@@ -32,13 +32,13 @@ def drill():
 
 
 def depths(x, z):
-    """Where a way from the front enters and leaves the front wall of the shell [mm]."""
+    """Where a line from the front enters and leaves the front wall of the shell [mm]."""
     across = (x - CENTRE[0]) ** 2 + (z - CENTRE[2]) ** 2
     return (CENTRE[1] - math.sqrt(radius ** 2 - across) for radius in (OUTER, INNER))
 
 
 def plug(radius, step=0.1):
-    """Volume of what a round column cuts out of that wall [mm^3]."""
+    """Volume of the plug that a round column cuts out of that wall [mm^3]."""
     places = [(i + 0.5) * step for i in range(round(-radius / step), round(radius / step))]
     inside = ((x, z) for x in places for z in places if x * x + z * z < radius * radius)
     ways = (depths(AXIS[0] + x, AXIS[1] + z) for x, z in inside)

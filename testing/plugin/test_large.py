@@ -13,7 +13,7 @@ from view_fixture import DEPTH, FORCE, ViewTest
 
 AROUND, ALONG = 340, 160  # facets of a ball: more than are read at once
 RADIUS = 0.5  # u
-SAG = RADIUS * ((math.pi / AROUND) ** 2 + (math.pi / ALONG) ** 2)  # twice what a facet's middle lies inside of the ball
+SAG = RADIUS * ((math.pi / AROUND) ** 2 + (math.pi / ALONG) ** 2)  # twice the depth of a facet's middle inside of the ball
 
 
 class LargeData(ViewTest):

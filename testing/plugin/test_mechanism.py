@@ -59,7 +59,7 @@ def largest(data, array):
 
 
 def loaded(state):
-    """In a process of its own: what a state file that was loaded makes of laws and force."""
+    """In a process of its own: constraints and force of a state file that was loaded."""
     simple.LoadState(state)
     lead(ASIDE, 0, FACE - 5)
     Touch()
@@ -293,7 +293,7 @@ class Mechanism(Held):
 
 
 class Files(Held):
-    """A body's file changes while it is joined to what the hand holds."""
+    """A body's file changes while it is joined to the held body."""
 
     def setUp(self):
         super().setUp()
@@ -318,7 +318,7 @@ class Files(Held):
         HapticState()
 
     def fresh(self):
-        """What a hand feels there that takes the mechanism as its files are now."""
+        """The force on a hand there that takes the mechanism as its files are now."""
         LetGo()
         Touch()
         GetHapticSession().Step(TICKS_TO_ENGAGE)

@@ -17,7 +17,7 @@ from view_fixture import ViewTest
 
 SCENES = pathlib.Path(os.environ["PALPATE_SOURCE_DIR"]) / "data" / "mechanisms"
 TIP, FACE = 150.0, -8.0  # u: of the needle before the hand, of the wall's lower side
-DEPTHS = (0.5, 1.0, 1.5, 2.0, 6.0, 12.0, 14.0)  # of the tip in the wall, which is pierced on the way [u]
+DEPTHS = (0.5, 1.0, 1.5, 2.0, 6.0, 12.0, 14.0)  # of the tip in the wall, which is pierced meanwhile [u]
 
 
 class Held(ViewTest):
@@ -104,7 +104,7 @@ class MechanismOnAServer(unittest.TestCase):
                            {"name": "block", "kind": "soft", "file": "block.vtu", "fixed": "zmax",
                             "young_Pa": 20000, "poisson": 0.4, "model": "linear"}],
                 "laws": [{"name": "skin", "kind": "puncture", "a": "needle", "b": "block", "strength_N": 1.0}]}), encoding="utf-8")
-            os.chdir(folder)  # from where the server finds what is not found from here
+            os.chdir(folder)  # the server finds files there that are not found from here
             try:
                 with connected():
                     os.chdir(before)

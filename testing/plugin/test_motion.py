@@ -77,7 +77,7 @@ class MotionInAView(ViewTest):
         display = self.show(simple.Box())
         self.follow()
         self.press(WALL - DEPTH, 0.0, 0.0)
-        display.Orientation = [90.0, 0.0, 0.0]  # about the way of the hand: the face comes to lie on itself
+        display.Orientation = [90.0, 0.0, 0.0]  # about the path of the hand: the face comes to lie on itself
         simple.Render(self.view)
         self.assertTrue(self.scene.Update())
         self.session.Update()

@@ -148,7 +148,7 @@ class Pencil(ViewTest):
         display = self.show(ball)
         for across in (0.0, shift):
             move(display, [across, 0.0, 0.0])
-            self.view.CameraParallelScale = HEIGHT / 2 * PIXEL  # what is shown first is brought into view
+            self.view.CameraParallelScale = HEIGHT / 2 * PIXEL  # the first source shown is brought into view
             self.look_from([0, 0, 10])
             path = [(50 + 2 * i, 40 + i) for i in range(10)]
             self.draw(*path)

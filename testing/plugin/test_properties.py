@@ -14,7 +14,7 @@ from paraview import servermanager, simple
 import described
 from haptic_proxies import manager
 
-# Values that are not the default where a domain does not say what else is allowed.
+# Values that are not the default where a domain does not list the allowed ones.
 VALUES = {
     "DeviceName": ["mouse"],
     "ServerLimit": [2000],
@@ -28,7 +28,7 @@ VALUES = {
 }
 # Added point by point: the object says how many there are.
 NO_GETTER = ("StrokePoints",)
-# Proxies that have settings of the session too, and what the tables call their defaults.
+# Proxies that have settings of the session too, and the tables' key of their defaults.
 OTHER_PROXIES = (("plugin/HapticSettings.xml", "HapticSettings", "default_words"),
                  ("filters/pipeline/HapticPipeline.xml", "TouchAlongPath", "path_default_words"))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is drawn without polygons of its own is felt as it is seen: 3-D glyphs, image slices; and which of two views."""
+"""Data drawn without polygons of their own are felt as they are seen: 3-D glyphs, image slices; and which of two views."""
 
 import sys
 import unittest

@@ -44,7 +44,7 @@ class Functions(unittest.TestCase):
         return box
 
     def press_face(self, z):
-        """2 u into the face x = 50 of what is shown, at this height."""
+        """2 u into the face x = 50 of the shown box, at this height."""
         session = GetHapticSession()
         session.SetHandPosition(60, 10, z)
         Touch()

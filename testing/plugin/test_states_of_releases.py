@@ -2,9 +2,9 @@
 """States that releases of ParaView saved (states/save_states.py) open in this one, and are felt as they are drawn: a box of 100 u, 3 u
 along x, with a stiffness of its own. Each in a process of its own.
 
-ParaView leaves out what it calls differently, without a word: the place of a display has another name since 5.13, so a state file of the
-other side of that change shows the box where it was before it was moved, and there it is felt. Python states of later releases are refused
-by ParaView.
+ParaView leaves out properties with another name, without a word: the place of a display has another name since 5.13, so a state
+file of the other side of that change shows the box where it was before it was moved, and there it is felt. Python states of later
+releases are refused by ParaView.
 
 usage: test_states_of_releases.py            every state
        test_states_of_releases.py STATE      this one alone

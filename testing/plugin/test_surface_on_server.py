@@ -36,7 +36,7 @@ def waves():
 
 
 def slide():
-    """A way of the hand below the highest surface over a line, by a ray through the data that are here."""
+    """A path of the hand below the highest surface over a line, by a ray through the data that are here."""
     contour = waves()
     surface, locator, hand = servermanager.Fetch(contour), vtkStaticCellLocator(), []
     locator.SetDataSet(surface)
@@ -75,7 +75,7 @@ class Hand(ViewTest):
         self.follow()
 
     def forces(self, hand, limit):
-        """In virtual time, along the way."""
+        """In virtual time, along the path."""
         self.touch(hand, limit)
         self.session.Step(1200)
         x, y, z = hand[0]
@@ -224,7 +224,7 @@ class SurfaceOnAServer(unittest.TestCase):
             self.assertTrue(there.until(lambda: force() > FELT))
             os.kill(process, signal.SIGSTOP)
             goes_on = subprocess.Popen(["sh", "-c", f"sleep 5; kill -CONT {process}"])  # this process waits, threads and all
-            there.session.SetHandPosition(self.way[0][0] + 4.0, *self.way[0][1:])  # beyond half of what is there
+            there.session.SetHandPosition(self.way[0][0] + 4.0, *self.way[0][1:])  # beyond half of the part that is there
             there.wait(0.1)
             there.follow()  # the window stands until the server goes on
             goes_on.wait()
@@ -232,7 +232,7 @@ class SurfaceOnAServer(unittest.TestCase):
             there.session.SetHandPosition(*self.way[0])
             self.assertTrue(there.until(lambda: force() > FELT), "it goes on")
             os.kill(process, signal.SIGKILL)
-            there.session.SetHandPosition(self.way[0][0] + 4.0, *self.way[0][1:])  # what is there now is asked for
+            there.session.SetHandPosition(self.way[0][0] + 4.0, *self.way[0][1:])  # the missing part is asked for
             self.assertTrue(there.until(lambda: "the server does not answer" in there.scene.GetReport()))
             self.assertTrue(there.until(lambda: force() == 0.0))
         with connected(), hand() as there:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The plugin in pvpython: its proxies touch what a view shows, in virtual time, without Qt."""
+"""The plugin in pvpython: its proxies touch the data of a view, in virtual time, without Qt."""
 
 import pathlib
 import sys
@@ -161,7 +161,7 @@ class TouchInAView(ViewTest):
         self.follow()
         self.assertEqual(unsaid(self.scene.GetReport(), "drawn as lines", "Radius of lines"), [])
         self.assertEqual(self.scene.GetRefusal(), self.scene.GetReport().strip().removeprefix("Not touched: "))
-        put(self.proxy, "LineRadius", 0.1)  # what it says helps
+        put(self.proxy, "LineRadius", 0.1)  # the remedy helps
         self.assertTrue(self.follow())
         self.assertEqual((self.scene.GetNumberOfSurfaces(), self.scene.GetRefusal()), (1, ""))
 
@@ -171,7 +171,7 @@ class TouchInAView(ViewTest):
         self.follow()
         self.assertEqual(unsaid(self.scene.GetReport(), "drawn as points", "Radius of points", "Glyph", "Sphere"), [])
         simple.Hide(points, self.view)
-        self.show(simple.Glyph(Input=points, GlyphType="Sphere", GlyphMode="All Points"))  # what it says helps
+        self.show(simple.Glyph(Input=points, GlyphType="Sphere", GlyphMode="All Points"))  # the remedy helps
         self.follow()
         self.assertEqual(self.scene.GetNumberOfSurfaces(), 1)
 
@@ -194,7 +194,7 @@ class TouchInAView(ViewTest):
         self.show(simple.Sphere(Radius=3.0))
         self.follow()
         put(self.proxy, "FitOnTouch", 1)
-        put(self.proxy, "Scale", DEFAULT_SCALE)  # what a person chose otherwise stays
+        put(self.proxy, "Scale", DEFAULT_SCALE)  # another choice of the person stays
         heard = []
         tag = self.proxy.AddObserver("UpdateEvent", lambda proxy, _: heard.append(
             (proxy.GetProperty("Touching").GetElement(0) == 1, self.session.GetTouching())))

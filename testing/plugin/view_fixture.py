@@ -49,7 +49,7 @@ class ViewTest(unittest.TestCase):
         return changed
 
     def feel(self, **settings):
-        """What is shown as a field; whether a brick of it is there."""
+        """The shown data as a field; whether a block of them is there."""
         for name, value in settings.items():
             put(self.proxy, name, value)
         self.follow()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""./dev with stand-ins for dpkg-query and apt-get: what it installs, what it refuses, what it answers."""
+"""./dev with stand-ins for dpkg-query and apt-get: installs, refusals, answers."""
 
 import os
 import re
@@ -98,7 +98,7 @@ class Dev(unittest.TestCase):
         target = re.search(r"^  build (\w+)", run, re.MULTILINE).group(1)
         told = subprocess.run(["ninja", "-C", BUILD, "-t", "commands", target], capture_output=True, text=True, check=True)
         compiled = re.findall(r" -c (\S+)$", told.stdout, re.MULTILINE)
-        self.assertTrue(any(re.search(r"haptics[_/]tick[_/]", source) for source in compiled), compiled)  # alone or as a room
+        self.assertTrue(any(re.search(r"haptics[_/]tick[_/]", source) for source in compiled), compiled)  # alone or as a folder
         self.assertEqual([source for source in compiled if source.startswith(str(ROOT / "testing"))], [])
 
     def test_help_names_every_command(self):

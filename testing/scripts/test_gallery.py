@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The gallery of plane worlds: made by its script, and every maze has a way, found by a search that knows only its walls."""
+"""The gallery of plane worlds: made by its script, and every maze has a path, found by a search that knows only its walls."""
 
 import math
 import os
@@ -14,12 +14,12 @@ GALLERY = Path(os.environ["PALPATE_SOURCE_DIR"]) / "data" / "gallery"
 MAZES = ("corridor", "spiral", "chartres", "hampton-court", "versailles")
 STRUCTURES = ("wedge-field", "circle-set")
 
-CLEARANCE = 0.2  # corridor widths between the way and every wall
+CLEARANCE = 0.2  # corridor widths between the path and every wall
 STEP = 0.125  # shorter than twice the clearance: a step between two free places crosses no wall
 
 
 class World:
-    """What a file says."""
+    """The content of a file."""
 
     def __init__(self, path):
         root = xml.parse(path).getroot()
@@ -72,7 +72,7 @@ class FreePlaces:
         return inside and node not in self._blocked
 
     def steps_to(self, place):
-        """Steps of the shortest way from the start to within a step of the place; None where there is no way."""
+        """Steps of the shortest path from the start to within a step of the place; None where there is no path."""
         goal, queue, count = self.node(place), [(0, 0)], {(0, 0): 0}
         for node in queue:
             if max(abs(node[0] - goal[0]), abs(node[1] - goal[1])) <= 1:
@@ -107,7 +107,7 @@ class Ways:
         self._open = set(passages) | {(b, a) for a, b in passages}
 
     def on(self, before, here):
-        """The ways on for somebody who comes from `before`, the leftmost first."""
+        """The next cells for somebody who comes from `before`, the leftmost first."""
         heading = SIDES.index((here[0] - before[0], here[1] - before[1]))
         turned = [SIDES[(heading + k) % 4] for k in (1, 0, 3)]
         return [c for c in ((here[0] + dx, here[1] + dy) for dx, dy in turned) if (here, c) in self._open]
@@ -161,16 +161,16 @@ class Gallery(unittest.TestCase):
             self.assertTrue(all(a != b for a, b in world.segments()), name)
 
     def test_the_way_of_chartres_goes_through_all_its_circuits(self):
-        # Eleven circles round the middle one corridor apart, cut short at each of the 30 turns by about two corridors;
-        # steps along the axes of the grid only make the way longer.
+        # Eleven circles round the middle one corridor apart, cut short at each of the 30 turns by about two corridors; steps along
+        # the axes of the grid only make the path longer.
         world = World(GALLERY / "chartres.vtp")
         steps = FreePlaces(world.segments(), world.start).steps_to(world.exit)
         circles = sum(2.0 * math.pi * (3.5 + k) for k in range(11))
         self.assertGreater(steps * STEP, circles - 2 * 30)
 
     def test_the_directions_for_visitors_of_hampton_court_lead_to_its_middle(self):
-        # Left on entering, twice right, then four times left (published for the real one). A place where one can go
-        # on in two ways is a junction; whoever comes to one has a turn to take.
+        # Left on entering, twice right, then four times left (published for the real one). A place with two next cells is a
+        # junction, where a turn is to be taken.
         world = World(GALLERY / "hampton-court.vtp")
         ways = Ways(open_sides(world.segments(), 19, 11))
         middle = tuple(math.floor(v) for v in world.exit)

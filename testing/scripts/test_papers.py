@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What people read is short, and what it points at is there: pages, records of decisions, recipes."""
+"""Texts for people are short, and their links have targets: pages, records of decisions, recipes."""
 
 import os
 import re
@@ -27,7 +27,7 @@ def prose(page):
 
 
 def anchors(page):
-    """What a heading is called in a link, as the hosts of repositories name it."""
+    """The name of a heading in a link, as the hosts of repositories make it."""
     headings = re.findall(r"^#+ (.*)$", prose(page), re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
@@ -71,7 +71,7 @@ class Pages(unittest.TestCase):
 
 
 class Numbers(unittest.TestCase):
-    """What a page counts is as many in the tree."""
+    """Counts on a page are those of the tree."""
 
     WORDS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What README.md and testing/BAR.md promise is there: the program runs, the tests exist."""
+"""The promises of README.md and testing/BAR.md are kept: the program runs, the tests exist."""
 
 import math
 import os
@@ -15,7 +15,7 @@ ROOT = Path(os.environ.get("PALPATE_SOURCE_DIR") or Path(__file__).resolve().par
 
 
 class Readme(unittest.TestCase):
-    """What a newcomer copies from the first page."""
+    """The code that a newcomer copies from the first page."""
 
     text = (ROOT / "README.md").read_text(encoding="utf-8")
 

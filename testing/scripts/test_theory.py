@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tables of docs/theory.md that have a formula, computed anew, and that what cites the page cites what it has."""
+"""The tables of docs/theory.md that have a formula, computed anew, and citations of the page have targets."""
 
 import itertools
 import math
@@ -48,7 +48,7 @@ def critical(radius_of):
 
 
 def held(m, b, step_s):
-    """How place and speed go on, and what a held force adds to both, of a mass with damping: its exact motion."""
+    """Decay of place and speed, and the effect of a held force on both, of a mass with damping: its exact motion."""
     fall = math.exp(-b * step_s / m)
     glide_s = m / b * (1 - fall)
     return np.array([[1, glide_s], [0, fall]]), np.array([(step_s - glide_s) / b, (1 - fall) / b])
@@ -120,7 +120,7 @@ class Theory(unittest.TestCase):
 
     @staticmethod
     def feet(normals, place):
-        """Of a place on what any of the planes have in common."""
+        """Of a place on the intersections of the planes."""
         yield place
         for count in (1, 2, 3):
             for some in itertools.combinations(normals, count):
@@ -231,7 +231,7 @@ class Theory(unittest.TestCase):
 
     @staticmethod
     def struck(period, first_s, mass=0.1, speed=0.1, K=1000.0):
-        """Most force on a free mass, which knows its motion by one packet a period, and the speed it leaves with."""
+        """Most force on a free mass, which knows its motion by one snapshot a period, and the speed it leaves with."""
         h = period * TICK_S
         compliance = h * h / mass
         x = v = most_N = 0.0

@@ -6,10 +6,10 @@
 namespace palpate::test
 {
 
-/// Counts heap allocations, frees and lock operations of the calling thread between construction and now, by taking
-/// the place of malloc, operator new's allocator and the pthread lock functions in the test program.
-/// Under a sanitizer, which takes their place itself, it counts nothing: what expects no count runs there all the same,
-/// for the sanitizer to watch. Who reports a count or expects one asks works().
+/// Counts heap allocations, frees and lock operations of the calling thread between construction and now, by taking the
+/// place of malloc, operator new's allocator and the pthread lock functions in the test program. Under a sanitizer,
+/// which takes their place itself, it counts nothing: a test that expects no count runs there all the same, for the
+/// sanitizer to watch. Who reports a count or expects one asks works().
 class AllocationGuard
 {
 public:

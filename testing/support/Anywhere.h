@@ -7,7 +7,7 @@
 namespace palpate::test
 {
 
-/// Turns and shifts a mesh and what is done to it alike, so that no coordinate is a round number.
+/// Turns and shifts a mesh and the hand's path alike, so that no coordinate is a round number.
 class Anywhere
 {
 public:

@@ -8,7 +8,7 @@
 namespace palpate::test
 {
 
-/// What every device that a test makes up has in common: it opens and closes, and that is all.
+/// The common part of devices that tests make up: it opens and closes, and that is all.
 class BareDevice : public HapticDevice
 {
 public:

@@ -62,7 +62,7 @@ void Bender::nextSnapshot()
     this->begin_s_ += this->snapshot_s();
   }
   const double share = this->scene_->shareAt(this->state.sceneAge_s);
-  // A step shows the snapshot of now at once; a way has to know where it leads.
+  // A step shows the snapshot of now at once; a motion has to know where it leads.
   std::shared_ptr<const Scene> next =
     this->snapshot(this->begin_s_ + (moves ? this->snapshot_s() : 0.0), moves ? this->scene_.get() : nullptr);
   next = moves ? movingFrom(*this->scene_, share, next, this->snapshot_s()) : next;

@@ -11,18 +11,17 @@
 namespace palpate::test
 {
 
-/// What this thread has worked: what takes longer than the machine lets a thread run is measured by it.
+/// Processor time of this thread: for calls that take longer than the machine lets a thread run.
 class ProcessorClock final : public Clock
 {
 public:
   [[nodiscard]] std::int64_t now_ns() const noexcept override;
 };
 
-/// What reading a clock takes, at the least [ns].
+/// Time to read a clock, at the least [ns].
 [[nodiscard]] std::int64_t readingOf_ns(const Clock& clock);
 
-/// Times of single calls in microseconds, less what reading the clock costs. A maximum says nothing on a shared
-/// machine.
+/// Times of single calls in microseconds, less the time to read the clock. A maximum says nothing on a shared machine.
 class CostSample
 {
 public:

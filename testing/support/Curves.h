@@ -38,11 +38,11 @@ struct Tubes
 /// How far p is from the nearest tube's skin [u], negative inside. All segments are asked.
 [[nodiscard]] double clearance(const std::vector<Tubes>& tubes, const Vec3& p_W);
 
-/// A hand in a world of tubes, one tick a call: it dashes through it, and rubs along lines from inside their tubes.
+/// A hand in a world of tubes, one tick a call: it dashes through it, and strokes along lines from inside their tubes.
 class TubeHand
 {
 public:
-  /// `tubes` must outlive it. `fastest_u`: what it goes in a tick at most.
+  /// `tubes` must outlive it. `fastest_u`: its largest displacement in a tick.
   TubeHand(const std::vector<Tubes>& tubes, double half_u, double fastest_u, std::uint64_t seed);
 
   [[nodiscard]] Vec3 next();
@@ -56,10 +56,10 @@ private:
   Vec3 p_W_ = Vec3::Zero(), goal_W_ = Vec3::Zero();
   double step_u_ = 0.0;
   std::size_t tube_ = 0, line_ = 0, point_ = 0;
-  int rubs_ = 0; ///< points of the line left to rub along
+  int rubs_ = 0; ///< points of the line left to stroke along
 };
 
-/// Judges the way of a ball's centre: whether it is continuous and how near it comes to any tube.
+/// Judges the path of a ball's centre: whether it is continuous and how near it comes to any tube.
 class TubeChecker final : public PathSink
 {
 public:
@@ -68,8 +68,8 @@ public:
 
   void segment(const Vec3& from_W, const Vec3& to_W) noexcept override;
 
-  /// Judges what came since the last call and forgets it: least clearance of the centre over all of the way [u], which
-  /// no ball of radius r may bring below r. `start_W`, `end_W`: where the centre was before and is now. NaN for a way
+  /// Judges the path since the last call and forgets it: least clearance of the centre over all of the path [u], which
+  /// no ball of radius r may bring below r. `start_W`, `end_W`: where the centre was before and is now. NaN for a path
   /// with gaps.
   [[nodiscard]] double leastClearance(const Vec3& start_W, const Vec3& end_W);
 

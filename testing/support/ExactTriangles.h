@@ -15,7 +15,7 @@
 namespace palpate::test
 {
 
-/// What the judges ask of CGAL, and nothing of the code under test: yes or no exactly, lengths as doubles.
+/// The judges' questions to CGAL, and nothing of the code under test: yes or no exactly, lengths as doubles.
 using Filtered = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// Lengths too.
 using Rational = CGAL::Simple_cartesian<CGAL::Exact_rational>;

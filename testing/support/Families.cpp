@@ -202,7 +202,7 @@ TriangleMesh slivers(Random& random)
   return mesh;
 }
 
-/// Whole numbers only: what is asked exactly is answered without rounding.
+/// Whole numbers only: exact questions are answered without rounding.
 TriangleMesh lattice(Random& random)
 {
   const int height = static_cast<int>(random.below(4));

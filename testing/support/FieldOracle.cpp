@@ -67,7 +67,7 @@ std::array<Quad, 4> bernstein(const std::array<Quad, 4>& v)
     v[3] };
 }
 
-/// Where a straight way passes from cell to cell, 0 to 1.
+/// Where a straight segment passes from cell to cell, 0 to 1.
 std::vector<Quad> cuts(const Quad3& from, const Quad3& to)
 {
   std::vector<Quad> cuts{ 0, 1 };

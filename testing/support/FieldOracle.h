@@ -8,7 +8,7 @@
 namespace palpate::test
 {
 
-/// Watches the ways of an isosurface's proxy in numbers of 113 bits, by cells and cubics of its own.
+/// Watches the path of an isosurface's proxy in numbers of 113 bits, by cells and cubics of its own.
 class FieldOracle final : public FieldPathSink
 {
 public:

@@ -12,10 +12,10 @@ namespace
 
 /// Of a length, by which a ball may come nearer; of squares twice that.
 constexpr double nearerShare = 1e-9;
-/// Of a squared length: what doubles may be wrong by where a ball is small against its coordinates.
+/// Of a squared length: the error of doubles where a ball is small against its coordinates.
 constexpr double doubtShare = 1e-4;
 
-/// Squared distance the way keeps from a triangle against what it has to keep, in one kernel.
+/// Squared distance of a displacement from a triangle against the required one, in one kernel.
 template<class Kernel>
 bool keepsAway(const typename Kernel::Segment_3& way, const typename Kernel::Triangle_3& triangle,
   const typename Kernel::FT& radius2_u2, double share)

@@ -42,8 +42,8 @@ Vec3 nearestPoint(const TriangleMesh& mesh, std::uint32_t t, const Vec3& x_W)
   return { nearest.x(), nearest.y(), nearest.z() };
 }
 
-/// What least is left of the pull beside the cone of all normals, by active sets (Lawson & Hanson 1974): the tip of a
-/// cone of thousands of faces may be held by any three of them.
+/// The least rest of the pull beside the cone of all normals, by active sets (Lawson & Hanson 1974): the tip of a cone
+/// of thousands of faces may be held by any three of them.
 Eigen::Matrix3Xd nearestChoice(std::span<const Vec3> normals, const Vec3& pull_W)
 {
   constexpr int mostRounds = 100;
@@ -71,7 +71,7 @@ Eigen::Matrix3Xd nearestChoice(std::span<const Vec3> normals, const Vec3& pull_W
   return chosen;
 }
 
-/// One choice of normals: what is left of the pull in their planes beyond their friction; infinite if one would pull.
+/// One choice of normals: the rest of the pull in their planes beyond their friction; infinite if one would pull.
 double beyond(const Eigen::Matrix3Xd& normals, const Vec3& pull_W, double mu)
 {
   const Eigen::VectorXd depths = solved(normals, -pull_W);

@@ -9,9 +9,9 @@
 namespace palpate::test
 {
 
-/// Unit normals of what a ball touches, from the surface to its centre, equal ones once. Of a point: of the faces it is
-/// as near to as `reach_u`, on its side of each in exact arithmetic. Of a ball: from the nearest point of each triangle
-/// that is no further than its radius and `reach_u`.
+/// Unit normals of the features that a ball touches, from the surface to its centre, equal ones once. Of a point: of
+/// the faces it is as near to as `reach_u`, on its side of each in exact arithmetic. Of a ball: from the nearest point
+/// of each triangle that is no further than its radius and `reach_u`.
 [[nodiscard]] std::vector<Vec3> touchedNormals(
   const TriangleGrid& grid, const Vec3& centre_W, double radius_u, double reach_u);
 

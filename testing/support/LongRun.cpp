@@ -23,9 +23,9 @@ constexpr int placeAttempts = 300;
 constexpr int waysTried = 12;
 /// Of the size: positions are sums and products of coordinates, normals of slivers lose five digits more.
 constexpr double clearanceShare = 1e-8;
-/// Of the radius: what is nearer counts as touched, and its normal is known to that much.
+/// Of the radius: a nearer triangle counts as touched, and its normal is known to that much.
 constexpr double touchShare = 1e-6;
-/// Of the way to the hand: touched planes at an angle of 1e-3 rad magnify the error of a normal a thousandfold.
+/// Of the distance to the hand: touched planes at an angle of 1e-3 rad magnify the error of a normal a thousandfold.
 constexpr double restShare = 2e-3;
 
 } // namespace
@@ -232,7 +232,7 @@ void LongRun::judgeRest(const ContactResult& result)
   }
 }
 
-/// The hand must lie in the cone of the touched features' normals: then no way under them leads nearer to it.
+/// The hand must lie in the cone of the touched features' normals: then no displacement under them leads nearer to it.
 bool LongRun::ballCouldGoOn() const
 {
   const double r = this->task_.plan.radius_u;
@@ -255,7 +255,7 @@ bool LongRun::ballCouldGoOn() const
   return projectExactly(rows, unit).y.norm() > restShare;
 }
 
-/// A point at a corner has no normals; short ways towards the hand are tried instead, and none may be free.
+/// A point at a corner has no normals; short displacements towards the hand are tried instead, and none may be free.
 bool LongRun::pointCouldGoOn()
 {
   const Vec3 pull = this->p_W_ - this->state_.x_W;

@@ -17,28 +17,28 @@
 namespace palpate::test
 {
 
-/// What many ticks under a random hand came to: what each tick by itself must not do, and four more that must be 0.
+/// The sums of many ticks under a random hand: faults of single ticks, and four more that must be 0.
 struct RunFigures : TickFigures
 {
-  std::uint64_t fallen = 0;    ///< ticks whose way met the clean closed shape, or sank deeper than its gaps allow
-  std::uint64_t stuck = 0;     ///< the way to the hand was free and the ball did not come in many ticks
+  std::uint64_t fallen = 0;    ///< ticks whose path met the clean closed shape, or sank deeper than its gaps allow
+  std::uint64_t stuck = 0;     ///< the segment to the hand was free and the ball did not come in many ticks
   std::uint64_t restless = 0;  ///< the hand kept still and the ball still moved
   std::uint64_t notAtRest = 0; ///< where the ball stood it could have gone on towards the hand
   std::uint64_t touching = 0;
-  std::uint64_t pulls = 0; ///< times the hand pulled away on a free way
+  std::uint64_t pulls = 0; ///< times the hand pulled away on a free path
   std::uint64_t rests = 0; ///< times it kept still with something touched
   std::uint64_t infeasible = 0;
   std::uint64_t work = 0;
   std::uint64_t mostWork = 0; ///< of one tick
-  double spent = 0.0;         ///< what the hand put into the spring, [depth^2], stiffness 1
-  double created = 0.0;       ///< what the ball's own motion added to it: must be rounding
+  double spent = 0.0;         ///< energy of the hand into the spring, [depth^2], stiffness 1
+  double created = 0.0;       ///< energy that the ball's own motion added to it: must be rounding
 
   [[nodiscard]] bool clean() const noexcept;
   RunFigures& operator+=(const RunFigures& more);
   [[nodiscard]] std::string text() const;
 };
 
-/// A mesh with what judges ways over it.
+/// A mesh with its judges of paths.
 struct JudgedMesh
 {
   explicit JudgedMesh(TriangleMesh clean);
@@ -53,7 +53,7 @@ struct RunTask
 {
   std::shared_ptr<const Scene> scene;
   const JudgedMesh* touched = nullptr; ///< the scene's one mesh, cleaned
-  const JudgedMesh* shape = nullptr;   ///< what must not be passed although `touched` has gaps, or null
+  const JudgedMesh* shape = nullptr;   ///< the shape that must not be passed although `touched` has gaps, or null
   double gap_u = 0.0;                  ///< of `touched` against `shape`
   double size_u = 1.0;                 ///< largest extent
   ContactPlan plan;
@@ -72,7 +72,7 @@ public:
   /// The meshes must outlive it. Under friction nothing is said about where the ball rests.
   explicit LongRun(const RunTask& task);
 
-  /// False where a ball of this radius has no room on that side: nothing can be run.
+  /// False where a ball of this radius does not fit on that side: nothing can be run.
   [[nodiscard]] bool placed() const noexcept { return this->placed_; }
   void run(std::uint64_t ticks);
   [[nodiscard]] RunFigures figures() const;
@@ -93,7 +93,7 @@ private:
 
   RunTask task_;
   TickJudge judge_;
-  PathChecker wayChecker_; ///< for ways that are only asked for
+  PathChecker wayChecker_; ///< for segments that are only asked for
   std::optional<PathChecker> shapeChecker_;
   Random random_;
   double depth_u_;

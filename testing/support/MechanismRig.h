@@ -15,7 +15,7 @@ namespace palpate::test
 /// The hand and the tissue of docs/theory.md, "Constraints between bodies" [N/m, N m/rad].
 inline constexpr double kc = 1000.0, kr = 2.0, tissue = 500.0;
 
-/// A body of that surface that gives way as a whole: one spring, the same along every axis.
+/// A body of that surface that yields as a whole: one spring, the same along every axis.
 inline std::shared_ptr<const PressedBody> springBody(const std::string& name, std::shared_ptr<const TriangleMesh> mesh,
   double patchRadius_u, double compliance_u_per_N, std::uint64_t revision = 1)
 {

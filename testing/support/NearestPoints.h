@@ -9,7 +9,7 @@
 namespace palpate::test
 {
 
-/// What of a mesh is near a point, by CGAL's tree and constructions; nothing of the code under test is used.
+/// The nearest part of a mesh to a point, by CGAL's tree and constructions; nothing of the code under test is used.
 class NearestPoints
 {
 public:

@@ -24,12 +24,12 @@ public:
 
   void segment(const Vec3& from_W, const Vec3& to_W) noexcept override;
 
-  /// Judges what came since the last call and forgets it. Empty when every piece continues the one before, does not
-  /// meet any triangle (touching included) and keeps its distance; else the first finding in words.
-  /// `start_W` is where the centre was before.
+  /// Judges the path since the last call and forgets it. Empty when every piece continues the one before, does not meet
+  /// any triangle (touching included) and keeps its distance; else the first finding in words. `start_W` is where the
+  /// centre was before.
   [[nodiscard]] std::string finding(const Vec3& start_W);
 
-  /// What it looks at the mesh with, to be shared.
+  /// Its grid of the mesh, to be shared.
   [[nodiscard]] const std::shared_ptr<const TriangleGrid>& grid() const noexcept { return this->grid_; }
 
   /// Pieces judged so far.

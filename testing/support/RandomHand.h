@@ -7,7 +7,7 @@
 namespace palpate::test
 {
 
-/// A hand that does anything over a surface, one tick of 1 ms a call: it glides from place to place, dashes, rubs in
+/// A hand that does anything over a surface, one tick of 1 ms a call: it glides from place to place, dashes, strokes in
 /// circles, trembles by encoder steps, and presses from one side through to the other.
 class RandomHand
 {
@@ -37,7 +37,7 @@ private:
   Stroke stroke_ = Stroke::Dash;
   int ticksLeft_ = 0, ticks_ = 1;
   Vec3 p_W_ = Vec3::Zero(), from_W_ = Vec3::Zero(), goal_W_ = Vec3::Zero();
-  Vec3 right_ = Vec3::UnitX(), up_ = Vec3::UnitY(); ///< of the circle it rubs, [u] long
+  Vec3 right_ = Vec3::UnitX(), up_ = Vec3::UnitY(); ///< of the circle that it strokes, [u] long
 };
 
 } // namespace palpate::test

@@ -7,7 +7,7 @@
 namespace palpate::test
 {
 
-/// A way of one tick through a target. Lengths in metres.
+/// A displacement of one tick through a target. Lengths in metres.
 struct Shot
 {
   Vec3 from_W, to_W;

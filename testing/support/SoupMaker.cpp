@@ -74,7 +74,8 @@ double extentOf(const TriangleMesh& mesh)
   return (high - low).maxCoeff();
 }
 
-/// Gives a triangle corners of its own, each moved towards the middle, at most half of the way: cracks all round it.
+/// Gives a triangle corners of its own, each moved towards the middle, at most half of the distance: cracks all round
+/// it.
 void pullIn(TriangleMesh& mesh, std::size_t triangle, const std::array<double, 3>& by_u)
 {
   const auto [a, b, c] = mesh.triangles[triangle];

@@ -26,7 +26,7 @@ struct BadMesh
 /// A closed box [-1, 1]^3 whose sides have cells x cells squares of two triangles each.
 [[nodiscard]] TriangleMesh makeCellBox(int cells);
 
-/// Every triangle with corners of its own, each moved by `by_u` towards its middle (at most half of the way there):
+/// Every triangle with corners of its own, each moved by `by_u` towards its middle (at most half of the distance):
 /// cracks along all edges, no point of the old surface further than `by_u` from the new one.
 [[nodiscard]] TriangleMesh shrunk(const TriangleMesh& mesh, double by_u);
 

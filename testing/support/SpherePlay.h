@@ -20,7 +20,7 @@ struct SphereGame
   std::uint64_t seed = 0;
 };
 
-/// What came of it.
+/// The outcome.
 struct SpherePlay
 {
   std::size_t overBudget = 0, touching = 0; ///< ticks
@@ -35,7 +35,7 @@ struct SpherePlay
 [[nodiscard]] ContactPlan fewPasses();
 
 /// Above this radius a single sweep of a ball at rest takes more than all the work of a tick, at least where the
-/// triangles are smallest: what the limit would be if a tick had as many times its work as it may have sweeps [u].
+/// triangles are smallest: the limit if a tick had as many times its work as it may have sweeps [u].
 [[nodiscard]] double radiusOfOneSweep_u(const Scene& scene, ContactPlan plan);
 
 } // namespace palpate::test

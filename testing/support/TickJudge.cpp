@@ -14,20 +14,20 @@ namespace palpate::test
 namespace
 {
 
-/// Of the size: what a ball may come nearer, for positions are sums and products of coordinates, and normals of slivers
-/// lose five digits more. Of a small ball no more than a thousandth.
+/// Of the size: allowed shortfall of a ball's distance, for positions are sums and products of coordinates, and normals
+/// of slivers lose five digits more. Of a small ball no more than a thousandth.
 constexpr double clearanceShare = 1e-8;
 constexpr double clearanceOfRadius = 1e-3;
 /// Of the largest coordinate: a point that stays nearer to the device is there, for it stands off its faces by a few
 /// roundings of the coordinates.
 constexpr double thereShare = 1e-12;
 /// Of the radius: a ball that stays nearer to the device is there. Where two faces meet at 1e-4 rad it then goes deeper
-/// than what it is allowed to (FreeWay.h).
+/// than allowed (FreeWay.h).
 constexpr double thereOfRadius = 1e-4;
-/// Of the size and of the radius: what is nearer is touched.
+/// Of the size and of the radius: a nearer triangle is touched.
 constexpr double touchShare = 1e-8;
 constexpr double touchOfRadius = 1e-6;
-/// Of the pull: what rounding makes of a friction cone.
+/// Of the pull: rounding of a friction cone.
 constexpr double coneShare = 1e-6;
 
 double clearance(const ContactPlan& plan, double size_u)

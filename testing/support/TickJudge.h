@@ -10,14 +10,14 @@
 namespace palpate::test
 {
 
-/// What many ticks came to. The first seven must be 0.
+/// The sums of many ticks. The first seven must be 0.
 struct TickFigures
 {
-  std::uint64_t glued = 0;   ///< the way to the device was free and the god-object stayed
+  std::uint64_t glued = 0;   ///< the segment to the device was free and the god-object stayed
   std::uint64_t through = 0; ///< the path met a triangle, came nearer than the radius, jumped or ended elsewhere
   std::uint64_t adrift = 0;  ///< neither at the device nor at any triangle
   std::uint64_t beyond = 0;  ///< drawn further than friction holds it
-  std::uint64_t untrue = 0;  ///< the pull was not the way from the device to the god-object
+  std::uint64_t untrue = 0;  ///< the pull was not the vector from the device to the god-object
   std::uint64_t notFinite = 0;
   std::uint64_t notPlaced = 0; ///< runs that never began
   std::uint64_t ticks = 0;
@@ -32,9 +32,9 @@ struct TickFigures
   [[nodiscard]] std::string text() const;
 };
 
-/// Judges every tick by itself, by brute force over what a grid says is near, in exact arithmetic where the answer is
-/// yes or no; nothing of the code under test is used. A tick may end in two ways only: at the device, or at the surface
-/// with something in the way to the device, pulled no more than what it touches and friction can hold.
+/// Judges every tick by itself, by brute force over the near triangles of a grid, in exact arithmetic where the answer
+/// is yes or no; nothing of the code under test is used. A tick may end in two ways only: at the device, or at the
+/// surface with something in the way to the device, pulled no more than the touched faces and friction can hold.
 class TickJudge final : public PathSink
 {
 public:

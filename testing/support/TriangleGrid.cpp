@@ -11,7 +11,7 @@ namespace palpate::test
 namespace
 {
 
-/// Of the coordinates at hand: far more than what rounding makes of where a segment enters a cell.
+/// Of the coordinates at hand: far more than the rounding of the place where a segment enters a cell.
 constexpr double roomShare = 1e-9;
 
 /// The part of [from, to] where start + t * way lies in [low, high]; from > to if there is none.

@@ -10,8 +10,8 @@
 namespace palpate::test
 {
 
-/// The triangles of a mesh by cell: what the judges look at instead of all of them. Comparisons, monotone roundings and
-/// room for what they lose: what is near is never missed.
+/// The triangles of a mesh by cell: the judges look at near ones instead of all of them. Comparisons, monotone
+/// roundings and slack for the roundings: a near triangle is never missed.
 class TriangleGrid
 {
 public:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the displays of ParaView's releases call differently."""
+"""Properties of displays with other names in other releases of ParaView."""
 
 
 def place_property(display):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What GUI scripts do with fields: data, the panel's session, and checks against formulas and ParaView's own probe."""
+"""GUI scripts on fields: data, the panel's session, and checks against formulas and ParaView's own probe."""
 
 import gzip
 import math
@@ -80,7 +80,7 @@ def later(time):
 
 
 def ready():
-    """Waits for the worker: what a scripted hand does next is not to depend on how busy the machine is."""
+    """Waits for the worker: the next motion of a scripted hand is not to depend on how busy the machine is."""
     assert session().FinishField(), session().GetFieldText() + session().GetProblem()
 
 

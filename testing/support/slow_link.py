@@ -12,7 +12,7 @@ import sys
 
 
 async def _carry(reader, writer, delay_s):
-    """What comes in goes out later, in its order."""
+    """Incoming bytes go out later, in their order."""
     loop = asyncio.get_running_loop()
     with contextlib.suppress(ConnectionError):
         while data := await reader.read(1 << 20):
@@ -32,7 +32,7 @@ async def _serve(port, delay_s):
 
 @contextlib.contextmanager
 def slow_link(port, round_trip_s):
-    """The port by which what listens on `port` is reached, with half of that time each way."""
+    """The port that leads to the listener on `port`, with half of that time each way."""
     with subprocess.Popen([shutil.which("python3"), __file__, str(port), str(round_trip_s / 2)], stdout=subprocess.PIPE,
                           text=True) as process:
         try:

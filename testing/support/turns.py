@@ -11,7 +11,7 @@ TURNS = 7  # five shares of the long experiments, then each sanitizer: a commit 
 
 
 def git(*words):
-    """What git says, or 0 in sources without a history."""
+    """The output of git, or 0 in sources without a history."""
     told = subprocess.run(["git", *words], cwd=HERE, capture_output=True, text=True, check=False)
     return told.stdout.strip() if told.returncode == 0 else "0"
 

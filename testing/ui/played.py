@@ -37,7 +37,7 @@ def play(events, folder):
 
 
 def report_of(events):
-    """What the events wrote as JSON: they are made by events(path), and must all succeed."""
+    """The JSON that the events wrote: they are made by events(path), and must all succeed."""
     with tempfile.TemporaryDirectory() as folder:
         report = pathlib.Path(folder, "report.json")
         run = play(events(report), folder)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs inside ParaView: seeded random edits of pipeline, views and states while a hand touches, and what must hold after each.
+"""Runs inside ParaView: seeded random edits of pipeline, views and states while a hand touches, and invariants after each.
 
 The judge is analytic and knows nothing of contact: the proxy, which starts outside, is outside of every closed ball and box that
 the view shows, whatever appeared around it; the force is finite and no larger than the session allows; far from everything it is
@@ -16,8 +16,8 @@ from paraview import servermanager, simple
 from displays import move, place_of
 from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: F401  makes the proxy's object scriptable
 
-MOST_FORCE = 3.0 * (1.0 + 1e-12)  # N; of a device that knows none, and what shortening a force to it rounds
-NO_FORCE = 1e-12  # N; what is left of a blend halves every few milliseconds and is never quite zero
+MOST_FORCE = 3.0 * (1.0 + 1e-12)  # N; of a device that knows none, and the rounding when a force is shortened to it
+NO_FORCE = 1e-12  # N; the rest of a blend halves every few milliseconds and is never quite zero
 MOST_SOURCES = 6
 ROUND = 48  # facets of a ball's equator
 SAG = 1.0 - math.cos(math.pi / ROUND)  # how far a facet lies inside of its ball, in radii; twice: it bends two ways
@@ -35,7 +35,7 @@ def inside_box(box, p):
 
 
 def depth_in(source, display, p):
-    """How deep a point is inside of what a source shows [u]."""
+    """How deep a point is inside of the data that a source shows [u]."""
     at = [x - shift for x, shift in zip(p, place_of(display))]
     kind = source.GetXMLName()
     return {"SphereSource": inside_ball, "CubeSource": inside_box}[kind](source, at)
@@ -50,7 +50,8 @@ def shown_bodies(view):
 
 
 def comes_near(source, display, radius, p, q):
-    """Whether what a source shows, in any style, comes within a ball's radius of the way from p to q, or a little further."""
+    """Whether the data that a source shows, in any style, come within a ball's radius of the line from p to q, or a little
+    further."""
     reach = radius + 2.0 * SAG * 60.0 + 1.0  # u; the largest ball has a radius of 60
     steps = max(2, math.ceil(math.dist(p, q)))
     ways = ([a + (b - a) * i / steps for a, b in zip(p, q)] for i in range(steps + 1))
@@ -195,7 +196,7 @@ class Edits:
             self.put("Radius", self.random.choice((0.0, 0.5, 2.0)))
 
     def move_hand(self):
-        """Somewhere, or into the middle of what a source shows."""
+        """Somewhere, or into the middle of the data that a source shows."""
         source = self.some_source() if self.random.random() < 0.7 else None
         middle, reach = (source.Center, 10.0) if source is not None else ((0.0, 0.0, 0.0), 90.0)
         if self.touching:
@@ -210,7 +211,7 @@ class Edits:
         getattr(self, name)()
         simple.Render(self.view())
 
-    # What must hold.
+    # The invariants.
 
     def check(self):
         if self.touching:
@@ -226,7 +227,7 @@ class Edits:
         session = self.session()
         session.Update()
         if not session.GetTouching():
-            self.engage()  # what ended it is one of the edits: a state never touches by itself
+            self.engage()  # one of the edits ended it: a state never touches by itself
             return
         self.check_force(session)
         self.pressed += session.GetForceMagnitude() > 0.0
@@ -244,7 +245,7 @@ class Edits:
                     f"radius {session.GetRadiusUsed()} u; {session.GetStateText()}; {session.GetFaultText()}; {session.GetSceneReport()}")
 
     def check_hold(self, session, proxy):
-        """Between a proxy and its hand is what holds it."""
+        """Between a proxy and its hand is a body that holds the proxy."""
         hand = tuple(session.GetHandPosition())
         apart = math.dist(proxy, hand)
         shown = [(source, servermanager.GetRepresentation(source, self.view())) for source in simple.GetSources().values()]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs inside ParaView: a million triangles turn before the camera, in turn without a touch and with one; what a picture costs the
-GUI's thread, what a tick costs, drawn for and not, and what making so many triangles ready costs that thread at once.
-test_render_load.py writes the events that call this."""
+"""Runs inside ParaView: a million triangles turn before the camera, in turn without a touch and with one; the cost of a picture for
+the GUI's thread, of a tick, drawn for and not, and of making so many triangles ready for that thread at once. test_render_load.py
+writes the events that call this."""
 
 import json
 import math
@@ -27,7 +27,7 @@ class RenderLoad:
         self.proxy = manager.GetProxy("haptics", "HapticSession")
         self.parts = {"free": [], "touched": []}  # of each part [ms a picture]: drawing it, all else that the thread did
         self.costs = {}
-        self.ready = {"shares": [], "slices": []}  # progress, and what the thread did between two looks beside drawing [ms], pictures
+        self.ready = {"shares": [], "slices": []}  # progress, and work of the thread between two looks beside drawing [ms], pictures
         self.turning = False
         self.drawing = self.begun = self.looked = 0.0
         self.drawn = 0
@@ -36,7 +36,7 @@ class RenderLoad:
         window.AddObserver("EndEvent", self.end_picture)
         interactor.AddObserver("TimerEvent", self.turn)
         interactor.CreateRepeatingTimer(FRAME_MS)
-        simple.Render(self.view)  # what happens once happens before anything is measured
+        simple.Render(self.view)  # one-time work happens before anything is measured
 
     def session(self):
         return self.proxy.GetClientSideObject()

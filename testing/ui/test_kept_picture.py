@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A picture in which only the hand moved draws the hand alone, before a kept picture of the data: it looks as if all were drawn, and what
-changes is drawn at once."""
+"""A picture in which only the hand moved draws the hand alone, before a kept picture of the data: it looks as if all were drawn,
+and changes are drawn at once."""
 
 import unittest
 
@@ -10,7 +10,7 @@ VIEW = ("pqClientMainWindow/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidge
         "CentralWidgetFrame/Viewport/1QVTKOpenGLNativeWidget0")
 
 def settle():
-    """Some pictures of what is there now."""
+    """Some pictures of the present data."""
     return python("kept.begin()") + wait(300)
 
 

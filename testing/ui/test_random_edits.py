@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Random edits of pipeline, views and states while a hand touches: no crash, no force that stays, no hand that is swallowed.
 
-PALPATE_TEST_SEED and PALPATE_TEST_COUNT choose others. In full, a thousand of them, and what they left in memory is not more than
-twice what the same edits leave when nobody touches, and 40 MB.
+PALPATE_TEST_SEED and PALPATE_TEST_COUNT choose others. In full, a thousand of them, and they leave in memory not more than twice as
+much as the same edits when nobody touches, and 40 MB.
 """
 
 import os

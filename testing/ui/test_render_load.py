@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drawing a million triangles beside the servo: what they cost the GUI's thread to become touchable, what touching costs it a picture,
-what a tick costs beside drawing. Side by side in one run, as ratios; with PALPATE_TEST_FULL a minute of them."""
+"""Drawing a million triangles beside the servo: the cost for the GUI's thread until they are touchable, the cost of touching in a
+picture, and that of a tick beside drawing. Side by side in one run, as ratios; with PALPATE_TEST_FULL a minute of them."""
 
 import json
 import os
@@ -47,7 +47,7 @@ class RenderLoad(unittest.TestCase):
         print(cls.found["ready"])
 
     def picture_ms(self):
-        """What one costs the GUI's thread that nobody touches."""
+        """Time of a picture in the GUI's thread while nobody touches."""
         return sum(self.found["middle"]["free"][:2])
 
     def test_a_million_triangles_become_touchable_without_holding_the_thread_for_as_long_as_a_picture(self):

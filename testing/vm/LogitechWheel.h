@@ -47,7 +47,7 @@ protected:
   LogitechWheel wheel_;
 };
 
-/// A G29 on the virtual bus: only the kernel's own driver knows what to tell it. That driver takes no other transport.
+/// A G29 on the virtual bus: only the kernel's own driver knows its commands. That driver takes no other transport.
 class UsbWheel final
   : private WheelFirmware
   , public UsbTransport

@@ -15,7 +15,7 @@
 namespace palpate::test
 {
 
-/// What the kernel is told of a device before it asks for anything.
+/// Identity of a device, told to the kernel before it asks for anything.
 struct PlugIdentity
 {
   std::string name, serial;
@@ -41,7 +41,7 @@ public:
   void plug();
   void unplug();
 
-  /// What the firmware's own clock shows since it was made.
+  /// The firmware's own clock since it was made.
   [[nodiscard]] std::int64_t time_ms() const noexcept { return this->time_ms_; }
   [[nodiscard]] const PlugIdentity& identity() const noexcept { return this->identity_; }
   [[nodiscard]] const std::string& serial() const noexcept { return this->identity_.serial; }
@@ -57,7 +57,7 @@ protected:
     const std::lock_guard lock(this->mutex_);
     return body();
   }
-  /// The firmware as it is before anybody has used it. It stands still.
+  /// The firmware as it is before anybody has used it. The handle stands still.
   virtual void powerOn() = 0;
   virtual void attach() = 0;
   virtual void detach() noexcept = 0;

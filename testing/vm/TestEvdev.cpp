@@ -178,7 +178,7 @@ protected:
   UsbWheel wheel;
 };
 
-// The kernel's hid-logitech gives the orders; what they mean stands at LogitechWheel.
+// The kernel's hid-logitech gives the orders; their meaning stands at LogitechWheel.
 TEST_F(EvdevWheel, UnderTheKernelsOwnDriverIsPushedAsTheCommandSays)
 {
   EventServo servo(logitech, g29);
@@ -214,7 +214,7 @@ TEST_F(EvdevWheel, IsLeftWithoutForceByClosingAndByTheDeathOfAProgram)
   {
     EventServo servo(logitech, g29);
     ASSERT_EQ(servo.device.open(), "");
-    // What it says in the first 50 ms the kernel throws away (usbhid_open), and without a move it says nothing more.
+    // The kernel throws away reports of the first 50 ms (usbhid_open), and without a move the wheel sends no more.
     wheel.alone([](test::LogitechWheel& firmware) { firmware.position = 0.25; });
     servo.command.wrench_D.force = { 2.0, 0.0, 0.0 };
     ASSERT_TRUE(servo.runUntil([&] { return wheel.forceX() > 0.3; }));

@@ -81,7 +81,7 @@ TEST(Uhid, TheForceOfTheCommandReachesTheFirmwareOnEveryLayout)
     servo.device.close();
     const auto emptied = [](VirtualPidDevice& stick) { return stick.effectsUsed() == 0; };
     EXPECT_TRUE(waitUntil([&] { return device.alone(emptied); })) << layout.name;
-    // What is left is the spring to the centre that it had when it was plugged in, if it had one.
+    // The rest is the spring to the centre that it had when it was plugged in, if it had one.
     EXPECT_TRUE(layout.habits.wakesCentred || device.forceX() == 0.0) << layout.name;
     EXPECT_EQ(device.badReports(), 0) << layout.name;
   }
@@ -105,7 +105,7 @@ void requireFourWalls(const test::PidLayout& layout)
     VirtualPidDevice::Axes push, rest;
   };
   const double inside = 0.5 / VirtualPidDevice::springGain;
-  // HID's y points the other way, and these two walls are alike.
+  // HID's y has the other direction, and these two walls are alike.
   for (const Push& push : { Push{ { 0.5, 0.0 }, { 0.5 + inside, 0.0 } }, Push{ { -0.5, 0.0 }, { -0.3 - inside, 0.0 } },
          Push{ { 0.0, 0.5 }, { 0.0, 0.2 + inside } }, Push{ { 0.0, -0.5 }, { 0.0, -0.2 - inside } } })
   {

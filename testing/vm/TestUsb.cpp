@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What only a bus shows: writes that wait. Runs in a virtual machine of its own (README.md).
+// For the behaviour of a bus alone: writes that wait. Runs in a virtual machine of its own (README.md).
 #include <cmath>
 #include <iostream>
 #include <string>

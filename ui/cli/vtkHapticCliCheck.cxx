@@ -27,7 +27,7 @@ struct Box
   palpate::Vec3 High_W = palpate::Vec3::Constant(-std::numeric_limits<double>::infinity());
 };
 
-/// With what the triangles of a mesh use.
+/// With the vertices that the triangles of a mesh use.
 Box Grown(Box box, const palpate::TriangleMesh& mesh)
 {
   for (const auto& triangle : mesh.triangles)
@@ -41,7 +41,7 @@ Box Grown(Box box, const palpate::TriangleMesh& mesh)
   return box;
 }
 
-/// What a file gives to touch: its polygons, its lines as tubes, or its lines as walls.
+/// The touchable data of a file: its polygons, its lines as tubes, or its lines as walls.
 struct Input
 {
   std::vector<palpate::SurfaceInput> Surfaces;
@@ -111,7 +111,7 @@ palpate::ScenePlan TouchPlanOf(const Subject& subject)
   return palpate::planTouch(*subject.Surface().tree, conditions);
 }
 
-/// What a session would choose for this file.
+/// A session's choice for this file.
 struct Choice
 {
   std::vector<palpate::SurfaceChoice> Surfaces;
@@ -261,7 +261,7 @@ void Print(const nlohmann::ordered_json& json)
   std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
-/// As what lines are touched, if there are any.
+/// How lines are touched, if there are any.
 std::string WorldOf(const Input& input)
 {
   std::ostringstream text;

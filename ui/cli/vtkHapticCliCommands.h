@@ -13,10 +13,10 @@
 
 /// The commands of the program `palpate`. Each returns the exit code and throws vtkHapticCliProblem for bad input.
 
-/// What is attached, what each device can do, why one cannot be used.
+/// Lists the attached devices, their abilities, and why one cannot be used.
 int vtkHapticCliDevices(bool json);
 
-/// Checks a device with whoever holds it, who may say that it is a wheel, and keeps what was found if `keep`. 0: it
+/// Checks a device with the person who holds it, who may say that it is a wheel, and keeps the result if `keep`. 0: it
 /// passed, 1: it did not.
 int vtkHapticCliSelfTest(const std::string& device, bool keep, bool wheel);
 
@@ -47,17 +47,17 @@ struct vtkHapticCliCheckOptions
   bool Json = false;
 };
 
-/// Whether a file can be touched, what was repaired, what is refused, and what a session would choose for it. 0:
-/// touchable; a refusal throws.
+/// Whether a file can be touched, with repairs, refusals, and the choices of a session for it. 0: touchable; a refusal
+/// throws.
 int vtkHapticCliCheck(const vtkHapticCliCheckOptions& options);
 
-/// What a mechanism of a scene file becomes. 0: it can be felt; a fault throws.
+/// The plan of a mechanism of a scene file. 0: it can be felt; a fault throws.
 int vtkHapticCliCheckMechanism(const vtkHapticCliCheckOptions& options);
 
-/// A body that gives way: the first file.
+/// A soft body: the first file.
 struct vtkHapticCliSoftOptions
 {
-  std::optional<double> Young_Pa; ///< none: nothing gives way
+  std::optional<double> Young_Pa; ///< none: nothing is soft
   double Poisson = 0.4;
   std::string Fixed; ///< sides of its box, or a point array
   std::string Model = "linear";
@@ -99,14 +99,15 @@ struct vtkHapticCliLabyrinthOptions
   bool DeviceWalls = false;
   bool Solve = false;
   bool Play = false;
-  std::string Hold;                 ///< a button or "grip", to be held while a game goes on; empty: what chose it
-  std::optional<double> Corridor_u; ///< else what the file says, or 1
+  std::string Hold;                 ///< a button or "grip", to be held while a game goes on; empty: the button that
+                                    ///< chose it
+  std::optional<double> Corridor_u; ///< else the file's, or 1
   std::string Path;                 ///< of a hand, in place of a blind one
   std::string Output;               ///< trace; empty: none
 };
 
-/// A plane world: what it is, or a hand's way through it, blind or along a path. 0: described or arrived; 1: not
-/// arrived.
+/// A plane world: its description, or a hand's path through it, blind or along a given path. 0: described or arrived;
+/// 1: not arrived.
 int vtkHapticCliLabyrinth(const vtkHapticCliLabyrinthOptions& options);
 
 /// These labyrinths, played from a device alone until its buttons or an interrupt end it. 0: somebody arrived; 1:

@@ -142,7 +142,7 @@ int Solve(const palpate::Labyrinth& labyrinth, const vtkHapticCliLabyrinthOption
   return outcome.problem.empty() ? 0 : NotArrived;
 }
 
-/// What can be played: of the gallery all that has a start and an exit, or the one that was given.
+/// The labyrinths to play: of the gallery all that have a start and an exit, or the one that was given.
 std::vector<palpate::Labyrinth> ToPlay(const vtkHapticCliLabyrinthOptions& options)
 {
   std::vector<palpate::Labyrinth> labyrinths;

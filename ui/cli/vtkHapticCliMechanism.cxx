@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mechanisms: bodies and the laws that join them, from a scene file.
+// Mechanisms: bodies and the constraints that join them, from a scene file.
 #include <iostream>
 
 #include "haptics/session/mechanism/MechanismTouch.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-/// A CSV file that appears whole or not at all: rows go to a temporary beside it, which takes its name at the end.
-/// What stood under that name before stays until then. Throws vtkHapticCliProblem.
+/// A CSV file that appears whole or not at all: rows go to a temporary beside it, which takes its name at the end. A
+/// file of that name stays until then. Throws vtkHapticCliProblem.
 class vtkHapticCliOutput
 {
 public:

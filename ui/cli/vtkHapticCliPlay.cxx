@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Labyrinths played from a device alone: no mouse, no display. What is printed is for whoever stands beside.
+// Labyrinths played from a device alone: no mouse, no display. The output is for persons who stand beside.
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -85,7 +85,7 @@ void CheckHold(const palpate::DeadMan& deadMan, std::size_t labyrinths)
   }
 }
 
-/// A device that nobody could play with is refused before it is opened.
+/// A device that cannot be played with is refused before it is opened.
 void CheckDevice(const std::string& name, const palpate::DeadMan& deadMan, const palpate::DeviceOptions& wanted)
 {
   for (const palpate::KnownDevice& known : palpate::knownDevices(wanted))
@@ -172,7 +172,7 @@ void Welcome(
             << palpate::LabyrinthMenu::giveUp_s << " s gives up." << std::endl;
 }
 
-/// Tells what happened. True when it is over.
+/// Reports an event. True when the game is over.
 bool Tell(palpate::LabyrinthNews news, const palpate::LabyrinthHost& host, palpate::Fault fault, int& arrived)
 {
   if (news == palpate::LabyrinthNews::Fault)

@@ -58,13 +58,13 @@ std::vector<std::shared_ptr<const palpate::Scene>> ScenesOf(const vtkHapticCliRe
   return scenes;
 }
 
-/// A recording numbers laws, and has their kinds and no names.
+/// A recording numbers constraints, and has their kinds and no names.
 std::string NumberedConstraint(int law)
 {
   return "law" + std::to_string(law + 1);
 }
 
-/// Of the mechanism with most laws.
+/// Of the mechanism with most constraints.
 int ConstraintsOf(const palpate::Recording& recording)
 {
   int most = 0;
@@ -88,13 +88,13 @@ std::string ConstraintColumns(int laws)
   return columns;
 }
 
-/// Tells which laws change, as the ticks are recomputed.
+/// Tells which constraints change, as the ticks are recomputed.
 class ChangedConstraints
 {
 public:
   explicit ChangedConstraints(const palpate::Recording& recording) : Recording(recording) {}
 
-  /// What changed before a recording began is not told.
+  /// Changes before a recording began are not told.
   void Add(const palpate::HapticState& state)
   {
     const palpate::ConstraintChanges& now = state.mechanism.changes;
@@ -124,7 +124,7 @@ private:
   std::optional<palpate::ConstraintChanges> Before; ///< of the tick before
 };
 
-/// Writes the ticks as they are recomputed. What precedes the first one is no tick, so its cost is not known.
+/// Writes the ticks as they are recomputed. Before the first one there is no tick, so its cost is not known.
 class TickTable
 {
 public:

@@ -16,7 +16,8 @@
 
 namespace
 {
-/// Until there is a verdict; whoever holds the device reads what to do. A simulated hand needs no time of ours.
+/// Until there is a verdict; the person who holds the device reads the instructions. A simulated hand needs no time of
+/// ours.
 void Follow(palpate::SelfTestRun& run, bool simulated)
 {
   constexpr int ticksAtOnce = 100;
@@ -42,7 +43,7 @@ void Follow(palpate::SelfTestRun& run, bool simulated)
   run.stop();
 }
 
-/// Where what is found is to be kept, asked before a person has worked for it.
+/// The folder for the result, asked for before a person has worked for it.
 std::string FolderToKeepIn()
 {
   const std::string folder = palpate::userCalibrationFolder(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME"));

@@ -23,7 +23,8 @@
 
 namespace
 {
-/// What a kind does not feel would be lost; the filter refuses settings, and here are the options that are none.
+/// An option that a kind does not feel would be lost; the filter refuses settings, this function the options that are
+/// none.
 void CheckKinds(const vtkHapticCliTouchOptions& options, bool mechanism)
 {
   const bool tool = !options.Tool.empty(), soft = options.Soft.Young_Pa.has_value();
@@ -206,7 +207,7 @@ void Write(vtkPolyData& touched, vtkHapticCliOutput& output)
   }
 }
 
-/// What the filter says is told by the program in its own names.
+/// The filter's messages are told by the program with its own names.
 void Run(const vtkHapticCliTouchOptions& options, vtkTouchAlongPath& filter)
 {
   vtkObject::GlobalWarningDisplayOff();

@@ -69,7 +69,7 @@ std::unique_ptr<palpate::HapticDevice> MakeDevice(
   return std::move(made.device);
 }
 
-/// Nobody is pushed before they ask for it.
+/// No hand is pushed before the person asks for it.
 void AwaitPerson()
 {
   std::cout << "Hold the device and press Enter: the force starts within 1 s; Ctrl-C ends the force." << std::endl;

@@ -28,7 +28,7 @@ public:
   void setProxy(vtkSMProxy* proxy, pqPropertyLinks& links);
   /// Null where there is no session. Ten times a second.
   void refresh(vtkHapticSession* session);
-  /// Of what can be touched now.
+  /// Of the touchable data now.
   void setArrayNames(const QStringList& names);
   /// In the order of the Tab key.
   QList<QWidget*> fields() const;

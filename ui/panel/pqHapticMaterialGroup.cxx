@@ -69,7 +69,7 @@ void pqHapticMaterialGroup::add(const Looks& looks)
   const QString array = QString(looks.Property) + "Array";
   transfer.Array->setToolTip(pqHapticTip(array));
   this->Form->addRow(pqHapticTitle(array), transfer.Array);
-  auto* details = new QWidget(this); // only what is used takes room
+  auto* details = new QWidget(this); // only used arrays take space
   details->setObjectName(name + "Details");
   this->addDetails(details, looks, transfer);
   this->Form->addRow(details);

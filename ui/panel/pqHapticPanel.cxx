@@ -301,7 +301,7 @@ void pqHapticPanel::Internals::searched()
 /// Settings can change without a frame, from a script.
 void pqHapticPanel::Internals::followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower)
 {
-  if (this->Material->isVisible()) // looking at all sources costs too much for what nobody sees
+  if (this->Material->isVisible()) // looking at all sources costs too much for a hidden page
   {
     this->Material->setArrayNames(follower.arrayNames());
   }

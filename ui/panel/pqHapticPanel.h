@@ -9,7 +9,7 @@
 class vtkSMProxy;
 
 /**
- * The dock "Haptics": which device, what touching feels like, and what the servo says about itself.
+ * The dock "Haptics": the device, the feel of a touch, and the servo's read-outs.
  *
  * Every edit goes to the session's proxy and every change of the proxy comes back here; the panel holds no state.
  * Every widget has an object name and a unit beside its number. The fields that are used most have mnemonics, none of

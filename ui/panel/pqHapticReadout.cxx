@@ -21,7 +21,7 @@ QString Millijoules(double energy_J)
   return Quantity(1e3 * energy_J, 2, "mJ");
 }
 
-/// What the spring is now, and that it is not what was asked for.
+/// The stiffness of the spring now, and the one that was set where that differs.
 QString StiffnessOf(const vtkHapticSession& session)
 {
   const QString used = Quantity(session.GetStiffnessUsed(), 0, "N/m");
@@ -30,7 +30,7 @@ QString StiffnessOf(const vtkHapticSession& session)
            : used;
 }
 
-/// What friction does, and that the kinetic coefficient is not what was asked for.
+/// Friction now, and the limit on the kinetic coefficient where there is one.
 QString FrictionOf(const vtkHapticSession& session)
 {
   const QString text = QString::fromUtf8(session.GetFrictionText());
@@ -41,7 +41,7 @@ QString FrictionOf(const vtkHapticSession& session)
            : now;
 }
 
-/// A fault has a reason, a warning comes next; otherwise the last thing that was refused is what the person must know.
+/// A fault has a reason, a warning comes next; otherwise the person must know the last thing that was refused.
 QString ReasonOf(const vtkHapticSession& session)
 {
   const QString fault = QString::fromUtf8(session.GetFaultText());

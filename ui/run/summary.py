@@ -6,7 +6,7 @@ import math
 import os
 import time
 
-#: Rounding of a few additions of numbers as large as coordinates, times the stiffness; far below what can be felt.
+#: Rounding of a few additions of numbers as large as coordinates, times the stiffness; far below any hand's threshold.
 LARGEST_RESIDUAL_N = 1e-9
 
 

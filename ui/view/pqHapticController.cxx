@@ -48,8 +48,8 @@ constexpr const char* managerName = "PALPATE_HAPTIC_CONTROLLER";
 constexpr const char* proxyGroup = "haptics";
 constexpr const char* proxyName = "HapticSession";
 
-/// A new session starts with what Edit / Settings / Haptics says, with the device that is most likely meant, and fits
-/// the hand to what is shown unless a scale is set there.
+/// A new session starts with the settings of Edit / Settings / Haptics, with the device that is most likely meant, and
+/// fits the hand to the shown data unless a scale is set there.
 void ApplySettings(vtkSMSessionProxyManager* manager, vtkSMProxy* session)
 {
   if (auto* object = vtkHapticSession::SafeDownCast(session->GetClientSideObject()))
@@ -278,7 +278,7 @@ void pqHapticController::serverAdded(pqServer* server)
     this->adopt(present);
     return;
   }
-  SCOPED_UNDO_EXCLUDE(); // nobody made it, so nobody can undo that
+  SCOPED_UNDO_EXCLUDE(); // no person made it, so it cannot be undone
   auto proxy = vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy(proxyGroup, proxyName));
   proxy->UpdateVTKObjects(); // its object says which devices there are
   ApplySettings(manager, proxy);
@@ -330,7 +330,7 @@ void pqHapticController::adopt(vtkSMProxy* proxy)
   }
   if (this->session())
   {
-    this->session()->GetDeviceCheck()->Stop(); // nobody could follow it, or stop it, any more
+    this->session()->GetDeviceCheck()->Stop(); // it could not be followed, or stopped, any more
   }
   this->Frames->setActive(false);
   this->Mouse->setActive(false);

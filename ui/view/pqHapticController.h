@@ -71,7 +71,7 @@ public Q_SLOTS:
   void fitSelection();
   /// Right, up and towards of the device are those of the view, now.
   void alignWithView();
-  /// Whether the way through a labyrinth is drawn.
+  /// Whether the path through a labyrinth is drawn.
   void showTrace(bool shown);
   /// Whether start and exit of a labyrinth are drawn while touching.
   void showPlaces(bool shown);

@@ -44,7 +44,7 @@ bool CanDraw(pqRenderView& view)
 pqHapticFrames::pqHapticFrames(QObject* parent) : Superclass(parent)
 {
   this->Props->SetRelativeSize(relativeSize);
-  // A hand that presses is inside what it presses on: drawn in front of it, else nobody would see how deep.
+  // A hand that presses is inside the surface under it: drawn in front of it, else its depth could not be seen.
   vtkMapper* hand = this->Props->GetHandActor()->GetMapper();
   hand->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, inFrontOfEverything);
   this->Pause.setSingleShot(true);
@@ -156,7 +156,7 @@ void pqHapticFrames::detach()
   }
 }
 
-/// Whoever draws: while a camera turns, one frame follows the other and none of them was asked for here.
+/// For pictures from any cause: while a camera turns, one frame follows the other and none of them was asked for here.
 void pqHapticFrames::takeState()
 {
   if (!this->Active || !this->Session)
@@ -173,7 +173,7 @@ void pqHapticFrames::nextFrame()
 {
   if (this->Attached)
   {
-    this->takeState(); // a hidden view draws nothing, and what it touches goes on
+    this->takeState(); // a hidden view draws nothing, but the touch goes on
     this->Pause.start(pauseWhenHidden);
     if (this->onlyTheHandMoved())
     {

@@ -31,7 +31,7 @@ public:
 
   void setSession(vtkHapticSession* session);
   void setActive(bool active);
-  /// Whether the way through a labyrinth is drawn too, then also when nothing is touched any more; off at first.
+  /// Whether the path through a labyrinth is drawn too, then also when nothing is touched any more; off at first.
   void showTrace(bool shown);
   /// Whether start and exit of a labyrinth are drawn too; on at first.
   void showPlaces(bool shown);

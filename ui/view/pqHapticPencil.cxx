@@ -85,7 +85,7 @@ void pqHapticPencil::end()
   END_UNDO_SET();
   if (this->View)
   {
-    // At once: until then what is shown has the points of the finished line, and the cells of the one before.
+    // At once: until then the shown data have the points of the finished line, and the cells of the one before.
     this->View->forceRender();
   }
 }

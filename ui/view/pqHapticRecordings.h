@@ -11,7 +11,7 @@ class QAction;
 class vtkSMProxy;
 
 /**
- * What a person does with recordings: record, save, play again, and see the way of the hand as a source.
+ * A person's actions on recordings: record, save, play again, and see the path of the hand as a source.
  *
  * All of it goes through properties of the session's proxy, so that traces have it. GUI thread only.
  */

@@ -20,7 +20,7 @@
 
 namespace
 {
-/// A program's way to move the hand, not a setting.
+/// Used by a program to move the hand, not a setting.
 bool IsCommand(const QString& property)
 {
   return property == "HandPosition" || property == "Step";
@@ -38,7 +38,7 @@ QString InPython(vtkSMProperty* property, unsigned int element)
                                                            : QString::number(value.GetAsInt(element));
 }
 
-/// Empty for what has no value.
+/// Empty for a property without a value.
 QString ValueOf(vtkSMProperty* property)
 {
   auto* vector = vtkSMVectorProperty::SafeDownCast(property);

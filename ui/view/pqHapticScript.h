@@ -14,12 +14,12 @@ class vtkPythonInterpreter;
 class vtkSMProxy;
 
 /**
- * Writes what is set of the session into Python traces and Python states.
+ * Writes the settings of the session into Python traces and Python states.
  *
- * ParaView traces sources and views alone, and asks nobody what else belongs into a state. So every property that is
+ * ParaView traces sources and views alone, and has no interface for further parts of a state. So every property that is
  * pushed while a trace is active becomes a call of palpate.simple in it, and once there is a Python interpreter its
- * function that makes states gets what differs from the defaults at the end. A state says nothing of Touch: it never
- * moves a device.
+ * function that makes states gets the settings that differ from the defaults at the end. A state says nothing of Touch:
+ * it never moves a device.
  */
 class pqHapticScript : public QObject
 {

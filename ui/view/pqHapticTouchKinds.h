@@ -11,8 +11,8 @@ class pqPipelineSource;
 class pqView;
 class vtkHapticTouchAs;
 
-/// Has sources touched as the kinds of vtkHapticTouchAs, each as one step of undo. ParaView's status bar says what was
-/// done, or why nothing was.
+/// Has sources touched as the kinds of vtkHapticTouchAs, each as one step of undo. ParaView's status bar reports the
+/// result, or why nothing was done.
 class pqHapticTouchKinds : public QObject
 {
   Q_OBJECT

@@ -72,7 +72,7 @@ void pqHapticViewFollower::setActive(bool active)
   }
   if (this->Active && !active)
   {
-    this->Scene->ShowHanded(); // nobody asks for it any more
+    this->Scene->ShowHanded(); // it is not asked for any more
   }
   this->Active = active;
   this->refresh();
@@ -171,7 +171,7 @@ void pqHapticViewFollower::refresh()
   }
 }
 
-/// While a camera turns ParaView may draw coarser data, which nobody wants to touch.
+/// While a camera turns ParaView may draw coarser data, which are not to be touched.
 bool pqHapticViewFollower::drewCoarser() const
 {
   auto* const drawn =

@@ -19,11 +19,11 @@ class vtkHapticViewScene;
 class vtkSMProxy;
 
 /**
- * Keeps the session's scene the same as what the active render view shows.
+ * Keeps the session's scene the same as the surfaces that the active render view shows.
  *
- * It looks after every frame and change of visibility; nothing is handed over unless something touchable changed. Not
- * after updates of the pipeline: until the frame that shows one, a surface may have new points and old cells. A view
- * that closes leaves an empty scene at once. GUI thread only.
+ * The follower looks after every frame and change of visibility; nothing is handed over unless something touchable
+ * changed. Not after updates of the pipeline: until the frame that shows one, a surface may have new points and old
+ * cells. A view that closes leaves an empty scene at once. GUI thread only.
  */
 class pqHapticViewFollower : public QObject
 {
@@ -35,7 +35,7 @@ public:
   ~pqHapticViewFollower() override;
 
   void setSession(vtkHapticSession* session);
-  /// Only while active is the view looked at: surfaces nobody touches cost nothing.
+  /// Only while active is the view looked at: untouched surfaces cost nothing.
   void setActive(bool active);
 
   pqRenderView* view() const { return this->View; }

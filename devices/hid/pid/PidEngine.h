@@ -51,9 +51,9 @@ struct PidState
 };
 
 /// The USB Physical Interface Devices protocol 1.0 with a pool of effects that the device manages. Reports, their
-/// fields and the numbers of what is selected are found by usage in the device's own descriptor; a field that it does
-/// not have is not written. Forces and positions are shares of the device's largest, -1 .. 1. Blocking: one thread, not
-/// the servo's. Each bool says whether the device took the report.
+/// fields and the numbers of selectors are found by usage in the device's own descriptor; a field that it does not have
+/// is not written. Forces and positions are shares of the device's largest, -1 .. 1. Blocking: one thread, not the
+/// servo's. Each bool says whether the device took the report.
 class PidEngine final : public EffectEngine
 {
 public:
@@ -96,7 +96,7 @@ public:
 
   [[nodiscard]] std::string error() const override { return this->connection_.error(); }
 
-  /// What the device says of the effect that was made last, whoever made it: which block, how much memory is left. Two
+  /// The device's answer about the effect that was made last, whoever made it: its block, and the memory left. Two
   /// answers differ once somebody else has made or wiped effects. Without the ID, which some devices clear when they
   /// have answered once; empty: it does not answer.
   [[nodiscard]] std::vector<std::uint8_t> lastLoad() noexcept;

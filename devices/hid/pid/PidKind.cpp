@@ -39,7 +39,7 @@ Actuated actuated(const ReportDescriptor& descriptor) noexcept
     static_cast<bool>(findControl(*report, pid::axisY, pid::axesEnable)) };
 }
 
-/// Of the effects that shake the one that is felt best; a constant one shakes only what cannot push.
+/// Of the effects that shake the one that is felt best; a constant one shakes only devices that cannot push.
 std::optional<HidUsage> shaking(const ReportDescriptor& descriptor, bool constant) noexcept
 {
   if (descriptor.report(HidReportKind::Output, pid::setPeriodic) != nullptr)

@@ -88,7 +88,7 @@ std::string PidOutput::begin()
   {
     return problem;
   }
-  // Last, so that a device that went meanwhile is not taken for one that merely lacks what came before.
+  // Last, so that a device that went meanwhile is not taken for one that merely lacks an effect.
   bool takes = true;
   for (std::size_t axis = 0; axis < this->kind_.pushedAxes; ++axis)
   {
@@ -142,7 +142,7 @@ void PidOutput::makeConditions()
   }
 }
 
-/// Empty, for nobody promises that a new effect does nothing.
+/// Empty, as a new effect is not promised to do nothing.
 bool PidOutput::makeCondition(Effect& effect, HidUsage type)
 {
   bool taken = this->make(effect, type, EffectSettings{}.comesFrom_deg).empty();
@@ -164,7 +164,7 @@ PidOutput::Step PidOutput::step(std::int64_t now_ns, const Wish& wish) noexcept
   {
     return sentOrFailed(this->engine_.control(pid::stopAll));
   }
-  // While silent the effects are emptied: what starts again must not start with an old force.
+  // While silent the effects are emptied: no effect may start again with an old force.
   const Wish wanted = this->silent_ ? Wish{} : wish;
   Step step = this->silent_ ? this->endLingering(now_ns) : this->enable(now_ns);
   if (step == Step::Idle && this->kind_.pushedAxes == 0)
@@ -223,7 +223,7 @@ PidOutput::Step PidOutput::stop(Effect& effect, std::int64_t now_ns) noexcept
   return sentOrFailed(this->engine_.stop(effect.block));
 }
 
-/// To some devices a stop of all is a pause: their effects would go on with what they had once anything is set.
+/// To some devices a stop of all is a pause: their effects would go on with old values once anything is set.
 PidOutput::Step PidOutput::endLingering(std::int64_t now_ns) noexcept
 {
   for (Effect* effect : this->effects())
@@ -300,7 +300,7 @@ double PidOutput::rampedShare(std::int64_t now_ns, const DeviceCommand& command)
   return this->options_.largestShare * smoothstep(since_ms / std::max(1, this->options_.rampUp_ms));
 }
 
-/// Walls that move wait for their time; what takes force away does not.
+/// Walls that move wait for their time; a change that takes force away does not.
 PidOutput::Step PidOutput::sendWalls(std::int64_t now_ns, const Wish& wish) noexcept
 {
   const double share = this->rampedShare(now_ns, wish.command);
@@ -319,8 +319,8 @@ PidOutput::Step PidOutput::sendWalls(std::int64_t now_ns, const Wish& wish) noex
   return step;
 }
 
-/// One after the other, and after all of them a turn for what comes behind them, so that nothing starves. After those
-/// of an effect its settings, again.
+/// One after the other, and after all of them a turn for later reports, so that nothing starves. After those of an
+/// effect its settings, again.
 PidOutput::Step PidOutput::sendCondition() noexcept
 {
   constexpr std::size_t perEffect = 3; // both axes, then the settings

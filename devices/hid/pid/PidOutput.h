@@ -33,10 +33,10 @@ struct PidOutputOptions
 /// A device may have to push for it.
 [[nodiscard]] bool asksForForce(const DeviceCommand& command) noexcept;
 
-/// Decides what one report to send next so that a device follows the newest command, at whatever rate its link
-/// takes reports: a start that is due, then walls and viscosity where they changed, then the force axis by axis. The
-/// order is that of Windows: an effect's settings again after its conditions, actuators enabled again after a stop of
-/// all. Not real-time; one thread.
+/// Decides which one report to send next so that a device follows the newest command, at whatever rate its link takes
+/// reports: a start that is due, then walls and viscosity where they changed, then the force axis by axis. The order is
+/// that of Windows: an effect's settings again after its conditions, actuators enabled again after a stop of all. Not
+/// real-time; one thread.
 class PidOutput
 {
 public:
@@ -77,7 +77,7 @@ private:
     int block = 0; ///< 0: the device has none
     std::int64_t started_ns = never;
     std::int64_t stopped_ns = never; ///< when a stop was sent to it last
-    bool lapses = false;             ///< nobody renews it, so it ends by itself
+    bool lapses = false;             ///< it is not renewed, so it ends by itself
     bool lingers = false;            ///< stopped with all others, not yet by itself
     bool unsettled = false;          ///< its conditions changed after its settings were sent
   };

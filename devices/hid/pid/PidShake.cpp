@@ -84,7 +84,7 @@ PidStep PidShake::play(Signal signal) noexcept
   }
 }
 
-/// Nobody looks whether it has ended by itself: to stop it again does nothing.
+/// Its end is not watched: to stop it again does nothing.
 PidStep PidShake::end() noexcept
 {
   this->sends_ = false;

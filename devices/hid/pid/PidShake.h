@@ -13,7 +13,7 @@ namespace palpate
 {
 
 /// The one effect with which a device shakes: a signal that is played once, or a vibration that goes on as long as it
-/// is wanted and is armed again and again, so that it ends by itself when nobody does. One thread, not the servo's.
+/// is wanted and is armed again and again, so that it ends by itself without renewal. One thread, not the servo's.
 class PidShake
 {
 public:

@@ -35,9 +35,9 @@ struct WallPlan
 
 /// At most two walls along each axis become one condition: centre in the middle of the corridor, a dead band of half
 /// its width. With two coefficients but no dead band a device holds one wall along each axis, the lower one in HID's
-/// direction; with neither none. Each side pushes no harder than its wall may, nor than `largestShare` of the
-/// device's force; a device that cannot limit a condition's force holds none: nobody else would limit it. Walls along
-/// no axis, a second one the same way, and walls that leave no room between them stay with the host.
+/// direction; with neither none. Each side pushes no harder than its wall may, nor than `largestShare` of the device's
+/// force; a device that cannot limit a condition's force holds none: that force would have no limit. Walls along no
+/// axis, a second one the same way, and walls that leave no space between them stay with the host.
 [[nodiscard]] WallPlan planWalls(const DeviceCommand& command, const PidScale& scale,
   const ConditionAbilities& abilities, double largestShare) noexcept;
 

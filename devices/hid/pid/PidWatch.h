@@ -10,7 +10,7 @@ namespace palpate
 {
 
 /// Notices that somebody else made or wiped effects, on devices too that report nothing: the kernel's own driver resets
-/// a device once any program uploads an effect to it. What the device says of the effect that was made last then
+/// a device once any program uploads an effect to it. The device's answer about the effect that was made last then
 /// differs, unless it has only one and no count of its memory. One thread, not the servo's.
 class PidWatch
 {

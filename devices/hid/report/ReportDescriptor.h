@@ -27,7 +27,7 @@ struct HidField
   std::uint32_t bitCount = 0;
   std::uint32_t count = 0;
   std::vector<HidUsage>
-    usages; ///< Variable: one an element; Array: what the values logicalMin, logicalMin + 1, ... mean
+    usages; ///< Variable: one an element; Array: meanings of the values logicalMin, logicalMin + 1, ...
   std::int64_t logicalMin = 0;
   std::int64_t logicalMax = 0;
   std::int64_t physicalMin = 0; ///< may be left over from an earlier item: never rely on it alone

@@ -14,7 +14,7 @@ namespace
 
 constexpr std::size_t longestDescriptor = 16384;
 constexpr std::size_t deepestCollection = 32;
-constexpr std::uint32_t mostBitsAValue = 64, mostBitsAnElement = 256; // the kernel's; what is wider than a value pads
+constexpr std::uint32_t mostBitsAValue = 64, mostBitsAnElement = 256; // the kernel's; bits beyond a value pad
 constexpr std::uint32_t largestCount = 4096;
 constexpr std::uint32_t mostBitsAReport = 16384;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of vtkHapticSession that checks a device and keeps what is found.
+// The part of vtkHapticSession that checks a device and keeps the result.
 #include "vtkHapticDeviceCheck.h"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ void vtkHapticDeviceCheck::Start()
   impl.Check.Run.stop();
   impl.Check.Begun = false;
   palpate::DeviceOptions device = impl.Options();
-  device.calibrationFolder.clear(); // what the driver says, not what was found before
+  device.calibrationFolder.clear(); // the driver's own numbers, not those of a check before
   device.wheel = false;
   device.hand = "light";
   device.stroke.points_D = { palpate::Vec3::Zero() };
@@ -143,7 +143,7 @@ void vtkHapticDeviceCheck::SetCalibrationFolder(const char* folder)
   {
     if (!std::exchange(this->Behind().CalibrationFolder, wanted).empty())
     {
-      this->Behind().LookForDevices(); // without what the folder before said of them
+      this->Behind().LookForDevices(); // without the results of the folder before
     }
     else
     {
@@ -174,7 +174,7 @@ bool vtkHapticDeviceCheck::KeepCalibration()
   if (problem.empty())
   {
     impl.Felt = found->serial.empty() ? found : impl.Felt;
-    impl.LookForDevices(); // what was known of it before is gone
+    impl.LookForDevices(); // the results of a check before are gone
     impl.JudgeStability();
     this->Session->Modified();
   }

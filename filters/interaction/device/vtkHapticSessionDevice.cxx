@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which device is chosen, what it is, what it cannot do, and how the link to it goes.
+// The chosen device: its numbers, its limits, and the state of its link.
 #include <algorithm>
 #include <utility>
 

@@ -120,7 +120,7 @@ void AddLevel(const FieldBlock& brick, const Vec3& proxy_W, vtkPolyData* shape)
   AddLine({ proxy_W + one, proxy_W + other, proxy_W - one, proxy_W - other, proxy_W + one }, shape);
 }
 
-/// A cross at the place that a hand is drawn to, and the way there.
+/// A cross at the place that a hand is drawn to, and the line there.
 void AddSnap(const FieldBlock& brick, double reach_u, const Vec3& hand_W, vtkPolyData* shape)
 {
   const auto place_W = brick.nearestPlace_W(hand_W, reach_u);

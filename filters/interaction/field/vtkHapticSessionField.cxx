@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers in space around the hand: which, and what is there.
+// Numbers in space around the hand: the chosen source, and the block that is felt.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -85,7 +85,7 @@ bool vtkHapticSession::Internals::HasSurfaces() const
   return this->Scene.built().scene && !this->Scene.built().scene->empty();
 }
 
-/// Surfaces, or where there are none the field: what a hand is fitted to.
+/// Surfaces, or where there are none the field: a hand is fitted to their box.
 palpate::BuiltScene vtkHapticSession::Internals::Fittable() const
 {
   palpate::BuiltScene fittable = this->Scene.built();
@@ -136,7 +136,7 @@ std::string vtkHapticSession::Internals::FollowDetentLevels()
   return problem;
 }
 
-/// What was added is felt as it is to be felt now.
+/// The data that were added are felt with the settings of now.
 void vtkHapticSession::Internals::FeelFieldAnew()
 {
   if (this->FieldData)

@@ -16,7 +16,7 @@ struct vtkHapticContactState
 {
   std::optional<palpate::HapticState>
     Last; ///< with the last contact in this scene, of the present touch or the last one
-  std::optional<vtkHapticMarkRecord> Found; ///< what was looked up at it
+  std::optional<vtkHapticMarkRecord> Found; ///< found at the contact
   std::string Text;
   std::string Arrays;
   double Position[3] = { 0.0, 0.0, 0.0 };

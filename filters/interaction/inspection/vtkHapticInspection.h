@@ -22,12 +22,11 @@ public:
 
   ///@{
   /**
-   * What is at the contact: its source, cell, point and arrays as it was added, the place and normal in W, curvature
-   * and the wall behind it. GetMarks() gives
-   * points, GetMarksTable() a table, the setting MarksText has what HapticMarks takes; WriteMarks() writes csv or vtp
-   * by the suffix; false with GetProblem(). The first place on a source takes longer: a second for a million cells. A
-   * mark holds while the cell that it was set on is where the mark is; else its source has changed or moved, and it is
-   * stale. One whose source is not in the scene is unseen.
+   * The data at the contact: source, cell, point and arrays as they were added, the place and normal in W, curvature
+   * and the wall behind it. GetMarks() gives points, GetMarksTable() a table, the setting MarksText has the text for
+   * HapticMarks; WriteMarks() writes csv or vtp by the suffix; false with GetProblem(). The first place on a source
+   * takes longer: a second for a million cells. A mark holds while the cell that it was set on is where the mark is;
+   * else its source has changed or moved, and it is stale. One whose source is not in the scene is unseen.
    */
   enum MarkStates
   {

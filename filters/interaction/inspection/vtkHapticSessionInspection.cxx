@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is at the contact.
+// The data at the contact.
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -25,7 +25,7 @@ void AddVector(vtkHapticMarkRecord& record, const std::string& name, const Vec3&
   }
 }
 
-/// What is felt may be a simpler surface: the place is that on the data themselves.
+/// The felt surface may be a simpler one: the place is that on the data themselves.
 void Replace(vtkHapticMarkRecord& record, const Vec3& p_W)
 {
   for (int k = 0; k < 3; ++k)
@@ -71,7 +71,7 @@ std::string Described(const vtkHapticMarkRecord& contact)
   return text.str();
 }
 
-/// What was found of arrays comes last.
+/// Numbers that were found in arrays come last.
 std::string ArraysOf(const vtkHapticMarkRecord& contact)
 {
   std::ostringstream text;
@@ -138,7 +138,7 @@ bool vtkHapticSession::InspectContact()
   return this->Impl->Contact.Found.has_value();
 }
 
-/// What was touched is not there any more, or stands elsewhere.
+/// The touched surface is not there any more, or stands elsewhere.
 void vtkHapticSession::Internals::ForgetContact()
 {
   this->Contact.Last.reset();

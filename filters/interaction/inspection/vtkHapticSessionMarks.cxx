@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The marks that are set at contacts, and whether they still lie on what they were set on.
+// The marks that are set at contacts, and whether they still lie on their cells.
 #include <algorithm>
 
 #include "vtkCommand.h"

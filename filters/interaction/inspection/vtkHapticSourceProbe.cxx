@@ -175,7 +175,7 @@ vtkHapticProbed vtkHapticSourceProbe::Look(vtkDataObject* data, const palpate::V
 
 bool vtkHapticSourceProbe::Holds(vtkDataObject* data, vtkIdType cell, const palpate::Vec3& at)
 {
-  constexpr double rounding = 1e-6; // of numbers in single precision and what is computed of them, as a share
+  constexpr double rounding = 1e-6; // of numbers in single precision and of results from them, as a share
   bool holds = false;
   vtkHapticForEachDataSet(data,
     [&](vtkDataSet& set)

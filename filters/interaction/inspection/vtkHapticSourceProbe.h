@@ -36,7 +36,7 @@ public:
 
   /// `data`: a data set, or a composite of them. `at`: in its own frame.
   vtkHapticProbed Look(vtkDataObject* data, const palpate::Vec3& at);
-  /// Whether a cell of that id, as Look() gives it, has the place, but for what rounding to single precision moves it.
+  /// Whether a cell of that id, as Look() gives it, has the place, but for rounding to single precision.
   static bool Holds(vtkDataObject* data, vtkIdType cell, const palpate::Vec3& at);
   /// Forgets all but the data sets that were asked for since the last call.
   void Forget();

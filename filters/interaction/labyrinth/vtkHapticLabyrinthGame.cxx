@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The game of finding the way: what is played, where it stands, and the way so far.
+// The labyrinth game: which one is played, its phase, and the path so far.
 #include "vtkHapticLabyrinthGame.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ bool vtkHapticLabyrinthGame::Play(vtkDataObject* maze, const char* name)
     });
   this->Behind().FollowWalls();
   this->Behind().Core.play(); // a game that went on begins again: the plan alone does not say that it is another
-  if (this->Behind().Stroke_W.empty()) // where a simulated hand begins that nobody told
+  if (this->Behind().Stroke_W.empty()) // where a simulated hand begins without a path
   {
     this->Behind().Stroke_W.push_back(this->Behind().Asked.asked().map.offset_W);
   }

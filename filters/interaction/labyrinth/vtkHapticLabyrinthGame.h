@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkHapticLabyrinthGame
- * @brief   the game of finding the way through lines, of a session
+ * @brief   the labyrinth game of a session, between lines
  */
 #ifndef vtkHapticLabyrinthGame_h
 #define vtkHapticLabyrinthGame_h
@@ -17,12 +17,12 @@ public:
   vtkAbstractTypeMacro(vtkHapticLabyrinthGame, vtkHapticSessionPart);
   static vtkSmartPointer<vtkHapticLabyrinthGame> Of(vtkHapticSession& session);
 
-  /// The game of finding the way through lines with the field arrays Start and Exit (vtkHapticLabyrinth): it sets ball,
-  /// scale and place so that the device's workspace holds the whole. Once force is engaged the hand is brought to the
-  /// start, at most 0.2 m/s fast, and let go; at the exit it is shaken. Who lets go of the dead-man and holds it again
-  /// starts anew, as does PlayAgain(). The lines are added as one surface. A world without
-  /// start or exit is fitted too and explored without a game: false, and the session's GetProblem() says which it
-  /// lacks. False with an error and nothing changed for data that are no plane world.
+  /// The labyrinth game between lines with the field arrays Start and Exit (vtkHapticLabyrinth): it sets ball, scale
+  /// and place so that the device's workspace holds the whole. Once force is engaged the hand is brought to the start,
+  /// at most 0.2 m/s fast, and let go; at the exit it is shaken. Who lets go of the dead-man and holds it again starts
+  /// anew, as does PlayAgain(). The lines are added as one surface. A world without start or exit is fitted too and
+  /// explored without a game: false, and the session's GetProblem() says which it lacks. False with an error and
+  /// nothing changed for data that are no plane world.
   bool Play(vtkDataObject* maze, const char* name);
 
   ///@{
@@ -41,7 +41,7 @@ public:
   /// without stiffness; the narrowest corridor that can be: 2 F / K [m of the hand], F = 1 N.
   double GetFeelableZoom() const;
   double GetFeelableWidth() const;
-  /// The way of the proxy since it was let go, until now or the exit: a polyline in W [u], as the calls of the
+  /// The path of the proxy since it was let go, until now or the exit: a polyline in W [u], as the calls of the
   /// session's Update() saw it. At most 4096 points, a tenth of a corridor apart; twice as far each time that is not
   /// enough.
   void GetTrace(vtkPolyData* trace) const;

@@ -38,8 +38,9 @@ public:
   ///@}
 
   /**
-   * The places of a path's first line: the way along it, begun in its middle, and the value of an array of its points.
-   * `scale`: scene units that are a metre of the hand, > 0. False, with GetProblem(), without such a line or array.
+   * The places of a path's first line: the arc length along it, from its middle, and the value of an array of its
+   * points. `scale`: scene units that are a metre of the hand, > 0. False, with GetProblem(), without such a line or
+   * array.
    */
   bool SetPath(vtkPolyData* path, const char* array, double scale);
 

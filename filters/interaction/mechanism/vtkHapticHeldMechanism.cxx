@@ -95,7 +95,7 @@ std::vector<vtkBoundingBox> BoundsOfBodies(vtkDataSet* shapes)
   return bounds;
 }
 
-/// What a law is set to, as a person reads it: "1.5 N, drags 0.4 N".
+/// The numbers of a constraint, as a person reads them: "1.5 N, drags 0.4 N".
 std::string NumbersOf(const palpate::MechanismConstraint& law, double unit_m)
 {
   std::ostringstream all;
@@ -295,7 +295,7 @@ void vtkHapticHeldMechanism::Look(palpate::HapticSession& core, const palpate::H
   }
   const auto pushing = [](const palpate::ConstraintReport& law) { return law.force_N > 0.0; };
   const bool pushes = std::any_of(this->Now.laws.begin(), this->Now.laws.begin() + this->Now.lawCount, pushing);
-  const bool changes = !this->Felt && this->Seen.Held; // of laws, and nobody knows which of them push
+  const bool changes = !this->Felt && this->Seen.Held; // of constraints, and it is unknown which of them push
   this->Begin_W = pushes || changes ? this->Begin_W : state.device_W.p;
   this->Depth = (state.device_W.p - this->Begin_W).dot(state.proxy_W.q * palpate::Vec3::UnitZ());
 }

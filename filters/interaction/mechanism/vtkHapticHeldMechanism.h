@@ -16,11 +16,11 @@
 
 class vtkTable;
 
-/// The mechanism of a session: what was asked for, what was made of it, how it is.
+/// The mechanism of a session: its source, its plan, its status.
 class vtkHapticHeldMechanism : public vtkHapticFeltSource
 {
 public:
-  std::string Constraints; ///< a list of laws in place of those of its scene file; "": those
+  std::string Constraints; ///< a list of constraints in place of those of its scene file; "": those
   double Rate_Hz = 30.0;   ///< snapshots of its soft bodies a second
 
   bool DrawnElsewhere = false;
@@ -29,19 +29,19 @@ public:
   const char* Subject() const override { return "mechanism"; }
   bool IsHeld() const override { return true; }
   void Choose(palpate::HapticSession& core) const override;
-  /// The same data by other laws.
+  /// The same data by other constraints.
   std::string TakeAgain();
-  /// Why a list of laws would end what is held without a fault now; "": it would not.
+  /// Why a list of constraints would end a mechanism that is held without a fault now; "": it would not.
   std::string RefusalOf(const std::string& laws, const palpate::HapticSession& core);
   /// The list of constraints with another one, as an object of a scene file, or with one less; "" with a problem.
   std::string With(const std::string& law, std::string& problem) const;
   std::string Without(const std::string& name, std::string& problem) const;
-  /// The place of a law in the mechanism; -1: there is none.
+  /// The place of a constraint in the mechanism; -1: there is none.
   int IndexOf(const std::string& name) const;
-  /// Whether the servo numbers laws as IndexOf() does: these are the laws that it has.
+  /// Whether the servo numbers constraints as IndexOf() does: these are the constraints that it has.
   bool IsFelt() const { return this->Felt; }
   /// The bodies that `shapes` has where they are at first, where they are now and as they are bent; false, and
-  /// unchanged: they are not held. While other laws of the same bodies are computed they are where they were.
+  /// unchanged: they are not held. While other constraints of the same bodies are computed they are where they were.
   bool Move(vtkPolyData& shapes) const;
   /// The held body, in its own frame; null: none.
   vtkPolyData* HeldShape() const { return this->Seen.Held ? this->Held.Get() : nullptr; }
@@ -51,16 +51,16 @@ public:
   vtkBoundingBox MetBounds() const;
   /// Where the hand was when its soft bodies were computed last; null: they are not held, or there are none.
   const palpate::Vec3* SoftHand_W() const;
-  /// A row a law: Constraint, Kind, A, B, Numbers, Phase, Force [N], Inside [u].
+  /// A row a constraint: Constraint, Kind, A, B, Numbers, Phase, Force [N], Inside [u].
   void FillTable(vtkTable& table) const;
 
-  double Depth = 0.0; ///< the hand's way along what it holds since nothing pushed [u]
-  double Pose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };     ///< of what is in the hand, where it is felt
+  double Depth = 0.0; ///< the hand's displacement along the held body since nothing pushed [u]
+  double Pose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };     ///< of the held body, where it is felt
   double HandPose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 }; ///< and where the hand would have it
   vtkBoundingBox Bounds;                                      ///< of its bodies as they are at first
 
 private:
-  /// How bodies were when laws of theirs were felt last.
+  /// How bodies were when constraints of theirs were felt last.
   struct Sight
   {
     bool Held = false;
@@ -79,14 +79,14 @@ private:
   std::string File, Folder;               ///< text of the scene file, and where that lies
   bool OfServer = false;
   std::shared_ptr<const palpate::MechanismInputs> Inputs;
-  std::vector<palpate::MechanismSoftInput> Read; ///< its soft bodies, for the next laws
-  palpate::BodiesAtRest AtRest;                  ///< the same, once they have been made: other laws are judged by them
+  std::vector<palpate::MechanismSoftInput> Read; ///< its soft bodies, for the next constraints
+  palpate::BodiesAtRest AtRest;                  ///< the same, once made: other constraints are judged by them
   vtkSmartPointer<vtkPolyData> Held;             ///< the shape of the body in the hand
   palpate::MechanismStatus Status;
   palpate::MechanismNow Now;
-  bool Felt = false; ///< Now is of these laws
+  bool Felt = false; ///< Now is of these constraints
   Sight Seen;
-  palpate::Vec3 Begin_W = palpate::Vec3::Zero(); ///< where that way begins
+  palpate::Vec3 Begin_W = palpate::Vec3::Zero(); ///< where that displacement begins
 };
 
 #endif

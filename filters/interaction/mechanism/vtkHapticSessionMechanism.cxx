@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies that laws join, one of them in the hand.
+// Bodies that constraints join, one of them in the hand.
 #include "vtkHapticHeldMechanism.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkPolyData.h"
@@ -13,7 +13,7 @@ bool vtkHapticSession::AddMechanism(const char* name, vtkDataObject* data, const
 std::string vtkHapticSession::Internals::FollowMechanismConstraints()
 {
   const std::string& laws = this->Settings.text("MechanismConstraints");
-  std::string problem = this->Mechanism.RefusalOf(laws, this->Core); // what is held stays as it is
+  std::string problem = this->Mechanism.RefusalOf(laws, this->Core); // the held mechanism stays as it is
   if (problem.empty())
   {
     this->Mechanism.Constraints = laws;

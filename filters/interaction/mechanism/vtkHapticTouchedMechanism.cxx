@@ -51,7 +51,7 @@ std::string vtkHapticTouchedMechanism::GetConstraintsWithout(const char* name)
 bool vtkHapticTouchedMechanism::BreakConstraint(const char* name)
 {
   const int law = this->Behind().Mechanism.IndexOf(name ? name : "");
-  const bool felt = this->Behind().Mechanism.IsFelt(); // else the servo may number other laws
+  const bool felt = this->Behind().Mechanism.IsFelt(); // else the servo may number other constraints
   this->Behind().Refuse(law < 0 ? std::string("there is no constraint \"") + (name ? name : "") + "\" to be broken"
                         : felt  ? ""
                                : "these constraints are not active: break a constraint while the mechanism is touched");

@@ -18,7 +18,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// Nobody else's: among the files that are temporary, named by the time, the process and a number.
+/// Its own name: among the files that are temporary, named by the time, the process and a number.
 std::string WorkingFile()
 {
   static int number = 0;
@@ -31,7 +31,7 @@ std::string WorkingFile()
   return (fs::temp_directory_path(none) / name).string();
 }
 
-/// Empty, or why not. What had the name is there until the copy is whole.
+/// Empty, or why not. A file that had the name is there until the copy is whole.
 std::string CopyTo(const std::string& from, const std::string& to)
 {
   const std::string part = to + ".part";
@@ -156,7 +156,7 @@ const char* vtkHapticRecordings::Say()
 void vtkHapticRecordings::Play(palpate::HapticDevice& device)
 {
   auto* replay = dynamic_cast<palpate::ReplayDevice*>(&device);
-  if (replay && replay->open().empty()) // what is wrong is said when it is opened to play
+  if (replay && replay->open().empty()) // a fault is reported when the file is opened to play
   {
     const bool fits = this->Behind.FitsNow();
     this->Played = replay->hand();

@@ -13,7 +13,7 @@ namespace palpate
 class HapticDevice;
 }
 
-/// What is recorded of a session, the last recording that is whole, and what is played again.
+/// The recordings of a session: the running one, the last that is whole, and the one that is played again.
 class vtkHapticRecordings
 {
 public:
@@ -23,20 +23,20 @@ public:
   std::optional<palpate::RecordedHand> Played; ///< by the running device
   std::string PlayedText;                      ///< that it was recorded on something else; "": it was not
 
-  /// Where what is touched from now on is recorded; "": it is not.
+  /// The file that the next touch is recorded to; "": none.
   std::string FileOfTouch() const;
   /// Touching has begun, or could not begin.
   void FollowTouch();
   /// Begins or ends as the setting Recording says. Empty, or why it cannot be.
   std::string FollowWish();
-  /// Takes over what has ended, and says what went wrong with it.
+  /// Takes over recordings that have ended, and reports their faults.
   void Follow();
   void Save(const std::string& name);
   const char* Say();
 
   /// A device that plays a recording moves the hand where it moved: the map of the recording.
   void Play(palpate::HapticDevice& device);
-  /// Whether what is played was recorded on what is shown.
+  /// Whether the played recording was made on the data that are shown.
   void FollowPlayed();
 
 private:
@@ -47,7 +47,7 @@ private:
   double Begun_s = 0.0;
   double Seconds = 0.0;
   std::string Text;
-  bool SceneKnown = false; ///< what is played touched what was shown
+  bool SceneKnown = false; ///< the played recording was made on the shown data
 };
 
 #endif

@@ -6,8 +6,8 @@
 struct vtkHapticHandPace
 {
   static constexpr double fastest_m_per_s = 0.3; ///< of a hand that feels its way
-  /// Until the next look and until a worker or a server has answered, twice: half of the room is used up before more is
-  /// asked for.
+  /// Until the next look and until a worker or a server has answered, twice: half of the margin is used up before more
+  /// is asked for.
   static constexpr double ahead_s = 0.2;
 };
 

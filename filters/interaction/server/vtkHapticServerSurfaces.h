@@ -17,8 +17,8 @@ class HapticSession;
 
 class vtkHapticSceneSurfaces;
 
-/// What a session has of surfaces that are on a server: wholes, and of those that are too large what is around the
-/// hand. Who fetches them asks here what is needed, and says here what came.
+/// The surfaces of a session that are on a server: wholes, and of those that are too large the part around the hand.
+/// Callers that fetch surfaces ask here which parts are needed, and hand them over here.
 class VTKHAPTICINTERACTION_EXPORT vtkHapticServerSurfaces
 {
 public:
@@ -37,7 +37,7 @@ public:
   [[nodiscard]] std::optional<palpate::Vec3> GetCentre() const;
   /// How far it is to reach, so that the next is there before the hand is at its rim: as for fields, twice [u].
   [[nodiscard]] double GetReach() const;
-  /// Whether the hand has used up half of the room that it had in the part that is there.
+  /// Whether the hand has used up half of its margin in the part that is there.
   [[nodiscard]] bool NeedsPart() const;
 
   ///@{

@@ -6,9 +6,9 @@
  * Owns a device, a servo at 1 kHz and a scene. Settings take effect at the next tick; the state is that of the last
  * Update(). In ParaView it is the proxy "HapticSession" of group "haptics", written to the state file once registered.
  *
- * What each setting is, its unit, range and default, when it takes effect, and what each read-out says, is described
- * once in haptics/session/settings/: GetDescribed() has it as JSON, plugin/README.md as tables. A value that is not
- * allowed is an error, the old one stays, and GetProblem() says why until an allowed one is set.
+ * Each setting, its unit, range and default, the time it takes effect, and each read-out are described once in
+ * haptics/session/settings/: GetDescribed() has it as JSON, plugin/README.md as tables. A value that is not allowed is
+ * an error, the old one stays, and GetProblem() says why until an allowed one is set.
  *
  * One thread, its maker's, calls every method; none waits for the servo but TouchingOff() and the destructor, which end
  * it at no force. Lengths and points are in scene units u and frame W unless said otherwise.
@@ -67,13 +67,12 @@ public:
     AlignAlways
   };
 
-  /** @name Settings
-   * Those of surfaces (LineRadius, LinesAsWalls, arrays) are felt on surfaces that are added later. Velocities: Janabi-
-   * Sharifi et al. 2000; passivity: Hannaford & Ryu 2002, one tick ahead; friction: Harwin & Melder 2002, in any order
-   * of the two calls; shading: Morgenbesser & Srinivasan 1996, which has no potential: a closed way may take or give a
-   * little work. Held walls drag a handle along a slanted line by stiffness * speed / WallRate / 2. If touching cannot
-   * start it stays off; StartEvent is the last moment to say where a program's hand begins, and comes again when scale,
-   * rotation or offset change meanwhile. */
+  /** @name Settings Those of surfaces (LineRadius, LinesAsWalls, arrays) are felt on surfaces that are added later.
+   * Velocities: Janabi- Sharifi et al. 2000; passivity: Hannaford & Ryu 2002, one tick ahead; friction: Harwin & Melder
+   * 2002, in any order of the two calls; shading: Morgenbesser & Srinivasan 1996, which has no potential: a closed path
+   * may take or give a little work. Held walls drag a handle along a slanted line by stiffness * speed / WallRate / 2.
+   * If touching cannot start it stays off; StartEvent is the last moment to say where a program's hand begins, and
+   * comes again when scale, rotation or offset change meanwhile. */
   void SetSetting(const char* name, double value); ///< on and off are 1 and 0, choices count from 0 on
   void SetSetting(const char* name, double low, double high);
   void SetSetting(const char* name, double x, double y, double z);
@@ -109,15 +108,15 @@ public:
   bool AddSurface(const char* name, vtkDataObject* data, vtkMatrix4x4* matrix);
   void CommitScene();
   bool FinishScene();
-  /// What is being made of the newest data is not wanted: what was touched before stays, and the warning says so until
+  /// Gives up the scene that is being made of the newest data: the scene before stays, and the warning says so until
   /// there is another scene or touching begins.
   void CancelScene();
 
   /**
    * Puts a surface that was added under `name` where `matrix` says (null: as its data is), with the next CommitScene().
-   * While what changes is rigid the surface moves there, in as long as it took from the last commit to this one, 0.2 s
-   * at most, and carries or pushes the hand; anything else, and any new data with AddSurface(), is there at once, and
-   * the hand stays on its side. False, with GetProblem(), for a matrix that is not finite, singular or a perspective.
+   * While the change is rigid the surface moves there, in as long as it took from the last commit to this one, 0.2 s at
+   * most, and carries or pushes the hand; anything else, and any new data with AddSurface(), is there at once, and the
+   * hand stays on its side. False, with GetProblem(), for a matrix that is not finite, singular or a perspective.
    */
   bool SetSurfacePose(const char* name, vtkMatrix4x4* matrix);
 
@@ -128,7 +127,7 @@ public:
   /**
    * How one source is touched, by the name it is added under, from the next time it is added on: not at all, or with a
    * stiffness [N/m], as felt and no more than that of the session, and frictions [1] of its own; infinite, and below 0,
-   * as the session has them. An array still says more. False, with GetProblem(), for what cannot be.
+   * as the session has them. An array still says more. False, with GetProblem(), for values that are not allowed.
    */
   void SetSourceTouched(const char* name, bool touched);
   bool GetSourceTouched(const char* name) const;
@@ -137,8 +136,8 @@ public:
 
   /**
    * Numbers in space that are felt around the hand, beside whatever surfaces are, as the settings of a field say. Kept
-   * by reference; added again after a change. A worker brings what is around the hand, FinishField() waits for that;
-   * true if there is something. False, with GetProblem(), for what cannot be felt so; null data: no field.
+   * by reference; added again after a change. A worker brings the block around the hand, FinishField() waits for that;
+   * true if there is one. False, with GetProblem(), for data that cannot be felt so; null data: no field.
    */
   bool AddField(const char* name, vtkDataObject* data);
   bool FinishField();
@@ -147,7 +146,7 @@ public:
   /// The data of the source that ToolSource names, with their polygons: held in place of the ball from then on, null:
   /// not there. Added again after a change. False, with GetProblem(), for unusable data. Its shape is drawn.
   bool AddTool(const char* name, vtkDataObject* data);
-  /// Likewise of SoftSource, made by vtkHapticSoftBody: it gives way. True where it has bent since it was asked last.
+  /// Likewise of SoftSource, made by vtkHapticSoftBody: a soft body. True where the body has bent since the last call.
   bool AddSoftBody(const char* name, vtkDataObject* data);
   bool BendSoftBody(vtkDataObject* body);
   /// Likewise of MechanismSource, made by vtkHapticMechanism: the hand holds a body of it, whose shape and poses are
@@ -185,9 +184,9 @@ public:
   void ClearStrokePoints();
   void AddStrokePoint(double x, double y, double z);
   int GetNumberOfStrokePoints() const;
-  /// The data at the contact (vtkHapticInspection), as of the last Update(), which looks them up by itself with Inspect;
-  /// without a contact those at the last one, which is kept until another scene is there. False before the first contact.
-  /// AddMark() does the same, stores the data and marks the recording.
+  /// The data at the contact (vtkHapticInspection), as of the last Update(), which looks them up by itself with
+  /// Inspect; without a contact those at the last one, which is kept until another scene is there. False before the
+  /// first contact. AddMark() does the same, stores the data and marks the recording.
   bool InspectContact();
   bool AddMark();
   void ClearMarks();

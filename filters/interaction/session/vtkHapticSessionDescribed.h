@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Written by `ninja -C build tables` from haptics/session/settings/: what is read of a session.
+// Written by `ninja -C build tables` from haptics/session/settings/: the read-outs of a session.
 #ifndef vtkHapticSessionDescribed_h
 #define vtkHapticSessionDescribed_h
 

@@ -40,8 +40,8 @@ struct vtkHapticCheckState;
 struct vtkHapticContactState;
 struct vtkHapticGameState;
 
-/// The core's session, what it is started with, and the last that it said. Parts that have a room of their own are
-/// known by name: their rooms include this header, and it includes none of theirs.
+/// The core's session, its options, and its last state. Parts that have a folder of their own are known by name: their
+/// folders include this header, and it includes none of theirs.
 class vtkHapticSession::Internals
 {
 public:
@@ -66,7 +66,7 @@ public:
   vtkMTimeType BesideTime = 0; ///< of both when they were taken
   palpate::FieldEnds FieldEnds{ 1.0, 0.0 };
   palpate::FeltField FeltField;
-  bool FieldIsNew = false;   ///< no brick has come of it yet
+  bool FieldIsNew = false;   ///< no block has come of it yet
   double FieldAdded_s = 0.0; ///< when it was added, as Now() has it
   std::string FieldProblem;  ///< why the data that was added is not felt
   std::string FieldText;
@@ -133,7 +133,7 @@ public:
   vtkHapticRecordings& Recorded;
   const std::array<vtkHapticFeltSource*, 3> FeltSources;
 
-  /// What was chosen when touching started; another choice waits until it starts again.
+  /// The device and options when touching started; another choice waits until it starts again.
   struct RunningChoice
   {
     std::string DeviceName;
@@ -198,7 +198,7 @@ public:
   void FollowCheck();
   /// A check that felt a fault in walls that the device holds ends the trust in them.
   void TakeBackTrust();
-  /// Tells a fed device where the program holds the hand, if it said so. `placed`: there without a way.
+  /// Tells a fed device where the program holds the hand, if it said so. `placed`: there without a motion.
   void FeedTo(palpate::FedDevice& fed, bool placed) const;
   /// The same for the running device, if it is one.
   void Feed(bool placed = false);
@@ -221,7 +221,7 @@ public:
   void TakeScene(bool wait = false);
   void TakeOutSqueezed();
   void FollowCameAround();
-  /// The mouse's hand begins anew, where it is put without a way.
+  /// The mouse's hand begins anew, where it is put without a motion.
   void LeadMouseAnew();
   /// Applies clutch, precision and view to the map.
   void FollowHand();
@@ -281,7 +281,7 @@ public:
 
   /// A setting may name another source.
   void FollowSource(vtkHapticFeltSource& felt, const palpate::Setting& setting);
-  /// Takes what a source has, or says the problem; false, then.
+  /// Takes the data of a source, or reports the problem; false, then.
   bool AddFelt(vtkHapticFeltSource& felt, const char* name, vtkDataObject* data, const char* reason = nullptr);
   /// Feels it as it was made, or says the problem.
   void Feel(vtkHapticFeltSource& felt, const std::string& problem);
@@ -303,7 +303,7 @@ public:
   void JudgeMarks();
   /// Another scene was committed: marks may be stale, arrays gone.
   void FollowCommit();
-  /// Its way goes on, or begins anew; buttons ask for another one.
+  /// Its path goes on, or begins anew; buttons ask for another one.
   void FollowGame();
   /// The setting, limited to the device's stable stiffness [N/m].
   double FeltStiffness() const;

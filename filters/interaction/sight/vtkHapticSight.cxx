@@ -21,10 +21,10 @@ namespace
 {
 using palpate::Vec3;
 
-/// What a person waits for once, not what a tick may cost.
+/// Work that a person waits for once, beyond the limits of a tick.
 constexpr std::uint32_t nodesToVisit = 1u << 24;
 
-/// The plane that holds the ball where it was stopped; against its way where a point met an edge or a corner.
+/// The plane that holds the ball where it was stopped; against its direction where a point met an edge or a corner.
 template<class SceneView>
 Vec3 NormalAt(const SceneView& scene, const palpate::SweepHit& hit, const palpate::SweepQuery& query, const Vec3& x_W)
 {
@@ -52,7 +52,7 @@ bool Meets(const SceneView& scene, const palpate::SweepQuery& query, Vec3& x_W, 
   }
   return hit.hit;
 }
-/// Whether the servo has what is held, turned as the hand: else it will begin as its data has it.
+/// Whether the servo has the held tool or mechanism, turned as the hand: else it will begin as its data has it.
 template<class Behind>
 bool IsInHand(const Behind& impl)
 {
@@ -66,8 +66,8 @@ std::optional<vtkHapticHeldAxis> HeldBy(const Behind& impl)
   return ofMechanism ? ofMechanism : impl.Tool.Axis();
 }
 
-/// How what is held is turned where a program holds the hand: it follows the turns of the hand from a beginning of its
-/// own.
+/// The turn of the held tool or mechanism where a program holds the hand: it follows the turns of the hand from a
+/// beginning of its own.
 template<class Behind>
 palpate::Quat HeldTurn(const Behind& impl, const vtkHapticHeldAxis& held)
 {

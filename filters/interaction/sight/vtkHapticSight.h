@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkHapticSight
- * @brief   a session as whoever draws or follows a view needs it
+ * @brief   a session as pictures and followers of a view need it
  */
 #ifndef vtkHapticSight_h
 #define vtkHapticSight_h
@@ -36,15 +36,15 @@ public:
   void ForgetPrepared();
   int GetScenesCancelled() const; ///< how often CancelScene() did that
   /// Other data that the field is compared with, and whose points and lines the hand snaps to; null: none. Kept by
-  /// reference. FeltSource, CompareSource and SnapSource name all of them for whoever follows a view.
+  /// reference. FeltSource, CompareSource and SnapSource name all of them for followers of a view.
   void SetComparedField(vtkDataObject* compared, vtkDataObject* snap);
 #ifndef __VTK_WRAP__
   bool AddRemoteField(const char* name, const vtkHapticFieldResult& made); ///< of data elsewhere, made there
   vtkHapticServerSurfaces& ServerSurfaces() const;                         ///< loaded parts of remote surfaces
 #endif
 
-  /// Where the ball is first stopped on its way from one point to another: its centre and the unit normal of what stops
-  /// it, to its side. False, and both unchanged, where nothing does.
+  /// Where the ball is first stopped between one point and another: its centre and the unit normal of the surface that
+  /// stops it, to its side. False, and both unchanged, where nothing does.
   bool PickSurface(const double from_W[3], const double to_W[3], double ball_W[3], double normal_W[3]) const;
   /// Corners of the box around the ball that the device reaches, of bits x, y, z, [u].
   void GetWorkspaceCorners(double corners_W[24]) const;
@@ -65,7 +65,8 @@ public:
   bool GetFeelsField() const;
   /// Whether the hand would feel the field at a place: its values there have been read, or there are none.
   bool GetFieldIsReady(const double p_W[3]) const;
-  /// The box of what the hand meets: surfaces, field, bodies of the mechanism other than the held one [u]; false: none.
+  /// The box of all that the hand meets: surfaces, field, bodies of the mechanism other than the held one [u]; false:
+  /// none.
   bool GetMetBounds(double bounds[6]) const;
 
 private:

@@ -13,7 +13,7 @@
 
 class vtkUnstructuredGrid;
 
-/// The soft body of a session: what was asked for, what was made of it, how it is.
+/// The soft body of a session: its source, its input, its status.
 class vtkHapticPressedBody : public vtkHapticFeltSource
 {
 public:

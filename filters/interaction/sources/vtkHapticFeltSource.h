@@ -12,8 +12,8 @@ struct HapticState;
 
 class vtkDataObject;
 
-/// A source of the pipeline that a session feels as one kind of thing, by a worker of its core: what is asked for, what
-/// was made of its data, how it is. A kind converts data, and says how it is felt.
+/// A source of the pipeline that a session feels as one kind of thing, by a worker of its core: its name, its converted
+/// data, its status. A kind converts data, and says how it is felt.
 class vtkHapticFeltSource
 {
 public:
@@ -25,7 +25,7 @@ public:
   virtual const char* Setting() const = 0; ///< that names the source
   virtual const char* Subject() const = 0; ///< of its problems
   virtual bool IsHeld() const = 0;         ///< in the hand: no surface of it is touched
-  /// Takes what a source has; null: the source is not there, or has made nothing for that reason. Empty, or why it
+  /// Takes the data of a source; null: the source is not there, or has made nothing for that reason. Empty, or why it
   /// cannot be felt; then nothing is.
   std::string Take(const std::string& name, vtkDataObject* data, const std::string& reason)
   {
@@ -36,7 +36,7 @@ public:
   const std::string& Taken() const { return this->Name; } ///< of which source
   /// Has the core feel it, from a tick soon after on.
   virtual void Choose(palpate::HapticSession& core) const = 0;
-  /// Why the core does not feel what it was given; "": it does.
+  /// Why the core does not feel the choice; "": it does.
   virtual std::string Refusal(const palpate::HapticSession& /*core*/) const { return {}; }
   /// How it is at that time, after each look at the session.
   void Follow(palpate::HapticSession& core, const palpate::HapticState& state, double now_s)
@@ -53,11 +53,11 @@ protected:
   virtual std::string Convert(vtkDataObject* data, const std::string& reason) = 0;
   virtual bool IsMade() const = 0;
   virtual void Look(palpate::HapticSession& core, const palpate::HapticState& state, double now_s) = 0;
-  /// Of what is made.
+  /// Of converted data.
   virtual std::string Sentence(palpate::HapticSession& core, const palpate::HapticState& state) const = 0;
-  /// Of a source that was chosen, which nobody has looked for yet.
+  /// Of a source that was chosen and not looked for yet.
   static const char* Chosen(const palpate::HapticSession& core);
-  virtual const char* Absent() const = 0; ///< what to do, after the name of a source that is not there
+  virtual const char* Absent() const = 0; ///< the remedy, after the name of a source that is not there
 
   std::string Name;
   std::string Problem; ///< why nothing is made of the data

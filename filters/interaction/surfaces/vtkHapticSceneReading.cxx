@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is read of VTK data for a scene, ahead or now: polygons, lines as tubes or walls, points as balls.
+// Reads VTK data for a scene, ahead or now: polygons, lines as tubes or walls, points as balls.
 #include <algorithm>
 
 #include "haptics/geometry/curves/CurveSet.h"

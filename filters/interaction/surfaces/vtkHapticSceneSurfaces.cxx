@@ -37,7 +37,7 @@ void vtkHapticSceneSurfaces::SetMaterials(const vtkHapticMaterialSettings& setti
   this->Materials = settings;
 }
 
-/// Unless they are what was read before: the arrays of a million points take a while.
+/// Unless they are those that were read before: the arrays of a million points take a while.
 void vtkHapticSceneSurfaces::ReadMaterial(vtkDataObject* data, Kept& kept) const
 {
   const std::uint64_t key = this->Materials.Empty() ? 0 : vtkHapticArraysKey(data);

@@ -50,21 +50,21 @@ public:
   /// Whether it began so, and Add() was not called since; and that it will not be.
   [[nodiscard]] bool Preparing() const { return this->Ahead.Busy(); }
   void ForgetPrepared() { this->Ahead.Forget(); }
-  /// What was committed and is not built, or only begun, is not wanted: what was taken last counts as committed again.
+  /// Gives up a commit that is not built, or only begun: the scene taken last counts as committed again.
   void Cancel(palpate::SceneWorker& worker)
   {
     this->Ahead.Forget();
     worker.cancel();
     this->Committed = this->Taken;
   }
-  /// The scene that the worker has given is what was committed, if nothing came after that.
+  /// The scene that the worker has given is the committed one, if nothing came after that.
   void Took(const palpate::SceneWorker& worker) { this->Taken = worker.building() ? this->Taken : this->Committed; }
   /// Another matrix for a surface that was added since Clear(). Empty, or why it stays where it is.
   std::string Place(const std::string& name, vtkMatrix4x4* matrix);
-  /// Has the worker build what was added since Clear(). `stamp_s`: when it was so, on the caller's clock.
+  /// Has the worker build the surfaces that were added since Clear(). `stamp_s`: when they were, on the caller's clock.
   void Commit(palpate::SceneWorker& worker, double stamp_s = 0.0);
-  /// Bakes the poses of what was committed into the vertices and commits that, with trees that have no room for ways:
-  /// it costs less to touch. Not while something is being put together or built.
+  /// Bakes the poses of the committed surfaces into the vertices and commits those, with trees without memory for
+  /// motions: they cost less to touch. Not while something is being put together or built.
   void Settle(palpate::SceneWorker& worker);
 
   /// Where a surface of the scene that was committed comes from.
@@ -100,7 +100,7 @@ private:
   };
 
   [[nodiscard]] std::optional<Origin> OriginWhere(const std::function<bool(const Kept&)>& sought) const;
-  /// How the polygons of what was committed under that name were cut; null: there is no such surface.
+  /// How the polygons of the surface that was committed under that name were cut; null: there is no such surface.
   [[nodiscard]] const vtkHapticCuts* CutsOf(const std::string& name) const;
   /// All that can be touched of a data object. Empty, or why there is nothing.
   std::string AddParts(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
@@ -136,8 +136,8 @@ private:
     const vtkHapticPlacement& placement, std::optional<double> lineRadius_u) const;
   bool AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement,
     std::optional<double> lineRadius_u);
-  /// A surface with new points keeps the frame that it was committed in if its triangles are the same and the way from
-  /// there is rigid. The surface then bends in that frame while the frame moves.
+  /// A surface with new points keeps the frame that it was committed in if its triangles are the same and the motion
+  /// from there is rigid. The surface then bends in that frame while the frame moves.
   void KeepFrame(Kept& kept) const;
   static void MoveTo(Kept& kept, const vtkHapticPlacement& placement);
   /// Moves the vertices to where `placement` has them.

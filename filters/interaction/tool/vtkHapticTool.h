@@ -16,14 +16,14 @@
 /// A pose as a place and a turn (w, x, y, z).
 void vtkHapticPutPose(const palpate::Pose& from, double pose[7]);
 
-/// What the hand of a session holds in place of the ball: what was asked for, what was made of it, how it is.
+/// The tool that the hand of a session holds in place of the ball: its source, its mesh, its status.
 class vtkHapticTool : public vtkHapticFeltSource
 {
 public:
   vtkHapticToolHandle Handle = vtkHapticToolHandle::Centre;
   palpate::Vec3 HandlePoint_T = palpate::Vec3::Zero(); ///< [u], in the tool's data, as the tip
   palpate::Vec3 TipPoint_T = palpate::Vec3::Zero();
-  double Lever_u = 0.0; ///< 0: the tool's own, or the way from handle to tip
+  double Lever_u = 0.0; ///< 0: the tool's own, or the distance from handle to tip
 
   const char* Setting() const override { return "ToolSource"; }
   const char* Subject() const override { return "tool"; }
@@ -59,7 +59,7 @@ private:
 
   std::shared_ptr<const palpate::TriangleMesh> Mesh;
   palpate::ToolChoice Choice_;
-  vtkSmartPointer<vtkPolyData> Shape; ///< of what is held
+  vtkSmartPointer<vtkPolyData> Shape; ///< of the held tool
 };
 
 #endif

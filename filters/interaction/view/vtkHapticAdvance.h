@@ -7,7 +7,7 @@
 #include <optional>
 
 /// The depth of a hand that a pointer leads where no surface stands under the pointer: the pointer aims the tip across
-/// an axis, and the tip is advanced along the axis. A hand that something resists goes no further than a given way
+/// an axis, and the tip is advanced along the axis. A hand that something resists goes no further than a given distance
 /// beyond its proxy, so that the force is limited, and does not run ahead.
 class vtkHapticAdvance
 {

@@ -30,7 +30,7 @@ vtkStandardNewMacro(vtkHapticInteractor);
 
 namespace
 {
-/// What an actor shows now, its pipeline brought up to date; null if nothing.
+/// The data that an actor shows now, its pipeline brought up to date; null if none.
 vtkDataObject* ShownBy(vtkActor* actor)
 {
   const bool seen = actor->GetVisibility() && actor->GetProperty()->GetOpacity() > 0.0;
@@ -53,7 +53,7 @@ public:
   vtkNew<vtkHapticMouseInput> Input;
   vtkWeakPointer<vtkRenderer> Renderer;
   std::vector<vtkSmartPointer<vtkActor>> Actors;
-  std::uint64_t Key = 0; ///< of what the session was given
+  std::uint64_t Key = 0; ///< of the data that the session was given
   bool Given = false;
 };
 

@@ -11,8 +11,8 @@
  *     touch.Update()
  *     window.Render()
  *
- * Update(), once a frame, follows what the actors show: their matrices, the data of their mappers, their visibility.
- * One thread calls every method.
+ * Update(), once a frame, follows the actors: their matrices, the data of their mappers, their visibility. One thread
+ * calls every method.
  */
 #ifndef vtkHapticInteractor_h
 #define vtkHapticInteractor_h

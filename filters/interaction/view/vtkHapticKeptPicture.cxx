@@ -42,7 +42,7 @@ std::vector<vtkRenderer*> LayersBelow(vtkRenderer& hand)
   return below;
 }
 
-/// When what a prop draws was last modified; its pipeline is not brought up to date, as this is no picture of it.
+/// When the data of a prop were last modified; its pipeline is not brought up to date, as this is no picture of it.
 vtkMTimeType DrawnSince(vtkProp& prop)
 {
   auto* const actor = vtkActor::SafeDownCast(&prop);
@@ -136,7 +136,7 @@ void vtkHapticKeptPicture::Release()
   this->Size[0] = this->Size[1] = 0;
 }
 
-/// A window whose context ended, as where a view is moved into another window, released what was kept.
+/// A window whose context ended, as where a view is moved into another window, released the kept picture.
 bool vtkHapticKeptPicture::Holds() const
 {
   return this->Size[0] > 0 && this->Kept->GetFBOIndex() != 0;

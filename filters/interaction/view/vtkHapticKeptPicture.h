@@ -24,12 +24,12 @@ public:
   vtkHapticKeptPicture(const vtkHapticKeptPicture&) = delete;
   vtkHapticKeptPicture& operator=(const vtkHapticKeptPicture&) = delete;
 
-  /// The renderer of the hand, on a layer above the data's; null: nothing is kept, and what was kept is released.
+  /// The renderer of the hand, on a layer above the data's; null: nothing is kept, and the kept picture is released.
   void SetRenderer(vtkRenderer* hand);
 
-  /// Whether a kept picture shows what the layers below would draw now: the same window, cameras, lights, props and
-  /// data, none of which was modified since. Data that wait to be handed to a mapper, and what a renderer itself was
-  /// told (its background), are the caller's to know.
+  /// Whether a kept picture shows the layers below as they would be drawn now: the same window, cameras, lights, props
+  /// and data, none of which was modified since. Data that wait to be handed to a mapper, and a renderer's own settings
+  /// (its background), are the caller's to know.
   bool IsCurrent() const;
 
   /// Draws the kept picture and the hand's layer in front of it. Call it only while IsCurrent().
@@ -46,8 +46,8 @@ private:
   vtkWeakPointer<vtkRenderer> Hand;
   vtkNew<vtkOpenGLFramebufferObject> Kept;
   vtkTimeStamp KeptAt;
-  int Size[2] = { 0, 0 }; ///< of what is kept [pixels]; 0: nothing is
-  int Samples = 0;        ///< of a pixel of what is kept
+  int Size[2] = { 0, 0 }; ///< of the kept picture [pixels]; 0: none is kept
+  int Samples = 0;        ///< of a pixel of the kept picture
   unsigned long Observer = 0;
   bool PuttingBack = false;
 };

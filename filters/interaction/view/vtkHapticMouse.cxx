@@ -101,7 +101,7 @@ Vec3 vtkHapticMouse::Internals::Lifted(const Ray& ray) const
 // The pointer
 // -------------------------------------------------------------------------------------------------------------
 
-/// Of a pointer's way, how much the hand goes. A hand that hovers is where one points, precise or not: it came from
+/// The hand's share of a pointer's displacement. A hand that hovers is where one points, precise or not: it came from
 /// another widget, and would never get far from the edge of the view.
 double vtkHapticMouse::Internals::ShareOfWay() const
 {
@@ -115,7 +115,7 @@ void vtkHapticMouse::Internals::PointAt(const vtkHapticPixels& pointer)
 {
   const bool goesOn = this->Inside && this->Session;
   const bool keeps =
-    !this->Inside && this->AdvancesHeld() && this->Depth.GetAlong() > 0.0; // what is inside stays there
+    !this->Inside && this->AdvancesHeld() && this->Depth.GetAlong() > 0.0; // a hand inside of the data stays there
   this->Led = goesOn  ? vtkHapticPixels(this->Led + this->ShareOfWay() * (pointer - this->Pointer))
               : keeps ? this->Led
                       : pointer;

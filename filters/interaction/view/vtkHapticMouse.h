@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkHapticMouse
- * @brief   the way of a hand from a pointer in a view: hovers over what is under it, presses on it, lifts
+ * @brief   the motion of a hand from a pointer in a view: hovers over the surface under it, presses on it, lifts
  *
  * For a session whose device is "mouse". The pointer's ray is swept with the ball that touches. The hand hovers in
- * front of what it meets; pressing it goes behind it along the normal by the session's PressDepth, so that a plain
- * surface pushes with stiffness x depth. A tool that is held reaches as deep as the ball would. Where the ray meets
- * nothing the hand goes in the plane through the proxy that is parallel to the screen. Where the straight way is barred
- * by a surface, and when the pointer leaves, it first rises towards the eye, in front of everything. It presses only
- * while the session is engaged. In a plane world the hand is where the ray meets the plane, and walls push by how far
- * they keep the proxy from there; when the pointer leaves it rests at the proxy.
+ * front of the surface that the ray meets; a pressing hand goes behind that along the normal by the session's
+ * PressDepth, so that a plain surface pushes with stiffness x depth. A tool that is held reaches as deep as the ball
+ * would. Where the ray meets nothing the hand goes in the plane through the proxy that is parallel to the screen. Where
+ * the straight path is barred by a surface, and when the pointer leaves, it first rises towards the eye, in front of
+ * everything. The hand presses only while the session is engaged. In a plane world the hand is where the ray meets the
+ * plane, and walls push by how far they keep the proxy from there; when the pointer leaves it rests at the proxy.
  *
- * What is held is led by its tip: the handle's tip, the end of a rod, the middle of another tool. A mechanism, and a
+ * A held body is led by its tip: the handle's tip, the end of a rod, the middle of another tool. A mechanism, and a
  * tool for which HoldAlong says so, is aimed across its axis by the pointer and advanced along its axis, by pressing or
  * by Advance(), from where it meets nothing. In a field without a surface under the pointer the same holds along the
  * direction of view, from the middle of the data. An advancing hand goes at 0.15 m/s at most, PressDepth beyond its
  * proxy, and while it presses as far as the largest force. When the pointer leaves it stays where its proxy is.
  *
- * While the session is precise, and the hand presses or is in a plane world, a way of the pointer is PrecisionFactor
- * times less of the hand; while its clutch is held the hand stays. Both go on from there: the hand is under the pointer
- * again once it was lifted, or the pointer has left.
+ * While the session is precise, and the hand presses or is in a plane world, a displacement of the pointer moves the
+ * hand PrecisionFactor times less; while its clutch is held the hand stays. Both go on from there: the hand is under
+ * the pointer again once it was lifted, or the pointer has left.
  *
  *     mouse.SetRenderer(renderer)
  *     mouse.SetSession(session)

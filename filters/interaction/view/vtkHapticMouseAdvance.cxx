@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a pointer leads a hand that advances: what is held along its axis, or any hand in a field.
+// How a pointer leads a hand that advances: a held body along its axis, or any hand in a field.
 #include <algorithm>
 
 #include "vtkBoundingBox.h"
@@ -49,7 +49,7 @@ bool vtkHapticMouse::Internals::Advances(const vtkHapticRay& ray) const
            this->Depth.IsPlaced() && this->Rays.DepthOf(ball_W) < this->Rays.DepthOf(this->Depth.Middle()));
 }
 
-/// The tip of what is held now, turned first if the view says so.
+/// The tip of the held body now, turned first if the view says so.
 void vtkHapticMouse::Internals::FollowHeld()
 {
   const auto sight = this->Session->GetSight();
@@ -83,7 +83,7 @@ void vtkHapticMouse::Internals::TurnToSurface(const vtkHapticRay& ray)
   }
 }
 
-/// What has come of the hand since the last frame.
+/// Reads the hand's state since the last frame.
 void vtkHapticMouse::Internals::LookAround()
 {
   const vtkTypeInt64 tick = this->Session->GetTicks();
@@ -101,7 +101,7 @@ void vtkHapticMouse::Internals::LookAround()
   this->Now.Pressing = this->Pressing && this->Session->GetEngageState() == vtkHapticSession::Engaged;
 }
 
-/// How far what is held reaches beyond its tip along its axis, to which it may still be turned [u].
+/// How far the held body reaches beyond its tip along its axis, to which it may still be turned [u].
 double vtkHapticMouse::Internals::ReachOfHeld() const
 {
   Vec3 tip_W;
@@ -114,7 +114,7 @@ double vtkHapticMouse::Internals::ReachOfHeld() const
   return this->Session->GetSight()->GetToolReach(back_W.data());
 }
 
-/// In the middle of what can be met; a thing that is held before all of it.
+/// In the middle of all that can be met; a held thing before all of it.
 void vtkHapticMouse::Internals::PlaceDepth()
 {
   vtkBoundingBox met;
@@ -168,7 +168,7 @@ Vec3 vtkHapticMouse::Internals::NextAdvanced(const vtkHapticRay& ray)
   this->Depth.FollowAxis(this->Now);
   if (this->Way == Travel::Rises && this->Depth.GetAlongOf(this->Now.Hand) <= this->Reach(vtkHapticHover_m))
   {
-    this->Led = this->Pointer; // what went back out may go across
+    this->Led = this->Pointer; // a hand that went back out may go across
     this->Way = Travel::Strokes;
   }
   const Vec3 aimed_W = this->Rays.AtDepth(ray, this->Rays.DepthOf(this->Depth.Middle()));

@@ -17,7 +17,7 @@ vtkStandardNewMacro(vtkHapticMouseInput);
 
 namespace
 {
-/// Styles have 0, widgets 0.5: what the hand takes must not turn the camera too.
+/// Styles have 0, widgets 0.5: events that the hand takes must not turn the camera too.
 constexpr float beforeOthers = 1.0F;
 constexpr double deeper = 1.25; ///< a notch of the wheel, a key
 constexpr double step_px = 10.0;
@@ -32,7 +32,7 @@ public:
   std::vector<unsigned long> Observers;
   bool ButtonTaken = false; ///< the left button went down to press, so until it is up its drag is no camera's
 
-  /// True: nobody else is to hear of it.
+  /// True: no other observer is to hear of it.
   bool Heard(vtkObject*, unsigned long event, void*);
   bool Take(unsigned long event);
   bool TakeWheel(bool on);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkHapticMouseInput
- * @brief   what mouse and keyboard in a window say to a vtkHapticMouse, beside what they say to the camera
+ * @brief   leads a vtkHapticMouse by mouse and keyboard in a window, beside the camera
  *
  * The hand follows the pointer. Shift and the left button press; while they do the wheel goes deeper and less deep, as
  * it does with Shift alone. Arrow keys move the hand by ten pixels, with Shift by one; Page Down presses, and again

@@ -22,7 +22,7 @@ struct vtkHapticAim
 /// On the screen, from the lower left corner of the window.
 using vtkHapticPixels = Eigen::Vector2d;
 
-/// The hand hovers so far in front of what is under the pointer [m of the hand].
+/// The hand hovers so far in front of the surface under the pointer [m of the hand].
 inline constexpr double vtkHapticHover_m = 0.005;
 
 class vtkHapticMouse::Internals
@@ -50,7 +50,7 @@ public:
   unsigned long StartObserver = 0;
   vtkHapticPixels Pointer = vtkHapticPixels::Zero();
   vtkHapticPixels Led =
-    vtkHapticPixels::Zero(); ///< the hand is under it: the pointer, but for what clutch and precision held back
+    vtkHapticPixels::Zero(); ///< the hand is under it: the pointer, less the motion that clutch and precision held back
   bool Inside = false;
   bool Pressing = false;
   bool Steered = false; ///< its depth, by the handle of the bar
@@ -58,7 +58,7 @@ public:
   palpate::Vec3 Hover_W = palpate::Vec3::Zero(); ///< the last free place it was led to
   palpate::Vec3 Tip_W = palpate::Vec3::Zero();   ///< from the hand to the point that the pointer leads
   vtkHapticDepthBar Bar;
-  double Span = 0.0;      ///< of what can be met, along the axis [u]
+  double Span = 0.0;      ///< of all that can be met, along the axis [u]
   vtkHapticAdvance Depth; ///< while it advances
   vtkHapticAdvance::Frame Now{};
   vtkTypeInt64 LastTick = 0; ///< of the session, when the hand was led last

@@ -47,7 +47,7 @@ void vtkHapticSession::Internals::AlignOnTouch(palpate::HapticDevice& device)
   if (this->Settings.whole("ViewAlignment") != AlignNever && q_WD && !inScene)
   {
     palpate::HandMapChange aligned{ this->Asked.asked().map, false };
-    aligned.map.q_WD = *q_WD; // about the middle of the workspace: nobody knows yet where the hand is
+    aligned.map.q_WD = *q_WD; // about the middle of the workspace: the hand's place is not known yet
     this->TakeMap(aligned);
     this->Session.InvokeEvent(vtkCommand::PropertyModifiedEvent);
   }
@@ -111,7 +111,7 @@ void vtkHapticSession::Internals::FollowHand()
   }
 }
 
-/// A pointer is led in the scene, so no map holds what it was moved by: vtkHapticMouse does, precision too.
+/// A pointer is led in the scene, so no map holds its offset: vtkHapticMouse does, precision too.
 void vtkHapticSession::Internals::FollowMouseClutch()
 {
   const bool clutch = this->Settings.isOn("Clutch");

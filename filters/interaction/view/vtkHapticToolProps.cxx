@@ -35,7 +35,7 @@ constexpr double handShare = 0.75;
 constexpr double softHandShare = 0.5; ///< likewise the hand that a soft body was computed for
 constexpr float traceWidth = 3.0f;    // pixels
 constexpr double torqueArm_m = 0.03;  // a torque is drawn as the force that has it at such an arm
-constexpr double markOpacity = 0.4;   // what is at start and exit shows through
+constexpr double markOpacity = 0.4;   // a hand or proxy at start or exit shows through
 
 /// 0 without a scene.
 double DiagonalOf(vtkHapticSession* session)

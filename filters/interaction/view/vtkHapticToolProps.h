@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkHapticToolProps
- * @brief   what a person sees of a haptic session: proxy, hand and force
+ * @brief   the picture of a haptic session: proxy, hand and force
  *
  * Two balls, or a tool or the held body of a mechanism, solid where it is felt and as a ghost where the hand would have
- * it; a grey ball where the hand was when what gives way was computed last, if the session has ShowSoftHand; arrows of
- * force and torque; start (green) and exit (red) of a labyrinth and the way through it, and the box of what the device
- * reaches where the session has ShowWorkspace. The proxy's ball has the session's radius where that can be seen; the
+ * it; a grey ball where the hand was when soft bodies were computed last, if the session has ShowSoftHand; arrows of
+ * force and torque; start (green) and exit (red) of a labyrinth and the path through it, and the box of the device's
+ * workspace where the session has ShowWorkspace. The proxy's ball has the session's radius where that can be seen; the
  * arrows start at the proxy and point along the force on the hand and about the torque that a tool asks for. None is
  * picked or counted in the bounds of a scene.
  */
@@ -35,7 +35,7 @@ public:
   void RemoveFromRenderer();
   ///@}
 
-  /// Moves the props to the state of the session's last Update(); hides all but the way while it does not touch.
+  /// Moves the props to the state of the session's last Update(); hides all but the path while it does not touch.
   void UpdateFrom(vtkHapticSession* session);
 
   ///@{
@@ -51,7 +51,7 @@ public:
   ///@}
 
   ///@{
-  /// Whether the way that the session remembers of a labyrinth is drawn. Default off.
+  /// Whether the path that the session remembers of a labyrinth is drawn. Default off.
   vtkSetMacro(ShowTrace, bool);
   vtkGetMacro(ShowTrace, bool);
   vtkBooleanMacro(ShowTrace, bool);

@@ -28,7 +28,7 @@ std::string CheckCellArray(vtkCellArray* cells, vtkIdType points)
   {
     return "its list of cells is inconsistent";
   }
-  // Into a list of its own: VTK's shorter form, and GetRange(), keep what they found, which is not for two threads.
+  // Into a list of its own: VTK's shorter form, and GetRange(), keep their results, which is not for two threads.
   const vtkNew<vtkIdList> copy;
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {

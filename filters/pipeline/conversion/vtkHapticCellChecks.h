@@ -8,7 +8,7 @@ class vtkPolyData;
 class vtkUnstructuredGrid;
 
 /// VTK's filters trust the indices of a data set; a file may hold any. To be called before any filter runs on the
-/// output of a reader gave. Each returns an empty string, or what is wrong.
+/// output of a reader. Each returns an empty string, or the fault.
 namespace vtkHapticCellChecks
 {
 [[nodiscard]] std::string CheckPolyData(vtkPolyData* data);

@@ -292,7 +292,7 @@ void AppendAll(vtkDataObject* data, const Placement& placement, const AppendPart
     });
 }
 
-/// What a key is made of: an object's identity counts through its time, which no other object has had.
+/// Adds an object's identity to a key: it counts through its time, which no other object has had.
 void AddGeometry(vtkDataSet& set, palpate::WordHash& key)
 {
   auto* surface = vtkPolyData::SafeDownCast(&set);
@@ -352,7 +352,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> vtkHapticSurfaceParts(
 
 namespace
 {
-/// `nothing`: the problem of data without what `append` takes.
+/// `nothing`: the problem of data from which `append` takes nothing.
 vtkHapticConversionResult Convert(
   vtkDataObject* data, vtkMatrix4x4* matrix, const AppendPart& append, const std::string& nothing)
 {

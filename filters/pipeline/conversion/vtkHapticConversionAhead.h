@@ -20,8 +20,9 @@
  * Large data are turned into triangles and segments by threads, before the mesh is asked for: a million polygons would
  * hold the caller's thread for a quarter of a second.
  *
- * A thread reads a copy that shares the arrays. VTK's filters make new arrays with each execution; what is changed in
- * place all the same has another key then, and what was made of it is never given out. One thread calls every method.
+ * A thread reads a copy that shares the arrays. VTK's filters make new arrays with each execution; data that are
+ * changed in place all the same have another key then, and their conversion is never given out. One thread calls every
+ * method.
  */
 class VTKHAPTICPIPELINE_EXPORT vtkHapticConversionAhead
 {

@@ -42,7 +42,7 @@ double ValueAt(vtkDataArray& array, vtkIdType tuple, int component)
 }
 
 /// The mean of the cells around each point; 0 for a point without any, which no triangle uses. Of equal values it is
-/// that value to the last bit: what is left of rounding would be stretched over the whole felt range.
+/// that value to the last bit: a remainder of rounding would be stretched over the whole felt range.
 Values MeanOfCells(vtkPolyData& surface, vtkDataArray& array, int component)
 {
   const auto points = static_cast<std::size_t>(surface.GetNumberOfPoints());
@@ -186,7 +186,7 @@ std::array<double, 2> RangeOf(const Values& values)
   return range;
 }
 
-/// What an array is used for.
+/// The property that an array gives.
 struct Use
 {
   const char* What;
@@ -257,7 +257,7 @@ std::string CheckTransfer(const vtkHapticTransfer& transfer, const std::string& 
                                  : std::string();
 }
 
-/// Of the way from one end of a range to the other; ends so far apart that their difference overflows are halved.
+/// As a share of a range from one end to the other; ends so far apart that their difference overflows are halved.
 double ShareOf(double value, const std::array<double, 2>& range)
 {
   constexpr double middle = 0.5; // of an array of one value

@@ -78,7 +78,7 @@ void AppendEllipse(const Point& center, const Point& radii, vtkHapticPlaneLines&
   lines.ArcTo(center, radii.asDiagonal(), 0.0, 2.0 * std::numbers::pi, first);
 }
 
-/// False for what is no shape.
+/// False for an element that is no shape.
 bool AppendShape(std::string_view name, const Attributes& attributes, vtkHapticPlaneLines& lines)
 {
   if (name == "path")
@@ -155,7 +155,7 @@ Eigen::Affine2d UpwardsFrom(double height)
 } // namespace
 
 /// Follows the elements of one drawing. Expat calls from C, so nothing is thrown through it: the first problem is kept,
-/// and what follows is passed over.
+/// and later elements are passed over.
 class vtkHapticSVGElements : public vtkXMLParser
 {
 public:

@@ -161,7 +161,7 @@ int vtkHapticStroke::RequestData(vtkInformation*, vtkInformationVector** input, 
   const vtkSmartPointer<vtkDataObject> whole = vtkHapticWholeSurface(vtkDataObject::GetData(input[0]));
   if (vtkHapticRank() > 0)
   {
-    return 1; // one hand: the first rank has its way
+    return 1; // one hand: the first rank has its path
   }
   const vtkHapticConversionResult surface = vtkHapticToMesh(whole);
   if (!surface.Mesh)

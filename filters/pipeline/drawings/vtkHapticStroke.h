@@ -90,7 +90,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  /// Null, or what cannot be used.
+  /// Null, or the fault of the numbers.
   const char* CheckNumbers() const;
 
   double Up[3] = { 0.0, 0.0, 1.0 };

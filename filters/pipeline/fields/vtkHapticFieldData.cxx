@@ -128,8 +128,8 @@ std::string RefuseValues(
   return alone && low == high ? array + " has the same value everywhere: a field needs different values" : "";
 }
 
-/// Values that are far from 0 beside what they differ by are kept less their middle: of what is left single precision
-/// holds the 10 millionth part. Up to there it is the file's own, and a brick has the data's numbers to the bit.
+/// Values that are far from 0 beside their range are kept less their middle: single precision then resolves the 10
+/// millionth part of the range. Up to there it is the file's own, and a block has the data's numbers to the bit.
 double OffsetOf(const palpate::FieldEnds& ends)
 {
   constexpr double farFrom0 = 64.0;
@@ -150,7 +150,7 @@ bool IsThick(vtkImageData& image)
   return size[0] > 1 && size[1] > 1 && size[2] > 1;
 }
 
-/// The grids of all levels, the finest last: resampling writes over what it found in grids before.
+/// The grids of all levels, the finest last: resampling overwrites values of grids before.
 vtkSmartPointer<vtkMultiBlockDataSet> FinestLast(vtkUniformGridAMR& levels)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();

@@ -25,7 +25,7 @@ struct vtkHapticFieldArrays
   int Eigenvector = 0; ///< of a tensor: of its largest, middle or least eigenvalue
   bool Tensor = false; ///< Vector is one: vtkHapticToField() sees to it
   bool Beside = false; ///< Other is an array of other data: it does too
-  double Offset = 0.0; ///< that the scalar, and Other, are less in a brick: it does too
+  double Offset = 0.0; ///< that the scalar, and Other, are less in a block: it does too
   int Smoothing = -1;  ///< passes over the scalar (haptics/field/Smoothing.h); -1: one where its noise traps a hand
 
   /// Whether there is anything to feel.
@@ -67,7 +67,7 @@ struct vtkHapticFieldResult
 VTKHAPTICPIPELINE_EXPORT std::vector<vtkDataSet*> vtkHapticFieldSets(vtkDataObject* data);
 
 /// Names of the arrays of numbers that a data set has at points or cells, those of `components` alone; 0: all. With 3,
-/// what is followed, symmetric tensors of 6 and 9 as well.
+/// for fields that are followed, symmetric tensors of 6 and 9 as well.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<std::string> vtkHapticFieldArrayNames(
   vtkDataObject* data, int components = 0);
 

@@ -6,7 +6,7 @@
 
 namespace
 {
-/// Puts or gets all but the brick, so that each value is named once.
+/// Puts or gets all but the block, so that each value is named once.
 template<class Stream, class Packet>
 void Each(const Stream& stream, Packet& packet)
 {

@@ -19,9 +19,9 @@ struct vtkHapticFieldPacket
   palpate::MadeFieldBlock Made;
 };
 
-/// As bytes; a brick in them is the same to the bit.
+/// As bytes; a block in them is the same to the bit.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<char> vtkHapticPackField(const vtkHapticFieldPacket& packet);
-/// None where the bytes are no packet.
+/// None where the bytes have another form.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::optional<vtkHapticFieldPacket> vtkHapticUnpackField(
   std::span<const char> bytes);
 

@@ -54,7 +54,7 @@ std::size_t PointsOf(const vtkHapticFieldWindow& window)
   return static_cast<std::size_t>(window.Size[0]) * window.Size[1] * window.Size[2];
 }
 
-/// As far as asked, or as the memory of a brick allows; all of it where that fits.
+/// As far as asked, or as the memory of a block allows; all of it where that fits.
 std::optional<vtkHapticFieldWindow> WindowAround(
   const FieldBlockGrid& lattice, const Vec3& centre_W, double reach_u, std::size_t mostPoints)
 {
@@ -94,7 +94,7 @@ double RoomIn(const vtkHapticFieldWindow& window, const FieldBlockGrid& lattice,
   return std::max(0.0, room);
 }
 
-/// How far a place may go before it can be in the lattice [u]: what it is outside by along the axis of most.
+/// How far a place may go before it can be in the lattice [u]: its largest distance outside along an axis.
 double WayInto(const FieldBlockGrid& lattice, const Vec3& centre_W)
 {
   const Vec3 centre = lattice.toIndex(centre_W);
@@ -134,7 +134,7 @@ std::vector<float> Cropped(
   return cropped;
 }
 
-/// What the scalar needs so that a hand is not trapped beside the level whose surface is felt, measured on values that
+/// Smoothing of the scalar so that no hand is trapped beside the level whose surface is felt, measured on values that
 /// were read as they are.
 palpate::FieldSmoothness Needed(const std::vector<float>& values, const GridIndex& size, double offset,
   const palpate::FieldBlockWish& wish, int asked)
@@ -186,7 +186,7 @@ bool HasCell(const palpate::FieldBlock& brick, FieldBlockRole role)
   return false;
 }
 
-/// Critical points of the vectors, and extrema of the scalar in the room that these leave.
+/// Critical points of the vectors, and extrema of the scalar in the remaining places.
 std::vector<Vec3> SnapPlacesIn(const palpate::FieldBlock& brick)
 {
   std::vector<Vec3> places_W = palpate::findCriticalPoints(brick, palpate::FieldBlock::mostPlaces / 2);

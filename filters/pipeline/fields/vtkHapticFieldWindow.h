@@ -27,7 +27,7 @@ struct vtkHapticFieldWindow
   }
 };
 
-/// An array that a brick is to have, and the part of it that a window holds: components together, NaN where there is no
+/// An array that a block is to have, and the part of it that a window holds: components together, NaN where there is no
 /// value.
 struct vtkHapticFieldPart
 {
@@ -49,7 +49,7 @@ bool vtkHapticAllAtPoints(vtkDataSet& data, const vtkHapticFieldArrays& arrays);
 /// The arrays that are asked for.
 std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& arrays);
 
-/// The brick of a lattice around a place. FieldBlocks of one lattice that are smoothed as often have the same values at
+/// The block of a lattice around a place. FieldBlocks of one lattice that are smoothed as often have the same values at
 /// the same places, whichever window they were made of: the scalar is smoothed with as much around it as smoothing
 /// needs.
 palpate::MadeFieldBlock vtkHapticFieldBlockAround(const palpate::FieldBlockGrid& lattice,

@@ -26,7 +26,7 @@ FieldBlockGrid Halved(const FieldBlockGrid& lattice, int times)
   return finer;
 }
 
-/// Its own places, and those of the other beyond it: a hand in it is drawn to what is near on either side of its rim.
+/// Its own places, and those of the other beyond it: a hand in it is drawn to near places on either side of its rim.
 std::vector<Vec3> PlacesOf(const FieldBlock& finer, const FieldBlock& coarse)
 {
   std::vector<Vec3> places_W = finer.places_W();
@@ -75,7 +75,7 @@ MadeFieldBlock vtkHapticFieldBlockWithFiner(const FieldBlockGrid& lattice, const
 {
   const std::size_t mostBytes = FieldBlock::mostBytes - (own ? vtkHapticOwnCells::mostBytes : 0);
   MadeFieldBlock made = FieldBlockWithFiner(lattice, arrays, cells, sizes, mostBytes, wish);
-  const bool smoothed = made.smoothness.passes > 0; // what is felt then is not what the cells have
+  const bool smoothed = made.smoothness.passes > 0; // the felt values then are not those of the cells
   auto near = made.brick && own && (!smoothed || own->AreFlat()) ? own->Around(wish.centre_W) : nullptr;
   made.whyNoCells = own && made.brick && !near ? "its values are smoothed" : "";
   if (near)

@@ -31,8 +31,8 @@ private:
   vtkHapticLevelScan Levels;
 };
 
-/// Writes what a role keeps of the tuple of a point to the same point of `values`: of a scalar one component or their
-/// length, of an axis the eigenvector of a symmetric tensor, as long as its eigenvalue is large.
+/// Writes the part of a point's tuple that a role keeps to the same point of `values`: of a scalar one component or
+/// their length, of an axis the eigenvector of a symmetric tensor, as long as its eigenvalue is large.
 void vtkHapticKeepTuple(
   vtkDataArray* array, vtkIdType point, const vtkHapticFieldPart& part, std::vector<float>& values);
 

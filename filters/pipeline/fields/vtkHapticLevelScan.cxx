@@ -9,7 +9,8 @@
 palpate::LevelBounds vtkHapticLevelsOf(
   const palpate::FieldBlockGrid& lattice, const vtkHapticFieldArrays& arrays, const HapticFieldReading& read, int tile)
 {
-  // What is smoothed only where noise asks for it may be steep: an average of values is no steeper than they are.
+  // Values that are smoothed only where noise asks for it may be steep: an average of values is no steeper than they
+  // are.
   const int passes = std::max(0, arrays.Smoothing), step = tile - 2;
   palpate::LevelBounds bounds;
   const std::vector<vtkHapticFieldPart> parts = vtkHapticFieldParts(arrays);
@@ -46,7 +47,7 @@ void vtkHapticLevelScan::Tell(palpate::MadeFieldBlock& made, const palpate::Fiel
   {
     return;
   }
-  constexpr int tile = 130; // 9 MB, as a brick
+  constexpr int tile = 130; // 9 MB, as a block
   this->Known = this->Known ? *this->Known : vtkHapticLevelsOf(lattice, arrays, read, tile);
   made.levels = *this->Known;
 }

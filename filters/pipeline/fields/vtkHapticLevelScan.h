@@ -6,8 +6,8 @@
 
 #include "vtkHapticFieldWindow.h"
 
-/// How steep a scalar is at most on all of a lattice, looked up once, where a brick holds a part of it alone: smooth
-/// levels have one strength, whichever brick the hand is in.
+/// How steep a scalar is at most on all of a lattice, looked up once, where a block holds a part of it alone: smooth
+/// levels have one strength, whichever block the hand is in.
 class vtkHapticLevelScan
 {
 public:
@@ -15,7 +15,7 @@ public:
   /// levels of larger ones do not hold.
   static constexpr std::size_t mostPoints = std::size_t{ 1 } << 27;
 
-  /// Says it of a brick where it was wished for, and the brick does not say it itself. Asked by one thread at a time.
+  /// Says it of a block where it was wished for, and the block does not say it itself. Asked by one thread at a time.
   void Tell(palpate::MadeFieldBlock& made, const palpate::FieldBlockWish& wish, const palpate::FieldBlockGrid& lattice,
     const vtkHapticFieldArrays& arrays, const HapticFieldReading& read) const;
 

@@ -64,7 +64,7 @@ vtkSmartPointer<vtkDataSet> AtPoints(vtkDataSet* part, const std::string& name)
   }
   vtkNew<vtkCellDataToPointData> toPoints;
   toPoints->SetInputDataObject(part);
-  toPoints->PassCellDataOn(); // what hides a cell is one of its values
+  toPoints->PassCellDataOn(); // the array that hides cells is one of their values
   toPoints->Update();
   return vtkDataSet::SafeDownCast(toPoints->GetOutputDataObject(0));
 }

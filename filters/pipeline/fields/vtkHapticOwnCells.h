@@ -25,12 +25,12 @@ public:
   static constexpr std::size_t mostCells = 4'000'000;
 
   /// Null where the scalar of data cannot be had by its cells; `why` becomes the reason. Null too where there is no
-  /// scalar, or where a lattice of that spacing tells what cells do: more of them than are handed out at a time, none
-  /// of which is flat, hidden or without a value.
+  /// scalar, or where a lattice of that spacing resolves the cells: more of them than are handed out at a time, none of
+  /// which is flat, hidden or without a value.
   static std::unique_ptr<const vtkHapticOwnCells> Of(
     vtkDataObject* data, const vtkHapticFieldArrays& arrays, const palpate::FieldBlockGrid& lattice, std::string& why);
 
-  /// Whether some are flat: a lattice of the mean cell takes what they resolve for noise.
+  /// Whether some are flat: a lattice of the mean cell takes their detail for noise.
   bool AreFlat() const { return this->Flat; }
 
   /// Those that are nearest to a place.

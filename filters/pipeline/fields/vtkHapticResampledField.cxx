@@ -34,7 +34,7 @@ using palpate::Vec3;
 
 namespace
 {
-/// What a lattice is laid out by.
+/// Bounds and counts of cells that lay out a lattice.
 struct Extent
 {
   vtkBoundingBox Bounds;
@@ -68,7 +68,7 @@ Extent ExtentOf(const std::vector<vtkDataSet*>& parts)
   return extent;
 }
 
-/// Half of the mean length of what fills the bounds: then the lattice's own error is half of the data's.
+/// Half of the mean length of the cells that fill the bounds: then the lattice's own error is half of the data's.
 palpate::FieldBlockGrid LatticeOver(const vtkBoundingBox& bounds, vtkIdType count)
 {
   std::array<double, 3> lengths{};
@@ -86,7 +86,7 @@ palpate::FieldBlockGrid LatticeOver(const vtkBoundingBox& bounds, vtkIdType coun
   return lattice;
 }
 
-/// What another rank has too is felt: VTK's probe passes it over, as if that rank probed as well.
+/// Cells that another rank has too are felt: VTK's probe passes them over, as if that rank probed as well.
 void ForgetDuplicates(vtkDataObject* data)
 {
   const char* const name = vtkDataSetAttributes::GhostArrayName();
@@ -152,7 +152,7 @@ public:
   }
 
 private:
-  /// Of the first brick: to probe once more takes nearly as long as to probe a brick.
+  /// Of the first block: to probe once more takes nearly as long as to probe a block.
   double ErrorOf(const palpate::FieldBlock& brick) const
   {
     if (!this->Error)
@@ -178,7 +178,7 @@ private:
   {
     vtkNew<vtkCellDataToPointData> toPoints;
     toPoints->SetInputDataObject(this->Data);
-    toPoints->PassCellDataOn(); // what hides a cell is one of its values
+    toPoints->PassCellDataOn(); // the array that hides cells is one of their values
     vtkNew<vtkCompositeDataProbeFilter> probe;
     probe->SetInputData(places);
     probe->SetSourceConnection(toPoints->GetOutputPort());

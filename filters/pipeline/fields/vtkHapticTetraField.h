@@ -27,7 +27,7 @@ public:
   palpate::MadeFieldBlock brickAround(const palpate::FieldBlockWish& wish) const override;
 
 private:
-  /// The mesh as the core takes it; made by the worker, with the first brick.
+  /// The mesh as the core takes it; made by the worker, with the first block.
   struct Mesh
   {
     std::vector<palpate::Vec3> Points_W;

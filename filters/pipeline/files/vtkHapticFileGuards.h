@@ -23,7 +23,7 @@ namespace vtkHapticFileGuards
 [[nodiscard]] std::string CheckImageBytes(
   const std::string& path, const int dimensions[3], double bytesPerVoxel, bool compressed);
 
-/// Throws std::runtime_error with what one of them returned, unless that is empty.
+/// Throws std::runtime_error with the text of one of them, unless that is empty.
 void ThrowIf(const std::string& problem);
 } // namespace vtkHapticFileGuards
 

@@ -10,7 +10,7 @@
 
 namespace
 {
-/// "ERROR: In file.cxx, line 12\nvtkClass (0x55): what happened\n\n" becomes "what happened".
+/// "ERROR: In file.cxx, line 12\nvtkClass (0x55): message\n\n" becomes "message".
 std::string Essence(std::string_view text)
 {
   constexpr std::string_view preamble = "): ";
@@ -55,7 +55,7 @@ vtkHapticMessageCapture::vtkHapticMessageCapture()
   : Previous(vtkOutputWindow::GetInstance()), PreviousVerbosity(vtkLogger::GetCurrentVerbosityCutoff()),
     Current(vtkSmartPointer<Window>::New())
 {
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // the log repeats on stderr what the window is told
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // the log repeats on stderr the messages to the window
   vtkOutputWindow::SetInstance(this->Current);
 }
 

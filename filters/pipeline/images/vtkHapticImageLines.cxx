@@ -26,7 +26,7 @@ bool AllFinite(const std::array<double, 4>& values)
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
-/// What reaches a value, and the rest.
+/// Pixels that reach a value, and the rest.
 struct Level
 {
   double Value;
@@ -48,7 +48,7 @@ struct Level
   [[nodiscard]] double GetShare(double a, double b) const { return (this->Value - a) / (b - a); }
 };
 
-/// Each area and the rest. What is left has the borders of the least label too.
+/// Each area and the rest. The rest has the borders of the least label too.
 struct Areas
 {
   double Least;

@@ -7,8 +7,8 @@
 class vtkHapticImagePlane;
 
 /// Loose lines of a flat image, in pixel coordinates (i, j, 0); none at pixels that are not finite. Each throws
-/// std::runtime_error with a reason. `goes` is told the share done and answers whether to go on; if not, what is there
-/// so far is returned.
+/// std::runtime_error with a reason. `goes` is told the share done and answers whether to go on; if not, the lines so
+/// far are returned.
 namespace vtkHapticImageLines
 {
 /// Where the values pass `value`.

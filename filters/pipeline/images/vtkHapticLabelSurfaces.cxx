@@ -75,7 +75,7 @@ Extent WholeOf(vtkImageData* image)
   return { { extent[0], extent[2], extent[4] }, { extent[1], extent[3], extent[5] } };
 }
 
-/// Where each value is; throws what is wrong with an image that is no label map.
+/// Where each value is; throws the fault of an image that is no label map.
 std::map<double, Extent> ExtentsOf(vtkImageData* image, vtkDataArray* labels, double background)
 {
   constexpr std::size_t most = 4096; // atlases have a few hundred, an image of densities any number
@@ -102,7 +102,7 @@ std::map<double, Extent> ExtentsOf(vtkImageData* image, vtkDataArray* labels, do
   return extents;
 }
 
-/// The surface of one label in voxels of the image, from a copy of where it is with a rim of what it is not.
+/// The surface of one label in voxels of the image, from a copy of its box with a rim of other voxels.
 SurfacePointer SurfaceOf(vtkImageData* image, vtkDataArray* labels, double value, const Extent& extent)
 {
   vtkNew<vtkImageData> part;
@@ -125,7 +125,7 @@ SurfacePointer SurfaceOf(vtkImageData* image, vtkDataArray* labels, double value
 
 SurfacePointer Smoothed(vtkPolyData* surface, int rounds)
 {
-  constexpr double passBand = 0.1; // of the frequencies of the mesh: steps of a voxel go, what is wider stays
+  constexpr double passBand = 0.1; // of the frequencies of the mesh: steps of a voxel go, wider features stay
   vtkNew<vtkWindowedSincPolyDataFilter> smoother;
   smoother->SetInputData(surface);
   smoother->SetNumberOfIterations(rounds);

@@ -12,7 +12,7 @@ namespace
 {
 using Number = vtkHapticNIfTIType::Number;
 
-/// Where each version puts what is needed, in bytes from the start.
+/// Where each version puts the fields that are read, in bytes from the start.
 struct Layout
 {
   std::size_t Size;
@@ -180,7 +180,7 @@ void ReadValues(const Fields& fields, const Layout& layout, vtkHapticNIfTIHeader
   header.DataOffset = static_cast<std::uint64_t>(offset);
   const double slope = fields.Real(layout.Slope, layout.RealBytes);
   const double intercept = fields.Real(layout.Intercept, layout.RealBytes);
-  if (!header.Type.Colour && std::isfinite(slope) && slope != 0.0) // 0: values are what is stored
+  if (!header.Type.Colour && std::isfinite(slope) && slope != 0.0) // 0: values are the stored numbers
   {
     header.Slope = slope;
     header.Intercept = std::isfinite(intercept) ? intercept : 0.0;

@@ -88,7 +88,7 @@ ArrayPointer Interleave(vtkDataArray* stored, const vtkHapticNIfTIHeader& header
   return values;
 }
 
-/// As the header says what the numbers mean.
+/// The values as the header scales them.
 ArrayPointer Rescale(vtkDataArray* stored, const vtkHapticNIfTIHeader& header)
 {
   auto values = ArrayPointer::Take(vtkDataArray::CreateDataArray(vtkHapticNIfTIImage::ScalarTypeOf(header)));

@@ -24,7 +24,7 @@ namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// What `read` throws becomes one line with the file's name; empty when all went well.
+/// An exception of `read` becomes one line with the file's name; empty when all went well.
 template<class Read>
 std::string ProblemOf(const char* file, Read read)
 {

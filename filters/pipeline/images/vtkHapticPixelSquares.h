@@ -18,8 +18,8 @@
  * once for each of them.
  *
  * Division says which lines there are: Divide(values, draw) calls draw(sides) for each way the four values are divided,
- * where bit k of sides is set for the pixels on one side; GetShare(a, b) is how far from a pixel of value a, of the way
- * to its neighbour of value b, the line between them passes.
+ * where bit k of sides is set for the pixels on one side; GetShare(a, b) is how far from a pixel of value a, as a share
+ * of the distance to its neighbour of value b, the line between them passes.
  */
 template<class Division>
 class vtkHapticPixelSquares

@@ -10,21 +10,21 @@
  *     Error   (n) double  Hausdorff distance between the curve and the one before it was simplified [u], a bound
  *     Closed  (n) int     1 where the curve ends where it begins
  *
- * and the field array Tolerance (1) double, what was asked [u]. Three kinds of image:
+ * and the field array Tolerance (1) double, the tolerance that was set [u]. Three kinds of image:
  *
  *   Contour: where the values pass Value, between the pixels by linear interpolation. For a field with the level
  *   set of a circle of radius R on pixels of size h, points are off by at most h^2 / (8 R) and the segments between
  *   them by h^2 / (4 R).
  *   Labels: borders of the areas with the same value, half way between the pixels; a border of two areas is one curve,
  *   and curves end where three areas meet.
- *   Drawing: the middle lines of strokes. What is on the ink's side of Value is thinned to lines of one pixel
- *   (Guo & Hall 1989), hooks are left out and ends joined over gaps no longer than Gap: what is blank between the tip
- *   of a stroke and the next one, however wide they are.
+ *   Drawing: the middle lines of strokes. Pixels on the ink's side of Value are thinned to lines of one pixel
+ *   (Guo & Hall 1989), hooks are left out and ends joined over gaps no longer than Gap: the blank between the tip of a
+ *   stroke and the next one, however wide they are.
  *
- * Simplified after Douglas & Peucker 1973 within Tolerance, or within what can be felt: LeastForce / Stiffness, times
- * the scene units per metre of the hand. Simplified curves may touch or cross where the given ones come nearer to each
- * other than twice the tolerance. No lines at pixels that are not finite. Bad input is an error of one line and leaves
- * the output empty. Reports progress and ends early when asked to.
+ * Simplified after Douglas & Peucker 1973 within Tolerance, or within the least depth that can be felt: LeastForce /
+ * Stiffness, times the scene units per metre of the hand. Simplified curves may touch or cross where the given ones
+ * come nearer to each other than twice the tolerance. No lines at pixels that are not finite. Bad input is an error of
+ * one line and leaves the output empty. Reports progress and ends early when asked to.
  */
 #ifndef vtkImageCurves_h
 #define vtkImageCurves_h
@@ -137,7 +137,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  /// Null, or what cannot be used.
+  /// Null, or the fault of the numbers.
   const char* CheckNumbers() const;
   /// The array chosen, or the active one where none is; null where there is none.
   vtkDataArray* ValuesOf(vtkImageData* image, vtkInformationVector** input);

@@ -30,7 +30,7 @@ public:
 
   ///@{
   /// How wide its corridors are [u]: the disc that is led through them has a fifth of that as its radius. 0 (default):
-  /// as the file says, else as wide as the narrowest place of the widest way from start to exit.
+  /// as the file says, else as wide as the narrowest place of the widest path from start to exit.
   vtkSetClampMacro(Corridor, double, 0.0, 1e300);
   vtkGetMacro(Corridor, double);
   ///@}

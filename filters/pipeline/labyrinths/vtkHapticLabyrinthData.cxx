@@ -20,8 +20,8 @@ std::optional<Eigen::Vector2d> Place(vtkDataObject* data, const char* name)
   return Eigen::Vector2d(array->GetComponent(0, 0), array->GetComponent(0, 1));
 }
 
-/// As the data say; else measured along the way; else, for a structure or where there is no way to see, a twentieth of
-/// the longer side, which makes the disc a hundredth of it.
+/// As the data say; else measured along the path; else, for a structure or without a visible path, a twentieth of the
+/// longer side, which makes the disc a hundredth of it.
 double Corridor(vtkDataObject* data, const palpate::Labyrinth& labyrinth)
 {
   vtkDataArray* const array = data->GetFieldData() ? data->GetFieldData()->GetArray("Corridor") : nullptr;

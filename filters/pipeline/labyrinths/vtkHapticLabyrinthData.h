@@ -19,7 +19,7 @@ struct vtkHapticLabyrinthResult
 };
 
 /// The lines of a data object in the plane z = 0, with the first tuples of its field arrays Start and Exit, if it has
-/// them, and corridors of corridor_u if that is given, else its Corridor, else what corridorWidth() measures [scene
+/// them, and corridors of corridor_u if that is given, else its Corridor, else the result of corridorWidth() [scene
 /// units]. A structure without start and exit is a result too; a world that refuseWorld() refuses is a problem.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticLabyrinthResult vtkHapticToLabyrinth(
   vtkDataObject* data, const std::string& name, std::optional<double> corridor_u = std::nullopt);

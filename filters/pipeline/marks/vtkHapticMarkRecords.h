@@ -44,8 +44,8 @@ public:
   [[nodiscard]] std::string FromText(std::string_view text);
   /// Reads a file of that text. Empty, or one line with the file, the reason and the remedy; then there are no records.
   [[nodiscard]] std::string Read(const std::string& path);
-  /// Writes csv or vtp, by the suffix, whole or not at all. Empty, or one line with the file, the reason and what to
-  /// do.
+  /// Writes csv or vtp, by the suffix, whole or not at all. Empty, or one line with the file, the reason and the
+  /// remedy.
   [[nodiscard]] std::string Write(const std::string& path) const;
 
 private:

@@ -85,7 +85,7 @@ void AddCellArray(vtkPolyData& data, const char* name, const std::vector<Value>&
   data.GetCellData()->AddArray(array);
 }
 
-/// What is said of each triangle of a mesh.
+/// The findings at each triangle of a mesh.
 struct Said
 {
   std::vector<vtkIdType> Flipped;
@@ -186,7 +186,7 @@ int vtkHapticSurfaceCheck::RequestData(vtkInformation*, vtkInformationVector** i
   {
     for (const char* name : { "Surface", "Holes", "Flipped", "Thin" })
     {
-      AddBlock(blocks, name, vtkSmartPointer<vtkPolyData>::New()); // the first rank has what is found
+      AddBlock(blocks, name, vtkSmartPointer<vtkPolyData>::New()); // the first rank has the findings
     }
     return 1;
   }

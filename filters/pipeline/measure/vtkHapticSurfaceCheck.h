@@ -7,7 +7,7 @@
 
 /**
  * @class vtkHapticSurfaceCheck
- * @brief What a person wants to see of a surface before trusting it, as blocks that can be selected in a view.
+ * @brief Faults of a surface, to look at before trusting it, as blocks that can be selected in a view.
  *
  * Input: any data with polygons. Output, with the names of its blocks: Surface, its triangles with the cell arrays
  * Flipped (number of the flipped part from 1 on, 0: none) and Thickness [u] (NaN where it is not thin); Holes, the

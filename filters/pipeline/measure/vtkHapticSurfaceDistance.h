@@ -15,10 +15,10 @@ class vtkAlgorithmOutput;
  *
  * Port 0: the surface, poly data; port 1: the reference, any data with polygons. Output: the surface with the point
  * array Distance [u] to the nearest point of the reference's triangles and, where the reference is closed,
- * SignedDistance [u], below 0 inside of it whatever way its triangles are turned. A point that is not finite gets NaN
- * in both. Either array may be felt as stiffness, friction or texture. Distance is the active array of scalars, by
- * which ParaView colours the surface. The field arrays MeanDistance, RMSDistance and MaximumDistance [u] and the
- * sentence Text have the statistics of Distance over the surface, see vtkHapticMeanOver().
+ * SignedDistance [u], below 0 inside of it however its triangles are turned. A point that is not finite gets NaN in
+ * both. Either array may be felt as stiffness, friction or texture. Distance is the active array of scalars, by which
+ * ParaView colours the surface. The field arrays MeanDistance, RMSDistance and MaximumDistance [u] and the sentence
+ * Text have the statistics of Distance over the surface, see vtkHapticMeanOver().
  */
 class VTKHAPTICPIPELINE_EXPORT vtkHapticSurfaceDistance : public vtkPolyDataAlgorithm
 {

@@ -18,7 +18,7 @@
  *
  * Points have a value where their triangles are within Radius of Centre, see palpate::patchAround(); the others have
  * NaN, as do points without a wall behind them and those with too few vertices around to tell a curvature. Straight in
- * is against the mean normal of the point's triangles, weighted by their areas, whatever way the triangles of a closed
+ * is against the mean normal of the point's triangles, weighted by their areas, however the triangles of a closed
  * surface are turned. On several ranks the first has all of the surface.
  */
 class VTKHAPTICPIPELINE_EXPORT vtkHapticSurfaceMap : public vtkPolyDataAlgorithm

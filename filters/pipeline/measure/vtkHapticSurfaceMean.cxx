@@ -17,7 +17,7 @@
 
 namespace
 {
-/// Integrals over what has been looked at.
+/// Integrals over the visited cells or points.
 struct Sums
 {
   double Weight = 0.0; ///< area, or number of points

@@ -59,7 +59,7 @@ std::optional<std::vector<Vec3>> MarksOf(vtkDataObject* data)
   return marks;
 }
 
-/// The output while it grows: a polyline a way.
+/// The output while it grows: a polyline a path.
 class Ways
 {
 public:
@@ -139,7 +139,7 @@ int vtkHapticSurfacePath::RequestData(vtkInformation*, vtkInformationVector** in
   const vtkSmartPointer<vtkDataObject> marked = vtkHapticOnePiece(vtkDataObject::GetData(input[1]));
   if (vtkHapticRank() > 0)
   {
-    return 1; // the first rank has the way
+    return 1; // the first rank has the path
   }
   const std::optional<std::vector<Vec3>> marks = MarksOf(marked);
   if (!marks || marks->size() < 2)

@@ -9,12 +9,12 @@ class vtkAlgorithmOutput;
 
 /**
  * @class vtkHapticSurfacePath
- * @brief The shortest way over a surface from mark to mark.
+ * @brief The shortest path over a surface from mark to mark.
  *
  * Port 0: the surface, any data with polygons; port 1: the marks in their order, the points of a point set or the rows
  * of a table with the columns X, Y and Z [u]. Each mark stands for the nearest point of the surface. Output: a polyline
  * from each mark to the next, with the cell arrays Length and Straight [u], its own length and that of the straight
- * line, and the point array Way [u] from its first mark. The way is exact on the triangles
+ * line, and the point array Way [u] from its first mark. The path is exact on the triangles
  * (haptics/geometry/measure/SurfacePath.h). Between marks that have none nothing is drawn, and one line says which.
  */
 class VTKHAPTICPIPELINE_EXPORT vtkHapticSurfacePath : public vtkPolyDataAlgorithm

@@ -67,7 +67,7 @@ vtkSmartPointer<vtkPolyData> vtkHapticMechanism::Make()
   return this->Problem.empty() ? shapes : nullptr;
 }
 
-/// Files are read when they are asked for and not for another picture: what was refused is told once.
+/// Files are read when they are asked for and not for another picture: a refusal is told once.
 int vtkHapticMechanism::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
   if (std::exchange(this->Asked, false))

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkHapticMechanism
- * @brief   bodies and the laws that join them, from a scene file
+ * @brief   bodies and the constraints that join them, from a scene file
  *
  * Output: the surfaces of the bodies as they are at first, a needle at the origin, with
  *
  *     Body          (m)    int     of cells, and likewise of points: which body, by its place in the file
  *     Vertex        (n)    int     of a soft body's points: which one of its tetrahedra's; else -1
  *     Displacement  (n, 3) double  how far the nodes of soft bodies have gone, else 0 [u]
- *     Dent          (n, 3) double  how much further they are shown, where a law presses [u]
+ *     Dent          (n, 3) double  how much further they are shown, where a constraint presses [u]
  *
  * and the whole description as field data, which a session and Touch Along Path take. The file is described in
  * docs/mechanisms.md. Bad input is an error of one line and leaves the output empty.

@@ -175,7 +175,7 @@ bool vtkHapticIsWhereMade(vtkDataObject& data)
   vtkDataArray* const made = data.GetFieldData()->GetArray(BoundsName);
   if (!shapes || !made || made->GetNumberOfValues() != 6)
   {
-    return true; // nobody has said where
+    return true; // no place is given
   }
   const vtkBoundingBox now(shapes->GetBounds()), before(made->GetTuple(0));
   double away = 0.0;

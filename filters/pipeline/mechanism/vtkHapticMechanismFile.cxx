@@ -194,7 +194,7 @@ vtkHapticMechanismResult Build(
   result.Inputs = inputs;
   return result;
 }
-/// What reads JSON, or "" and what was wrong with it.
+/// The result of a function that reads JSON: "" or the fault of the text.
 template<class Read>
 std::string ProblemOf(const Read& read)
 {

@@ -20,18 +20,18 @@ struct vtkHapticMechanismResult
   std::string Problem;                                         ///< one line: place in the text, fault, remedy
 };
 
-/// Reads a scene file's text (docs/mechanisms.md): JSON, `format` "palpate mechanism", `version` 1, bodies, laws. Files
-/// of bodies are looked for in `folder`. Every key is known or refused, so that a mistyped one is not lost. `laws`: a
-/// list of laws in place of its own; "": its own. `read`: soft bodies that were made of the same text before, and are
-/// not read again; they have no grids.
+/// Reads a scene file's text (docs/mechanisms.md): JSON, `format` "palpate mechanism", `version` 1, bodies,
+/// constraints. Files of bodies are looked for in `folder`. Every key is known or refused, so that a mistyped one is
+/// not lost. `laws`: a list of constraints in place of its own; "": its own. `read`: soft bodies that were made of the
+/// same text before, and are not read again; they have no grids.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticMechanismResult vtkHapticParseMechanism(const std::string& text,
   const std::string& folder, const std::string& laws = "", const std::vector<palpate::MechanismSoftInput>& read = {});
 
-/// The list of laws of a scene file's text, or `laws` where that is not "", with another one at its end, as an object
-/// of the file; in the place of the one of its name, if there is one. Throws nothing; "" with a problem.
+/// The list of constraints of a scene file's text, or `laws` where that is not "", with another one at its end, as an
+/// object of the file; in the place of the one of its name, if there is one. Throws nothing; "" with a problem.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticWithConstraint(
   const std::string& text, const std::string& laws, const std::string& law, std::string& problem);
-/// Likewise without the law of that name.
+/// Likewise without the constraint of that name.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticWithoutConstraint(
   const std::string& text, const std::string& laws, const std::string& name, std::string& problem);
 

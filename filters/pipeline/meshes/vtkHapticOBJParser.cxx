@@ -9,7 +9,7 @@ using namespace vtkHapticText;
 
 namespace
 {
-/// What says nothing about the shape of a polygon mesh.
+/// Keywords without meaning for the shape of a polygon mesh.
 bool IsSkipped(std::string_view keyword)
 {
   constexpr std::array<std::string_view, 17> skipped = { "vn", "vt", "vp", "g", "o", "s", "mg", "usemtl", "mtllib", "l",

@@ -284,7 +284,7 @@ bool IsIndices(const Property& property)
   return property.List && (property.Name == "vertex_indices" || property.Name == "vertex_index");
 }
 
-/// Hands the indices of points to `take` and reads over what stands beside them, a second list of indices too.
+/// Hands the indices of points to `take` and skips the other properties, a second list of indices too.
 template<class Take>
 void ReadIndices(NumberSource& source, const Element& element, Take take)
 {

@@ -49,7 +49,7 @@ struct vtkHapticNeighbourhood::Looked
   vtkBoundingBox BoundsOfAll;
 
   /// All ranks ask at once: their pipelines execute together. The piece of one may be another while that of the next is
-  /// not: what all of them do is decided by all.
+  /// not: steps that need all ranks are decided by all.
   void Look(vtkDataObject* piece)
   {
     const bool other = !this->Surface || this->Time != piece->GetMTime();

@@ -10,11 +10,11 @@
 /**
  * The part of a surface around a hand, cut out where the surface is.
  *
- * Whoever touches data of a server asks this filter there. A surface of no more polygons than the limit comes whole.
+ * Clients that touch data of a server ask this filter there. A surface of no more polygons than the limit comes whole.
  * Of a larger one come all polygons that reach into a box around the hand, and those that share a point with one of
  * these, so that normals of the points within are those of the whole. Where the box has more than the limit it is made
  * smaller; where it has none it is made larger until it has some. On several ranks each cuts out of its own piece, and
- * the first has the answer. vtkHapticPartOf() says of it what it is.
+ * the first has the answer. vtkHapticPartOf() describes the part.
  */
 class VTKHAPTICPIPELINE_EXPORT vtkHapticNeighbourhood : public vtkPolyDataAlgorithm
 {

@@ -7,7 +7,7 @@
 
 /**
  * @class vtkHapticFileReader
- * @brief Opens what neither VTK nor ParaView read: OFF files as polygons, SVG drawings as lines.
+ * @brief Opens files that neither VTK nor ParaView read: OFF files as polygons, SVG drawings as lines.
  *
  * Output: vtkPolyData with double points [scene units] and polygons as the file gives them; or lines in the plane
  * z = 0, y upwards, with the field arrays Start and Exit where shapes of the drawing have these ids. A file that cannot

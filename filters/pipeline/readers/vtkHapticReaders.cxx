@@ -50,7 +50,7 @@ using TextParser = vtkHapticFaceMesh (*)(std::string_view);
 
 constexpr const char* KnownExtensions = "vtp, vtu, stl, ply, obj, off, svg, png, and with --iso vti, nii, nii.gz";
 
-/// VTK names what it stumbled over; a person wants to know what that means.
+/// VTK names the token that it stumbled over; a person wants to know the meaning.
 void ThrowIfBroken(const vtkHapticMessageCapture& messages)
 {
   if (!messages.FirstError().empty())
@@ -152,7 +152,7 @@ SurfacePointer ReadWithParser(const std::string& path, TextParser parse)
   return ToPolyData(mesh);
 }
 
-/// Lines do as well: they can be touched by whoever has a radius for them.
+/// Lines do as well: they can be touched with a radius.
 void CheckHasTriangles(vtkPolyData* surface, vtkIdType pointsOfFile)
 {
   if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() + surface->GetNumberOfLines() > 0)
@@ -244,7 +244,7 @@ void CheckExtension(const std::string& extension)
   }
 }
 
-/// What `read` makes of a file, with what VTK says meanwhile.
+/// The data that `read` makes of a file, with VTK's messages meanwhile.
 template<class Function>
 auto Captured(std::string& note, const Function& read)
 {
@@ -256,7 +256,7 @@ auto Captured(std::string& note, const Function& read)
   }
   catch (const std::runtime_error&)
   {
-    ThrowIfBroken(messages); // what VTK met first is the cause of what was noticed later
+    ThrowIfBroken(messages); // VTK's first message is the cause of the later fault
     throw;
   }
   ThrowIfBroken(messages);
@@ -356,7 +356,7 @@ vtkSmartPointer<vtkDataObject> ReadVolume(const std::string& path, std::string& 
   return ExtensionOf(path) == "vtm" ? ReadBlocks(path, note) : ReadPiece(path, note);
 }
 
-/// Fills a result by `read`; what it throws is the problem.
+/// Fills a result by `read`; its exception is the problem.
 template<class Result, class Function>
 Result Guarded(const std::string& path, const Function& read)
 {

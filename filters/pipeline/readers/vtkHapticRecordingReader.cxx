@@ -31,7 +31,7 @@ using Point = palpate::TrajectoryPoint;
 using Points = std::span<const Point>;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// What the array says of each point, for the hand and then again for the proxy.
+/// Adds an array with the value of each point, for the hand and then again for the proxy.
 template<class Array, class ValueOf>
 void AddArray(vtkPolyData* data, const char* name, Points points, ValueOf valueOf)
 {
@@ -59,7 +59,7 @@ void AddForce(vtkPolyData* data, Points points)
     }
   }
   data->GetPointData()->AddArray(force);
-  data->GetPointData()->SetActiveScalars("Force"); // by which ParaView colours what it shows
+  data->GetPointData()->SetActiveScalars("Force"); // by which ParaView colours the path
 }
 
 /// First the hands, then the proxies, with their arrays; no cells.

@@ -15,7 +15,7 @@ struct TrajectoryPoint;
 
 /**
  * @class vtkHapticRecordingReader
- * @brief Opens a recording as the way of the hand and of its proxy, in time. What was touched need not be there.
+ * @brief Opens a recording as the path of the hand and of its proxy, in time. The touched data need not be there.
  *
  * Port 0, *Moment*: at the time asked for the hand (point 0) and the proxy (point 1), as vertices, and the line between
  * them. Port 1, *Path*: all of it, two polylines, first the hand's, then the proxy's. Point arrays of both ports: Force
@@ -51,7 +51,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  /// Empty, or what is wrong with the file.
+  /// Empty, or the fault of the file.
   std::string Read();
 
   char* FileName = nullptr;

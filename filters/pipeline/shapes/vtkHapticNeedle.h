@@ -3,8 +3,8 @@
  * @class   vtkHapticNeedle
  * @brief   a straight rod with a point, to hold as a tool or in a mechanism
  *
- * A closed surface about the z axis whose triangles face outward. It hangs below the origin, where a hand holds it, and
- * ends in a point at z = -Length. A needle is rigid.
+ * A closed surface about the z axis whose triangles face outward. The needle hangs below the origin, where a hand holds
+ * it, and ends in a point at z = -Length, rigid.
  */
 #ifndef vtkHapticNeedle_h
 #define vtkHapticNeedle_h

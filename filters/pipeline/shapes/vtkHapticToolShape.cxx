@@ -115,7 +115,7 @@ std::vector<vtkHapticRing> BurrRings(const Sizes& s, int around)
   return rings;
 }
 
-/// Empty, or what cannot be made.
+/// Empty, or the reason why the shape cannot be made.
 std::string Refuse(const Sizes& s, int shape, int around)
 {
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };

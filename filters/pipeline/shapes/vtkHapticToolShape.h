@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkHapticToolShape
- * @brief   a tool to hold, or what it goes into: peg and hole, screw and nut, burr
+ * @brief   a tool to hold, or its counterpart: peg and hole, screw and nut, burr
  *
  * Closed surfaces whose triangles face outward, about the z axis. Peg, screw and burr hang below the origin, where a
  * hand holds them; hole and nut have their mouth in the plane z = 0 and are wider than their partner by Clearance,

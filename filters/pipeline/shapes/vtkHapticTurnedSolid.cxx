@@ -45,8 +45,8 @@ double Unlike(vtkIdType from, vtkIdType to, int further, int around, vtkPoints* 
   return sum;
 }
 
-/// The band from one ring to the next. The diagonals lie the way in which their ends are more alike: on a thread along
-/// its crest, where the others would cut it.
+/// The band from one ring to the next. The diagonals join the ends that are more alike: on a thread along its crest,
+/// where the others would cut it.
 void AddBand(int ring, int next, int around, vtkPoints* points, vtkCellArray* triangles)
 {
   const vtkIdType from = static_cast<vtkIdType>(ring) * around, to = static_cast<vtkIdType>(next) * around;

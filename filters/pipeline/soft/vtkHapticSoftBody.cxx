@@ -175,7 +175,7 @@ bool vtkHapticSoftBody::OnlyBends(vtkMTimeType inputs)
   return this->Rest && this->KnownTime == this->GetMTime() && this->InputsTime == inputs;
 }
 
-/// What fills a label image is one body, whichever ranks have parts of the image.
+/// A label image becomes one body, whichever ranks have parts of the image.
 int vtkHapticSoftBody::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {

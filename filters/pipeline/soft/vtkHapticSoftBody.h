@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkHapticSoftBody
- * @brief   tetrahedra that give way under a hand
+ * @brief   tetrahedra that deform under a hand
  *
  * Port 0: the body. Cells that fill space as they are, cut into tetrahedra where they are none; a closed surface (poly
  * data), filled by CGAL's Mesh_3; or a label image (image data with the active point scalars), each of whose labels but
- * 0 is filled. Port 1, optional: what holds it: each vertex is fixed that is within FixedDistance of its cells, or of
- * its points where it has no cells, as an extracted selection, a plane or a bone. Output: the tetrahedra with
+ * 0 is filled. Port 1, optional: its support: each vertex is fixed that is within FixedDistance of its cells, or of its
+ * points where it has no cells, as an extracted selection, a plane or a bone. Output: the tetrahedra with
  *
  *     Fixed         (n)    int     1: held
  *     Displacement  (n, 3) double  of the finite elements' nodes, 0: at rest [u]
@@ -17,8 +17,8 @@
  *     Label         (m)    int     of a label image: which one
  *     Load          (n, 3) double  that it bears always [N], where it bears anything
  *
- * and with its material as field data: what a session and Touch Along Path take. On several ranks the first has the
- * body that the pieces of all are. Bad input is an error of one line and leaves the output empty.
+ * and with its material as field data: the input of a session and of Touch Along Path. On several ranks the first has
+ * the body that the pieces of all are. Bad input is an error of one line and leaves the output empty.
  */
 #ifndef vtkHapticSoftBody_h
 #define vtkHapticSoftBody_h
@@ -136,7 +136,8 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  /// Tetrahedra with what is meshed of it, and how far their border may be off; null with a problem.
+  /// The tetrahedra of a body, meshed where they are not given, and how far their border may be off; null with a
+  /// problem.
   vtkSmartPointer<vtkUnstructuredGrid> Mesh(vtkDataObject* data, double& rough, std::string& problem);
   bool Make(vtkDataObject* data, vtkDataSet* holds, vtkUnstructuredGrid* output, std::string& problem);
   bool Goes(double progress);

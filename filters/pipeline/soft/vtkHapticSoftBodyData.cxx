@@ -60,7 +60,7 @@ vtkDataArray* OneNumberEach(vtkUnstructuredGrid& body, const char* name)
   return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
 }
 
-/// The body's own array of what is fixed, with what was fixed before: that one may be its input's, too.
+/// The body's own array of fixed vertices, with those that were fixed before: that array may be its input's, too.
 vtkSmartPointer<vtkIntArray> OwnFixed(vtkUnstructuredGrid& body)
 {
   vtkDataArray* const before = OneNumberEach(body, FixedName);
@@ -134,7 +134,7 @@ vtkSmartPointer<vtkDoubleArray> Array(const char* name, int components, vtkIdTyp
   return array;
 }
 
-/// Field data are shared between shallow copies: what is added is the body's own.
+/// Field data are shared between shallow copies: the additions are the body's own.
 void AddToFieldData(vtkUnstructuredGrid& body, vtkDataArray* array)
 {
   vtkNew<vtkFieldData> own;

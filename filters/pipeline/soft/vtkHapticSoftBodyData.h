@@ -17,7 +17,7 @@ class vtkDoubleArray;
 /// Material of a body.
 struct vtkHapticSoftMaterial
 {
-  static constexpr double UsualYoungPa = 20e3;   ///< about that of liver; nobody has measured this one
+  static constexpr double UsualYoungPa = 20e3;   ///< about that of liver; the body's own is not measured
   static constexpr double UsualPoisson = 0.4;    ///< the most that is true with few tetrahedra
   static constexpr double UsualDensity = 1000.0; ///< as water
 
@@ -64,8 +64,8 @@ struct vtkHapticBall
   double Radius_u = 0.0;
 };
 
-/// Where a place of what is pressed is shown: within the ball, which has its own dent in what yields to it, on the ball
-/// straight from its middle. The surface under a contact comes as deep as the ball is felt to.
+/// Where a place of a pressed body is shown: within the ball, which dents the body, on the ball straight from its
+/// middle. The surface under a contact comes as deep as the ball is felt to.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT palpate::Vec3 vtkHapticOutOf(
   const vtkHapticBall& ball, const palpate::Vec3& p_W);
 
@@ -78,32 +78,32 @@ struct vtkHapticBodyWay
   vtkSmartPointer<vtkDoubleArray> Dent;         ///< how much further it is shown, where something presses
 };
 
-/// How far each point of a described body has gone by a state. `checked`: what `shape` has displacements of; either
-/// null: at rest.
+/// Displacement of each point of a described body in a state. `checked`: the tetrahedra of `shape`; either null: at
+/// rest.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticBodyWay vtkHapticWayOf(
   const palpate::SoftBodyInput& input, const palpate::CheckedTetras* checked, const palpate::BodyShape* shape);
 
 /// Gives a described body the arrays Displacement and Dent [u], Strain (Green's, xx yy zz xy yz xz) and Stress
-/// (Cauchy's, likewise [Pa]) of a state, and the points at rest moved by both of the former. `checked`: what `shape`
-/// has displacements of; null: at rest. The dent is that of `ball` and of points under a force; displacement, strain
-/// and stress are those of the tetrahedra, which it is no part of.
+/// (Cauchy's, likewise [Pa]) of a state, and the points at rest moved by both of the former. `checked`: the tetrahedra
+/// of `shape`; null: at rest. The dent is that of `ball` and of points under a force; displacement, strain and stress
+/// are those of the tetrahedra, without the dent.
 VTKHAPTICPIPELINE_EXPORT void vtkHapticBendBody(vtkUnstructuredGrid& body, const palpate::SoftBodyInput& input,
   const palpate::CheckedTetras* checked, const palpate::BodyShape* shape, const vtkHapticBall& ball = {});
 
 /// The ball that a body was given with its last state.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticBall vtkHapticBallOn(vtkUnstructuredGrid& body);
 
-/// Largest |F - 1| within which a law of small strains is true to 1 %, and from which on any of these is qualitative.
+/// Largest |F - 1| within which a model of small strains is true to 1 %, and from which on any model is qualitative.
 struct vtkHapticStrain
 {
   static constexpr double Small = 0.1, Large = 0.5;
 };
 
-/// "12 % at (1, 2, 3): a linear model errs by about 10 %": the largest strain of a body, where it is, and what of it
-/// is not to be trusted.
+/// "12 % at (1, 2, 3): a linear model errs by about 10 %": the largest strain of a body, where it is, and how far the
+/// model is off there.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticStrainText(const palpate::BodyShape& shape);
 
-/// "Young's modulus 20 kPa (assumed), ...": what is modelled, with "assumed" beside what is as it was set out with.
+/// "Young's modulus 20 kPa (assumed), ...": the model, with "assumed" beside each default.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticSoftBodyText(const palpate::SoftBodyInput& input);
 
 #endif

@@ -30,7 +30,7 @@ bool vtkHapticLoadBody(
 {
   const vtkSmartPointer<vtkDataArray> given =
     loadArray.empty() ? nullptr : body.GetPointData()->GetArray(loadArray.c_str());
-  body.GetPointData()->RemoveArray(vtkHapticLoadName); // of what came in: nobody has asked that it be borne
+  body.GetPointData()->RemoveArray(vtkHapticLoadName); // an array of the input, not a load that was asked for
   const vtkHapticSoftBodyResult read = vtkHapticToSoftBody(&body);
   const bool isLoad = loadArray.empty() || (given && given->GetNumberOfComponents() == 3);
   const bool weighs = gravity.allFinite() && read.Input && read.Input->density_kg_per_m3 > 0.0 &&

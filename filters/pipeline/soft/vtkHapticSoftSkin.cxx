@@ -88,7 +88,7 @@ double VolumeIn(vtkPolyData& surface)
   return open.norm() <= ClosedWithin * area ? std::abs(volume_u3) : 0.0;
 }
 
-/// What the tetrahedra leave out of the surface that is seen.
+/// The differences between the tetrahedra and the surface that is seen.
 std::string ErrorText(vtkPolyData& surface, const palpate::TetraMesh& mesh, const palpate::Embedding& embedding)
 {
   const std::size_t points = embedding.map.size();

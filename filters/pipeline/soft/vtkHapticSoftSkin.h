@@ -11,7 +11,7 @@
  *     Displacement  (n, 3) double how far the tetrahedra carry it [u]
  *     Dent          (n, 3) double how much further it is shown, where something presses [u]
  *
- * A session feels the body in its place. What coarse mechanics leave out, Text says.
+ * A session feels the body in its place. Text says which details the coarse tetrahedra leave out.
  */
 #ifndef vtkHapticSoftSkin_h
 #define vtkHapticSoftSkin_h

@@ -8,11 +8,11 @@
 #include <memory>
 
 /**
- * The brick of numbers around a hand, made where the data are.
+ * The block of numbers around a hand, made where the data are.
  *
- * Whoever feels data of a server asks this filter there: of all data only the brick travels, as the bytes of a table's
- * one column (vtkHapticFieldPacket.h). Data in pieces on several ranks are gathered once and after each change; the
- * first rank has the brick.
+ * Clients that feel data of a server ask this filter there: of all data only the block travels, as the bytes of a
+ * table's one column (vtkHapticFieldPacket.h). Data in pieces on several ranks are gathered once and after each change;
+ * the first rank has the block.
  */
 class VTKHAPTICPIPELINE_EXPORT vtkHapticFieldBlock : public vtkTableAlgorithm
 {
@@ -37,7 +37,7 @@ public:
   ///@}
 
   ///@{
-  /// The place that the brick is to be made around, how far it is to reach [u], and its number; number 0: no brick is
+  /// The place that the block is to be made around, how far it is to reach [u], and its number; number 0: no block is
   /// wanted, only whether the data can be felt.
   vtkSetVector3Macro(Centre, double);
   vtkSetMacro(Reach, double);
@@ -64,7 +64,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  /// What the arrays are changed: the data are looked at anew.
+  /// Changes the arrays: the data are looked at anew.
   template<class Change>
   void ChangeArrays(const Change& change);
 

@@ -15,7 +15,7 @@
 
 namespace
 {
-/// The order of the points, or what is wrong with the lines.
+/// The order of the points, or the fault of the lines.
 std::string OrderOf(vtkPolyData& path, std::vector<vtkIdType>& order)
 {
   if (std::string problem = vtkHapticCellChecks::CheckPolyData(&path); !problem.empty())
@@ -57,11 +57,11 @@ vtkDataArray* ArrayOf(vtkPolyData& path, const char* name, int components, const
   return nullptr;
 }
 
-/// One point of the path, or what is wrong with it.
+/// One point of the path, or its fault.
 std::string Sample(
   vtkPolyData& path, vtkIdType id, vtkDataArray* times, vtkDataArray* turns, palpate::PathSample& sample)
 {
-  constexpr double tolerance = 1e-3; // what a file with few digits loses
+  constexpr double tolerance = 1e-3; // rounding in a file with few digits
   path.GetPoint(id, sample.hand_W.p.data());
   if (turns)
   {

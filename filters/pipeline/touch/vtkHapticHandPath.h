@@ -9,7 +9,7 @@
 
 class vtkPolyData;
 
-/// Which arrays of the path's points say what; null or "": none.
+/// The arrays with the times and turns of the path's points; null or "": none.
 struct vtkHapticPathArrays
 {
   const char* Times = nullptr; ///< increasing [s]; none: i / Rate

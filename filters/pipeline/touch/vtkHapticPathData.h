@@ -17,7 +17,8 @@ class vtkDataObject;
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticFieldArrays vtkHapticFieldArraysOf(
   const palpate::SettingStore& settings);
 
-/// The faces of data and, where they are wanted, their curves, with what their arrays give; none with a problem.
+/// The faces of data and, where they are wanted, their curves, with the material from their arrays; none with a
+/// problem.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<palpate::PathSurface> vtkHapticToPathSurfaces(vtkDataObject& data,
   const std::string& name, const vtkHapticMaterialSettings& materials, bool curves, std::string& problem);
 

@@ -38,11 +38,11 @@ enum Port
   PortCount
 };
 
-/// What sentences call the data of each port that has no name of its own.
+/// Name in sentences of the data of each port that has no name of its own.
 constexpr const char* PortNames[PortCount] = { "the surface", "the path", "the field", "the tool", "the compared data",
   "the snap targets" };
 
-/// What ParaView's property of a setting is called, where it has another name.
+/// The name of ParaView's property for a setting, where it has another name.
 std::string PropertyOf(std::string_view setting)
 {
   return setting == "SoftRate"       ? "LowRate"
@@ -51,7 +51,7 @@ std::string PropertyOf(std::string_view setting)
                                      : std::string(setting);
 }
 
-/// The output while it grows: the way of the proxy as a polyline, one row a tick.
+/// The output while it grows: the path of the proxy as a polyline, one row a tick.
 class Rows
 {
 public:
@@ -421,7 +421,7 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
   const WholeInputs whole(input);
   if (vtkHapticRank() > 0)
   {
-    return 1; // one hand: the first rank has what it feels
+    return 1; // one hand: the first rank has its forces
   }
   *this->Report = {};
   palpate::PathInputs inputs = this->Read(whole, *vtkDataObject::GetData(input[Surfaces]), this->Report->refusal);

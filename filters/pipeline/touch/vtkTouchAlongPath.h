@@ -16,24 +16,24 @@
  *     Device    (n, 3) double  the hand, i.e. the input path [u]
  *     Time      (n)    double  of the tick [s]
  *
- * A connection of port 0 with the output of vtkHapticSoftBody gives way; see SoftRate.
+ * A connection of port 0 with the output of vtkHapticSoftBody is soft; see SoftRate.
  *
  * Port 3, optional: a mesh that the hand holds at the origin of its frame, in place of a ball, and that turns as the
  * TurnArray of the path says. Each row is as far as the tool comes without meeting anything, in unlimited time, from
- * the row before; the points of the output are where its origin is. It feels surfaces as they are, without a field
- * and material from data, and rubs by FrictionKinetic, up to 1 and to the static one, on all that it touches. Besides
- * there are
+ * the row before; the points of the output are where its origin is. The tool feels surfaces as they are, without a
+ * field and material from data, with the friction FrictionKinetic, up to 1 and to the static one, on all that it
+ * touches. Besides there are
  *
  *     Torque    (n, 3) double  on the hand, about the handle, in W [N m]
  *     Turn      (n, 4) double  of the tool, a unit quaternion w x y z
  *     Angle     (n)    double  between the turns of hand and tool [degrees]
  *
- * Where port 0 is the output of vtkHapticMechanism, its laws act on what the hand holds, held by Stiffness and turned
- * by MechanismTurning, or without one by Stiffness (ToolLever / Scale)^2; without both it turns freely. The points of
- * the output are where its origin is. Besides there are Torque and Turn as of a tool, and
+ * Where port 0 is the output of vtkHapticMechanism, its constraints act on the held body, which is coupled by Stiffness
+ * and turned by MechanismTurning, or without one by Stiffness (ToolLever / Scale)^2; without both it turns freely. The
+ * points of the output are where its origin is. Besides there are Torque and Turn as of a tool, and
  *
- *     Residual       (n)    double  by how much a law is not met [u]
- *     Force of NAME  (n, 3) double  of the law NAME on its first body, in W [N]
+ *     Residual       (n)    double  by how much a constraint is not met [u]
+ *     Force of NAME  (n, 3) double  of the constraint NAME on its first body, in W [N]
  *     Phase of NAME  (n)    double  0: open, 1: closed, 2: slips, 3: inside, 4: gone
  *     Inside of NAME (n)    double  of the shaft, beyond its hole [u]
  *
@@ -68,7 +68,7 @@ public:
 
   /// The same as SetInputConnection(port, ...) and SetInputDataObject(port, ...): the path of the hand (port 1), the
   /// field (2), the tool (3), other data that the values of the field are compared with (4), and data to whose points
-  /// and lines the hand snaps in place of what is found in the values (5).
+  /// and lines the hand snaps in place of extrema of the values (5).
   ///@{
   void SetPathConnection(vtkAlgorithmOutput* path) { this->SetInputConnection(1, path); }
   void SetPathData(vtkDataObject* path) { this->SetInputDataObject(1, path); }
@@ -85,9 +85,9 @@ public:
   /**
    * A setting of a session that is felt along a path too, by its name, with its unit and range (plugin/README.md):
    * Stiffness (1000 N/m by default here), Radius, LimitRadius (off), LineRadius, LinesAsWalls, Scale (1 u/m),
-   * ForceShading, a constant force, friction, the arrays of a material, those whose names begin with Field, ToolLever and
-   * ToolCoupling of a tool, SoftRate of a soft body or a mechanism (from 0 on: at 0 the body is at rest in every tick,
-   * which is the reference) and MechanismTurning. What cannot be used is an error when the filter runs.
+   * ForceShading, a constant force, friction, the arrays of a material, those whose names begin with Field, ToolLever
+   * and ToolCoupling of a tool, SoftRate of a soft body or a mechanism (from 0 on: at 0 the body is at rest in every
+   * tick, which is the reference) and MechanismTurning. An unusable value is an error when the filter runs.
    */
   ///@{
   void SetSetting(const char* name, double value); ///< on and off are 1 and 0, choices count from 0 on
@@ -155,10 +155,10 @@ protected:
 
 private:
   void Put(const char* name, const palpate::SettingValue& value);
-  /// What sentences call the data of a port.
+  /// Name of the data of a port in sentences.
   std::string NameOf(int port, std::size_t connection) const;
   bool FeelsField() const;
-  /// What is felt of the data of all ports, or a problem. `given`: of port 0, before its pieces were brought together.
+  /// The input for the data of all ports, or a problem. `given`: of port 0, before its pieces were brought together.
   struct WholeInputs;
   palpate::PathInputs Read(const WholeInputs& whole, vtkDataObject& given, std::string& problem) const;
   void ReadTouched(
@@ -166,7 +166,7 @@ private:
   void ReadField(const WholeInputs& whole, palpate::PathInputs& inputs, std::string& problem) const;
   /// Follows the path; false when someone asked to stop.
   bool Follow(palpate::PathRunner& runner, std::size_t count, vtkPolyData& output);
-  /// Warns of what a person is to know, or errs.
+  /// Warns of the notes for a person, or errs.
   int Tell();
 
   std::unique_ptr<palpate::SettingStore> Settings;

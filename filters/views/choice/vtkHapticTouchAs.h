@@ -42,7 +42,7 @@ public:
   /// Has a source touched as a kind. False if the data do not fit that kind; then nothing is changed.
   bool Touch(vtkSMProxy* source, const char* kind);
 
-  /// One sentence: what the last Touch() did, or the reason why it did nothing.
+  /// One sentence: the result of the last Touch(), or the reason why it did nothing.
   std::string GetText() const { return this->Text; }
 
 protected:
@@ -60,7 +60,7 @@ private:
 
   /// The source is of no kind any more.
   void Free();
-  /// The hand, or a soft body, takes the place of what is held or pressed now.
+  /// The hand, or a soft body, takes the place of the source that is held or pressed now.
   void Take(const char* setting);
   void Show(bool shown);
   void FollowStreamlines(const std::string& array);

@@ -29,8 +29,8 @@ vtkHapticViewScan::Source vtkHapticShownSource(vtkSMProxy* representation, const
 /// The proxy of that name in the pipeline browser of a view; null: there is none.
 vtkSMProxy* vtkHapticNamedProxy(vtkSMProxy* view, const std::string& name);
 
-/// What a source of the pipeline browser makes at its first output, shown or not, at the time of a view; without data
-/// here and on a server where there is none of that name.
+/// The first output of a source of the pipeline browser, shown or not, at the time of a view; without data here and on
+/// a server where there is none of that name.
 vtkHapticViewScan::Source vtkHapticNamedSource(vtkSMProxy* view, const std::string& name);
 
 /// The same of data that are here; else null.

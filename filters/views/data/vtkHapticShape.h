@@ -7,7 +7,7 @@
 #include "vtkDataObject.h" // for the member
 #include "vtkSmartPointer.h"
 
-/// What a mapper draws that has no polygons of its own, as geometry in the frame of its actor; or why there is none.
+/// The geometry that a mapper without polygons of its own draws, in the frame of its actor; or why there is none.
 struct vtkHapticShape
 {
   vtkSmartPointer<vtkDataObject> Data; ///< null on Problem

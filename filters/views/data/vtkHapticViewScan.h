@@ -14,11 +14,11 @@
 class vtkSMSourceProxy;
 
 /**
- * What can be touched in a render view, and what cannot and why.
+ * The touchable data in a render view, and the reasons for the rest.
  *
- * Go by representation, not by prop: a renderer holds about fifteen props per source. The geometry is the input of
- * the active representation's full-resolution mapper, which is exactly what the person sees; it is null before the
- * first render of a representation and empty on the client when a server renders.
+ * Go by representation, not by prop: a renderer holds about fifteen props per source. The geometry is the input of the
+ * active representation's full-resolution mapper, which is exactly the picture that the person sees; it is null before
+ * the first render of a representation and empty on the client when a server renders.
  */
 struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
 {
@@ -33,7 +33,7 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
     std::uint64_t ArraysKey = 0;          ///< equal while its arrays are the same, unmodified
   };
 
-  /// What a source that is shown has made, whatever of it is drawn: a volume has no surface, and may be felt as a
+  /// The output of a source that is shown, whatever of it is drawn: a volume has no surface, and may be felt as a
   /// field.
   struct Source
   {

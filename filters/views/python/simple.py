@@ -160,7 +160,7 @@ def SetHaptics(**settings):
             with _Refusals():
                 _put(name, value)
         except HapticRefusal:
-            _put(name, before)  # the property says what the session has
+            _put(name, before)  # the property follows the session
             raise
         except (TypeError, RuntimeError):  # so ParaView says that it is of another kind
             _put(name, before)
@@ -406,7 +406,7 @@ def HoldMechanism(source=None, turning=None, laws=None):
         HapticUpdate()
         if laws is not None:
             _put("MechanismConstraints", json.dumps(laws) if laws else "")
-            _put("MechanismConstraints", session.GetSettingText("MechanismConstraints"))  # what was refused is not kept in a state file
+            _put("MechanismConstraints", session.GetSettingText("MechanismConstraints"))  # a refused list is not saved in a state file
             HapticUpdate()
 
 

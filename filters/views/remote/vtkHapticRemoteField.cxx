@@ -22,7 +22,7 @@ namespace
 constexpr const char* NoAnswer =
   "the server did not send the field: load the plugin Palpate of this version on the server too";
 
-/// A brick filter on the server.
+/// A block filter on the server.
 class Server
 {
 public:

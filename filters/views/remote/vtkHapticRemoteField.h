@@ -6,14 +6,14 @@
 
 class vtkSMSourceProxy;
 
-/// Data of a server as a field: bricks are made there and fetched. The thread of ParaView's proxies alone may ask it.
+/// Data of a server as a field: blocks are made there and fetched. The thread of ParaView's proxies alone may ask it.
 struct vtkHapticRemoteFieldResult
 {
   vtkHapticFieldResult Field;
   std::shared_ptr<const bool> Changed{}; ///< whether the source has made other data since
 };
 
-/// Of what a source has at a port, at a time of the pipeline.
+/// Of the output of a source at a port, at a time of the pipeline.
 [[nodiscard]] vtkHapticRemoteFieldResult vtkHapticRemoteField(
   vtkSMSourceProxy* source, unsigned int port, double time, const vtkHapticFieldArrays& arrays);
 

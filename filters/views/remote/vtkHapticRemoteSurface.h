@@ -23,8 +23,8 @@ struct vtkHapticPartWish
   double Time = 0.0;                            ///< of the pipeline
 };
 
-/// The surface of a source on a server, as ParaView would draw it: all of it, or what is around the hand. The thread of
-/// ParaView's proxies alone may ask it.
+/// The surface of a source on a server, as ParaView would draw it: all of it, or the part around the hand. The thread
+/// of ParaView's proxies alone may ask it.
 class vtkHapticRemoteSurface
 {
 public:

@@ -18,16 +18,16 @@ class vtkObject;
 class vtkHapticRemoteSurfaces
 {
 public:
-  /// Whether what a representation shows is fetched: polygons of its source, drawn as they are.
+  /// Whether the data of a representation are fetched: polygons of its source, drawn as they are.
   [[nodiscard]] static bool Fetches(vtkObject* active);
 
-  /// Fetches what is new of the visible ones, and of those that are too large to be whole what is around the hand once
-  /// that is near the rim of what is there. Waits for the server; nothing is fetched where nothing is needed.
+  /// Fetches the changed ones of the visible surfaces, and of those that are too large to be whole the part around the
+  /// hand once that is near the rim of the last part. Waits for the server; nothing is fetched where nothing is needed.
   void Follow(vtkSMProxy* view, vtkHapticSession* session);
   /// Tells a session how much of them the scene has that it gets now.
   void Tell(vtkHapticSession& session) const;
 
-  /// What there is of one; without data and problem: it was not asked for yet.
+  /// The fetched data of one; without data and problem: it was not asked for yet.
   [[nodiscard]] vtkHapticShape ShapeOf(vtkSMProxy* representation) const;
   /// Number of its part; 0: it is whole.
   [[nodiscard]] int PartOf(vtkSMProxy* representation) const;
@@ -42,7 +42,7 @@ private:
 
   /// Keeps those that are visible, and begins with those that are new.
   void Keep(vtkSMProxy* view, vtkHapticSession& session);
-  /// Of what was there before, where it shows the same.
+  /// Takes the entry of before, where it shows the same.
   void Add(vtkSMProxy* representation, vtkHapticSession& session, std::map<vtkSMProxy*, Shown>& before);
   [[nodiscard]] static vtkHapticPartWish WishOf(const Shown& shown, vtkSMProxy* view, vtkHapticSession& session);
 

@@ -12,8 +12,8 @@ class vtkSMSourceProxy;
 [[nodiscard]] vtkSmartPointer<vtkSMSourceProxy> vtkHapticMakeProxy(
   vtkSMProxy* beside, const char* group, const char* name);
 
-/// What a source on a server makes at a time of the pipeline, on its first rank, brought here; null where nothing came.
-/// Waits for it.
+/// The output of a source on a server at a time of the pipeline, on its first rank, brought here; null where nothing
+/// came. Waits for it.
 [[nodiscard]] vtkSmartPointer<vtkDataObject> vtkHapticBring(vtkSMSourceProxy* source, int type, double time);
 
 #endif

@@ -6,7 +6,7 @@
 
 class vtkSMSourceProxy;
 
-/// Whether a source on a server has made other data since somebody asked it last; at first nobody has.
+/// Whether a source on a server has made other data since the last call; false at first.
 class vtkHapticSourceWatch
 {
 public:

@@ -52,7 +52,7 @@ double LengthOf(vtkDataArray& array, vtkIdType point)
   return vtkMath::Norm(array.GetTuple(point), array.GetNumberOfComponents());
 }
 
-/// About z, then x, then y of what was turned [degrees].
+/// About the z axis, then the turned x, then the turned y axis [degrees].
 Turn TurnOfAngles(const double degrees[3])
 {
   const auto about = [&](int axis)
@@ -60,7 +60,7 @@ Turn TurnOfAngles(const double degrees[3])
   return about(2) * about(0) * about(1);
 }
 
-/// That takes the x axis to a direction, by half a turn about what is half way between.
+/// That takes the x axis to a direction, by half a turn about the axis half way between.
 Turn TurnTo(const Vec3& direction)
 {
   if (direction[1] == 0.0 && direction[2] == 0.0)

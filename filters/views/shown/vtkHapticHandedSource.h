@@ -12,8 +12,8 @@
 
 class vtkSMProxy;
 
-/// Keeps one kind of thing that a session feels the same as what the source in the pipeline that a setting names has
-/// made. A kind brings the data, tells the session, and shows where the session has them.
+/// Keeps one kind of felt thing in step with a source of the pipeline that a setting names. A kind brings the data,
+/// tells the session, and shows where the session has them.
 class vtkHapticHandedSource
 {
 public:
@@ -23,7 +23,7 @@ public:
   virtual void Follow(vtkHapticSession& session, vtkSMProxy* view) = 0;
   /// The next look tells it in any case.
   void Forget() { this->Known = false; }
-  /// What of it is touched as a surface: nothing.
+  /// The part of it that is touched as a surface: none.
   virtual void Change(vtkHapticSession* session, vtkHapticViewScan& scan) { scan.LeaveOut(this->NameIn(session)); }
 
 protected:

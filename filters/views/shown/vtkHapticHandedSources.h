@@ -8,7 +8,7 @@
 
 #include <tuple>
 
-/// Sources that a session names and takes as more than a surface: its tool, what gives way, and its mechanism.
+/// Sources that a session names and takes as more than a surface: its tool, its soft body, and its mechanism.
 class vtkHapticHandedSources
 {
 public:
@@ -20,7 +20,7 @@ public:
   {
     std::apply([](auto&... source) { (source.Forget(), ...); }, this->Sources);
   }
-  /// What of them is touched as a surface.
+  /// The parts of them that are touched as surfaces.
   void Change(vtkHapticSession* session, vtkHapticViewScan& scan)
   {
     std::apply([&](auto&... source) { (source.Change(session, scan), ...); }, this->Sources);

@@ -8,7 +8,7 @@
 
 class vtkSMProxy;
 
-/// The unit of the lengths of a scene, and a sentence that says by what it is known.
+/// The unit of the lengths of a scene, and a sentence that says where it is from.
 struct vtkHapticLengthUnit
 {
   std::string Unit = "u"; ///< "u": not known

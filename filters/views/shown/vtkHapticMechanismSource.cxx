@@ -75,7 +75,7 @@ void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* vie
   vtkHapticMechanism* const maker = MakerOf(view, name);
   vtkDataObject* const atFirst = maker ? maker->GetAtFirst() : made;
   const std::string reason = maker ? maker->GetProblem() : "";
-  const vtkMTimeType time = made && !maker ? made->GetMTime() : 0; // what a maker shows elsewhere is the same mechanism
+  const vtkMTimeType time = made && !maker ? made->GetMTime() : 0; // bodies shown elsewhere are the same mechanism
   if (this->AreOthers(name, atFirst, time, reason) || name != session.GetMechanism()->GetAdded())
   {
     session.AddMechanism(name.c_str(), atFirst, reason.c_str());

@@ -7,9 +7,9 @@
 
 #include <memory>
 
-/// The mechanism, as it is at first; the bodies of its source are shown where the session has them. A source on a server
-/// is brought here each time it has made something else; its bodies are shown where they are at first. None of it is
-/// touched as a surface.
+/// The mechanism, as it is at first; the bodies of its source are shown where the session has them. A source on a
+/// server is brought here each time it has made something else; its bodies are shown where they are at first. None of
+/// it is touched as a surface.
 class vtkHapticMechanismSource : public vtkHapticHandedSource
 {
 public:
@@ -18,7 +18,7 @@ public:
   void Change(vtkHapticSession* session, vtkHapticViewScan& scan) override;
 
 private:
-  /// What the source of that name made last, where it is on a server; else null.
+  /// The last output of the source of that name, where it is on a server; else null.
   [[nodiscard]] vtkDataObject* Bring(vtkSMProxy* view, const std::string& name);
 
   bool Moves = false;                          ///< its bodies are shown elsewhere than at first

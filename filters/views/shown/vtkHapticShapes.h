@@ -12,14 +12,13 @@ class vtkGlyph3DMapper;
 class vtkMapper;
 class vtkPVImageSliceMapper;
 
-/// Geometry of what mappers draw, made anew only once what they draw has changed: a view is looked at with each
-/// picture.
+/// Geometry that mappers draw, made anew only once their input has changed: a view is looked at with each picture.
 class vtkHapticShapes
 {
 public:
   vtkHapticShape GlyphsOf(vtkGlyph3DMapper* mapper);
   vtkHapticShape SliceOf(vtkPVImageSliceMapper* mapper);
-  /// Forgets what was not asked for since the last call.
+  /// Forgets the geometry that was not asked for since the last call.
   void Forget();
 
 private:

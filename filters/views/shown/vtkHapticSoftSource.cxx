@@ -19,7 +19,7 @@ vtkHapticSoftBody* FilterOf(vtkSMProxy* proxy)
   return proxy ? vtkHapticSoftBody::SafeDownCast(proxy->GetClientSideObject()) : nullptr;
 }
 
-/// A body at rest: the same object as long as nobody makes another one.
+/// A body at rest: the same object until another one is made.
 vtkDataObject* BodyOf(vtkSMProxy* view, const std::string& name)
 {
   vtkDataObject* const made = name.empty() ? nullptr : vtkHapticNamedData(view, name);
@@ -77,7 +77,7 @@ void vtkHapticSoftSource::Change(vtkHapticSession* session, vtkHapticViewScan& s
     this->AtRest = *found;
     this->AtRest->Name = name;
     this->AtRest->Data = vtkSmartPointer<vtkDataObject>::Take(found->Data->NewInstance());
-    this->AtRest->Data->ShallowCopy(found->Data); // what is shown is filled anew when it bends
+    this->AtRest->Data->ShallowCopy(found->Data); // the shown data are filled anew when the body bends
   }
   *found = *this->AtRest;
   scan.Surfaces.erase(std::remove_if(std::next(found), scan.Surfaces.end(), isIt), scan.Surfaces.end());

@@ -6,8 +6,8 @@
 
 #include <optional>
 
-/// The soft body, at rest; its source is bent as the session has it. What is touched of it is its surface at rest:
-/// where it has gone the session knows.
+/// The soft body, at rest; its source is bent as the session has it. Its surface at rest is touched: the session knows
+/// where that has gone.
 class vtkHapticSoftSource : public vtkHapticHandedSource
 {
 public:

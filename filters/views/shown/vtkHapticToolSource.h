@@ -4,7 +4,7 @@
 
 #include "vtkHapticHandedSource.h"
 
-/// The tool, shown or hidden. What is in the hand is not touched by it.
+/// The tool, shown or hidden. The held mesh is not touched.
 class vtkHapticToolSource : public vtkHapticHandedSource
 {
 public:

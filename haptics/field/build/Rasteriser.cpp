@@ -111,7 +111,7 @@ public:
 private:
   const TetraField& field_;
   const FieldBlockGrid& grid_;
-  Mat3 turn_; ///< from ways in W to ways in cells
+  Mat3 turn_; ///< from displacements in W to displacements in cells
 
 public:
   std::vector<float> values;
@@ -122,7 +122,7 @@ private:
     const Eigen::Vector4d row = shares.at0 + from[1] * shares.slope[1] + from[2] * shares.slope[2];
     const std::size_t begin = static_cast<std::size_t>(this->grid_.size[0]) *
                               (from[1] + static_cast<std::size_t>(this->grid_.size[1]) * from[2]);
-    // Each share bounds the way along x from one side.
+    // Each share bounds the row along x from one side.
     double low = from[0], high = last;
     for (int i = 0; i < 4; ++i)
     {

@@ -75,7 +75,8 @@ TetraBins::TetraBins(std::span<const Vec3> points_W, std::span<const Tetrahedron
   {
     const Box box = boxOf(points_W, tetrahedra[t]);
     const double extent = (box.high - box.low).maxCoeff();
-    if (extent > 0.0 && std::isfinite(extent)) // what has no size, or no place, holds no point
+    if (extent > 0.0 && std::isfinite(extent)) // a tetrahedron without extent, or without a finite position, holds no
+                                               // point
     {
       octaves[std::ilogb(extent)].push_back(t);
     }

@@ -82,7 +82,8 @@ std::optional<Vec3> CellMap::find(const Vec3& p_W, const Vec3& start) const noex
       break;
     }
   }
-  // Beside corners that coincide steps along what has no length never end, where the place has long been found.
+  // Beside corners that coincide a direction without length makes steps that never end, though the place has been
+  // found.
   const bool there = (p_W - this->at(t)).norm() <= found * this->size_u_;
   return there || last <= enough ? std::optional(t) : std::nullopt;
 }

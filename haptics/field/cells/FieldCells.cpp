@@ -80,7 +80,7 @@ std::array<double, 2> onFace(const FaceIds& ids, const FaceIds& from, const std:
       }
     }
   }
-  // A square is turned or mirrored: where its first corner is, and which way the first axis goes.
+  // A square is turned or mirrored: where its first corner is, and the direction of its first axis.
   const auto position = [&ids](std::uint32_t id)
   { return static_cast<std::size_t>(std::ranges::find(ids, id) - ids.begin()); };
   const std::size_t first = position(from[0]), second = position(from[1]);

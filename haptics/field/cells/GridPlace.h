@@ -11,8 +11,8 @@ namespace palpate
 
 using GridIndex = std::array<int, 3>; ///< of a point, or of the cell whose lowest corner it is
 
-/// A place in a uniform grid: a cell and where in it, 0 to 1 along each axis. So what a double resolves does not depend
-/// on how large the grid is. A place on a face may be named by either cell.
+/// A place in a uniform grid: a cell and where in it, 0 to 1 along each axis. So the resolution does not depend on the
+/// size of the grid. A place on a face may be named by either cell.
 struct GridPlace
 {
   GridIndex cell{};

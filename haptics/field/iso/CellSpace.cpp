@@ -14,9 +14,10 @@ namespace palpate
 namespace
 {
 
-constexpr std::uint32_t mostSwept = 256; ///< cells of a way: what is left of it is gone in the next tick
-constexpr double stands = 1e-5;          ///< of a cell's size: a way through it that is no longer makes no progress
-constexpr int mostStanding = 4;          ///< cells in turn; a way through an edge or a vertex goes on sooner
+constexpr std::uint32_t mostSwept = 256; ///< cells of a sweep: the rest of the displacement is dropped, the next tick
+                                         ///< goes on
+constexpr double stands = 1e-5;          ///< of a cell's size: a segment through it that is no longer makes no progress
+constexpr int mostStanding = 4;          ///< cells in turn; a segment through an edge or a vertex goes on sooner
 
 /// Least width of a cell: between planes on which one of its coordinates is constant.
 double widthOf(const Mat3& inverse) noexcept
@@ -24,7 +25,7 @@ double widthOf(const Mat3& inverse) noexcept
   return 1.0 / std::sqrt(inverse.rowwise().squaredNorm().maxCoeff());
 }
 
-/// Second derivatives, by places in W along straight ways of local coordinates.
+/// Second derivatives, by places in W along straight lines of local coordinates.
 Mat3 alongWays(const TrilinearCell& cell, const Vec3& t, const Mat3& inverse) noexcept
 {
   const Vec3 m = cell.mixed(t);
@@ -87,7 +88,7 @@ IsoRow CellSpace::row(const GridIndex& at, const GridPlace& x, const IsoSide& of
   row.margin_u = 2.0 * landingMargin(cell) / slope;
   row.straight = false;
   row.strays = alongWays(heights(map, row.n), t, inverse);
-  row.bend = alongWays(cell, t, inverse) / slope - row.strays; // less what the bent coordinates themselves make
+  row.bend = alongWays(cell, t, inverse) / slope - row.strays; // less the part of the bent coordinates themselves
   return row;
 }
 
@@ -118,7 +119,8 @@ std::optional<GridPlace> CellSpace::offEdge(const GridPlace& at, const Vec3& lef
 {
   constexpr double share = 1e-4; // of the cell: further than derivatives beside coinciding corners are off
   const double step_u = std::min(share * this->cells_.map(at.cell).size_u(), left_u.norm());
-  const Vec3 aside_u = left_u.cross(Vec3(0.36, 0.48, 0.8)); // so that the rest of the way is not along that edge
+  const Vec3 aside_u = left_u.cross(Vec3(0.36, 0.48, 0.8)); // so that the rest of the displacement is not along that
+                                                            // edge
   const std::optional<GridPlace> one = this->ahead(at, left_u + aside_u, step_u, -1);
   return one ? one : this->ahead(at, left_u - aside_u, step_u, -1);
 }
@@ -157,7 +159,7 @@ FieldSweepResult CellSpace::sweep(const IsoSide& of, const GridPlace& from, cons
     }
     const int face = 2 * exit.axis + (way[exit.axis] > 0.0 ? 1 : 0);
     const Vec3 left_u = target_W - map.at(at.t);
-    const bool around = standing >= mostStanding; // from cell to cell about an edge that the way goes along
+    const bool around = standing >= mostStanding; // from cell to cell about an edge that the sweep goes along
     const std::optional<GridPlace> next = around ? this->offEdge(at, left_u) : this->beyond(at, face, left_u);
     standing = around ? 0 : standing;
     if (!next)

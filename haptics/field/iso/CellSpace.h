@@ -26,7 +26,7 @@ public:
   [[nodiscard]] IsoRow row(
     const GridIndex& cell, const GridPlace& x, const IsoSide& of, const Vec3& q_u) const noexcept override;
   /// Straight in each cell's own coordinates, which is to a rounding straight where cells are, and anew towards the end
-  /// in each cell: along such a way the scalar is a cubic whatever the cell's shape is.
+  /// in each cell: along such a curve the scalar is a cubic whatever the cell's shape is.
   [[nodiscard]] FieldSweepResult sweep(
     const IsoSide& of, const GridPlace& from, const Vec3& way_u) const noexcept override;
   [[nodiscard]] Vec3 between_u(const GridPlace& from, const GridPlace& to) const noexcept override
@@ -66,12 +66,12 @@ public:
   void remember(IsoState& state) const noexcept override { state.device = { {}, this->hand_W_ }; }
 
 private:
-  /// The cell, another than `other`, that a way is in a step further on.
+  /// The cell, another than `other`, that a sweep is in a step further on.
   [[nodiscard]] std::optional<GridPlace> ahead(
     const GridPlace& at, const Vec3& left_u, double step_u, int other) const noexcept;
-  /// Where a way goes on beyond a face; none where the cells end.
+  /// Where a sweep goes on beyond a face; none where the cells end.
   [[nodiscard]] std::optional<GridPlace> beyond(const GridPlace& at, int face, const Vec3& left_u) const noexcept;
-  /// Likewise of a way that goes along an edge, and so from cell to cell around it.
+  /// Likewise of a sweep that goes along an edge, and so from cell to cell around it.
   [[nodiscard]] std::optional<GridPlace> offEdge(const GridPlace& at, const Vec3& left_u) const noexcept;
 
   const FieldCells& cells_;

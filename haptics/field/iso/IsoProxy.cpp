@@ -47,7 +47,7 @@ public:
     this->result_.capped = more && !this->result_.released;
     return this->result_;
   }
-  /// True if the way was cut before the proxy was where it belongs.
+  /// True if the sweep was cut before the proxy was where it belongs.
   [[nodiscard]] bool cut() const noexcept { return this->cut_; }
 
 private:
@@ -126,7 +126,7 @@ private:
     return false;
   }
 
-  /// The step with each patch passed above what it rises on the way.
+  /// The step with each patch passed above its rise along the step.
   [[nodiscard]] Vec3 lifted(IsoRows& rows, const Vec3& step_u, double slack_u) const noexcept
   {
     std::array<double, IsoState::mostCells> lift_u{};
@@ -137,7 +137,7 @@ private:
     return projectOntoRows(rows, step_u, { lift_u.data(), static_cast<std::size_t>(rows.count) }, slack_u).y;
   }
 
-  /// Over the patches and down towards the hand; both ways are gone only if that comes nearer.
+  /// Over the patches and down towards the hand; both moves are made only if that comes nearer.
   bool hop(const IsoView& view, const IsoRows& rows, const ProjectionResult& y_u, const Vec3& step_u) noexcept
   {
     const GridPlace from = this->state_.x;
@@ -222,7 +222,7 @@ private:
     return this->space_.toDrawn_u(place).squaredNorm();
   }
 
-  /// False where there is not enough arc for the whole way.
+  /// False where there is not enough arc for the whole displacement.
   bool sweep(const GridPlace& from, const Vec3& way_u, double most_u, FieldSweepResult& swept) noexcept
   {
     const double length_u = way_u.norm();
@@ -284,7 +284,7 @@ private:
   const IsoSpace& space_;
   IsoSide of_;
   double least_u_;   ///< least width of the cell in which the tick begins
-  double rounded_u_; ///< what roundings of a place are measured by
+  double rounded_u_; ///< scale of the rounding of a place
   const IsoPlan& plan_;
   IsoState& state_;
   FieldPathSink* sink_;
@@ -309,7 +309,8 @@ void latch(const IsoSpace& space, const IsoPlan& plan, const Vec3& shift_u, IsoS
   state.placed = above == above;
 }
 
-/// The hand goes through a surface that holds less than it pushes: the proxy trails by what the surface held.
+/// The hand goes through a surface that holds less than its push: the proxy trails by the force at which the surface
+/// yields.
 void yield(const IsoSpace& space, const IsoPlan& plan, IsoState& state, IsoResult& result) noexcept
 {
   const double far_u = result.pull_u.norm();

@@ -53,7 +53,7 @@ struct IsoResult
   bool yielded = false;  ///< the hand went through
 };
 
-/// Told of every straight piece of way that a proxy was moved along, for tests and experiments.
+/// Told of every straight segment that a proxy was moved along, for tests and experiments.
 class FieldPathSink
 {
 public:
@@ -62,8 +62,8 @@ public:
 };
 
 /// Moves the proxy of an isosurface of a trilinear field to the place nearest to the hand that can be reached on its
-/// side. Two-sided: where the hand first is, is its side. Every way is swept exactly before it is gone and every hop
-/// comes nearer, so nothing is passed and nothing goes round in a circle. `device`: index coordinates.
+/// side. Two-sided: where the hand first is, is its side. Every displacement is swept exactly before it is made and
+/// every hop comes nearer, so nothing is passed and nothing goes round in a circle. `device`: index coordinates.
 /// Outside the grid and where there are no values nothing is felt.
 IsoResult moveIsoProxy(const FieldBlockComponent& field, const Vec3& spacing_u, const IsoPlan& plan, const Vec3& device,
   IsoState& state, FieldPathSink* sink = nullptr) noexcept;

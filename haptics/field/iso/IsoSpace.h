@@ -19,10 +19,11 @@ struct IsoRow
   double gap_u = 0.0;    ///< to the patch's plane, along n
   double margin_u = 0.0; ///< that a landing keeps
   double cell_u = 0.0;   ///< least width of the cell
-  bool straight = true;  ///< the cell is a box: `mixed` are the only second derivatives, and ways in it are straight
+  bool straight = true;  ///< the cell is a box: `mixed` are the only second derivatives, and displacements in it are
+                         ///< straight
   Vec3 mixed = Vec3::Zero(); ///< over |gradient|: by y and z, z and x, x and y [1/u]
   Mat3 bend;                 ///< of a cell that is no box all of them over |gradient| [1/u]
-  Mat3 strays;               ///< and how ways that are straight in its own coordinates bend along n [1/u]
+  Mat3 strays;               ///< and how lines that are straight in its own coordinates bend along n [1/u]
 
   [[nodiscard]] double bending(const Vec3& a, const Vec3& b) const noexcept
   {
@@ -31,7 +32,8 @@ struct IsoRow
                               m.z() * (a.x() * b.y() + a.y() * b.x())
                           : a.dot(this->bend * b);
   }
-  /// How far the patch comes towards a way that is tangent to it at its begin, or that way towards the patch [u].
+  /// How far the patch comes towards a displacement that is tangent to it at its begin, or that displacement towards
+  /// the patch [u].
   [[nodiscard]] double rise_u(const Vec3& step_u) const noexcept
   {
     const double rise_u = -0.5 * this->bending(step_u, step_u);

@@ -11,9 +11,9 @@ namespace palpate
 namespace
 {
 
-constexpr double fairShare = 0.125; ///< of what a level wanted to go: with less it is on its way to a halt
+constexpr double fairShare = 0.125; ///< of the wanted change of the level: with less the level is coming to a halt
 constexpr int mostHalvings = 12, mostClimbs = 3;
-constexpr double leastShare = 1e-3; ///< of what is left: where the gradient is small the level moves all the same
+constexpr double leastShare = 1e-3; ///< of the rest: where the gradient is small the level moves all the same
 constexpr double steeper = 1.1;     ///< a surface may come that much faster than its slope says, and by rounding
 
 /// As far as the surface may come without meeting a proxy that nothing holds: that moves nothing that is felt.
@@ -29,7 +29,7 @@ double levelBefore(const IsoSpace& space, const IsoSide& set, const GridPlace& x
 }
 
 /// Climbs the field from a place that is free at the old level until it is free at the new one, no further than
-/// `most_u`. The ways are free at the old level, so the old surface is not passed.
+/// `most_u`. The displacements are free at the old level, so the old surface is not passed.
 bool climb(const IsoSpace& space, const IsoSide& before, const IsoSide& now, double most_u, GridPlace& x,
   FieldPathSink* sink) noexcept
 {
@@ -69,7 +69,7 @@ bool climb(const IsoSpace& space, const IsoSide& before, const IsoSide& now, dou
   return false;
 }
 
-/// How far the level may go in one tick: as far as moves the surface by the plan's way.
+/// How far the level may go in one tick: as far as moves the surface by the plan's displacement.
 double mostChange(const IsoSpace& space, const IsoSide& set, const IsoPlan& plan, const GridPlace& x) noexcept
 {
   const std::optional<GridPlace> place = space.within(x);

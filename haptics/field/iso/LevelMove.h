@@ -6,8 +6,8 @@
 namespace palpate
 {
 
-/// Moves the felt level towards the plan's by what one tick allows, and a proxy that the surface meets with it. False
-/// where the pocket that the proxy was in has vanished: it could not follow for a tenth of a second.
+/// Moves the felt level towards the plan's by the largest change of one tick, and a proxy that the surface meets with
+/// the surface. False where the pocket of the proxy has vanished: the proxy could not follow for a tenth of a second.
 [[nodiscard]] bool moveLevel(const IsoSpace& space, const IsoPlan& plan, IsoState& state, FieldPathSink* sink) noexcept;
 
 } // namespace palpate

@@ -27,7 +27,7 @@ struct LevelSet
 };
 
 /// How far above 0 a place has to be after a landing. Less than twenty roundings of a corner: with none, rounding at
-/// the next face would block every further way.
+/// the next face would block every further sweep.
 [[nodiscard]] inline double landingMargin(const TrilinearCell& cell) noexcept
 {
   return 7e-15 * cell.largestMagnitude();

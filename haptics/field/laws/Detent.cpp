@@ -48,7 +48,7 @@ InHollow hollowAt(const DetentPlan& plan, double value) noexcept
   return { -nearest / width, width };
 }
 
-/// What the energy of spring and potential does around a place.
+/// The energy of spring and potential around a place: gradient and Hessian.
 struct Balance
 {
   bool exists = false; ///< false: there is no value
@@ -145,7 +145,7 @@ DetentEnergy detentEnergy(const DetentPlan& plan, double value) noexcept
 double mostSmooth_N(const DetentPlan& plan, double stiffness_N_per_u) noexcept
 {
   constexpr double leastBend = 32.0;
-  constexpr double share = 0.9; // of the spring: what is left keeps the balance well conditioned
+  constexpr double share = 0.9; // of the spring: the rest keeps the balance well conditioned
   double width = plan.spacing;
   for (std::int32_t i = 1; i < plan.levelCount; ++i)
   {

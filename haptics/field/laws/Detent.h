@@ -25,7 +25,7 @@ struct DetentPlan
   std::int32_t levelCount = 0;                ///< of chosen levels; 0: they are at equal distances
   std::array<double, mostLevels> levels = {}; ///< that are chosen, rising; a hollow is as wide as `spacing`, at most as
                                               ///< two levels are apart
-  LevelBounds bounds = {}; ///< of all of the data, whichever brick is felt: they limit the strength of smooth levels
+  LevelBounds bounds = {}; ///< of all of the data, whichever block is felt: they limit the strength of smooth levels
 };
 
 /// Sets the chosen levels from numbers between commas or blanks, in any order; none: equal distances. Empty, or one
@@ -46,19 +46,19 @@ struct DetentEnergy
 [[nodiscard]] DetentEnergy detentEnergy(const DetentPlan& plan, double value) noexcept;
 
 /// The largest strength with which hollows hold a hand smoothly on a spring of stiffness k. A strength s gives the
-/// potential a slope of at most s / usual and a bend of at most 32 A / width^2 by the value, for a height of
-/// A = s width / (3.08 usual); in space its least second derivative is therefore not below
-/// -(32 A |grad f|^2 / width^2 + |f''| s / usual). The spring's k is to exceed that by a tenth everywhere: then there
-/// is one place of balance for each place of the hand, the force has a potential, and no closed way loses. With more
-/// the hand jumps from level to level, and loses. By the plan's bounds; 0 where they are infinite.
+/// potential a slope of at most s / usual and a bend of at most 32 A / width^2 by the value, for a height of A = s
+/// width / (3.08 usual); in space its least second derivative is therefore not below -(32 A |grad f|^2 / width^2 +
+/// |f''| s / usual). The spring's k is to exceed that by a tenth everywhere: then there is one place of balance for
+/// each place of the hand, the force has a potential, and no closed path loses. With more the hand jumps from level to
+/// level, and loses. By the plan's bounds; 0 where they are infinite.
 [[nodiscard]] double mostSmooth_N(const DetentPlan& plan, double stiffness_N_per_u) noexcept;
 
-/// The largest force of smooth hollows on that spring: the strength, which is at most mostSmooth_N(), is what they hold
-/// with where the gradient is usual, and the force grows with the gradient. Infinite where nobody knows the steepest.
+/// The largest force of smooth hollows on that spring: they hold with the strength, at most mostSmooth_N(), where the
+/// gradient is usual, and the force grows with the gradient. Infinite where the steepest gradient is unknown.
 [[nodiscard]] double mostFelt_N(const DetentPlan& plan, double stiffness_N_per_u) noexcept;
 
 /// argmin k/2 |x - p|^2 + E(f(x)): the hand's spring against the potential, f without creases, sought from where the
-/// proxy was. Takes no work over closed ways up to mostSmooth_N(). p_W itself where there is no value.
+/// proxy was. Takes no work over closed paths up to mostSmooth_N(). p_W itself where there is no value.
 [[nodiscard]] Vec3 smoothDetent(const FieldBlock& brick, const DetentPlan& plan, double stiffness_N_per_u,
   const Vec3& p_W, const Vec3& from_W) noexcept;
 

@@ -17,7 +17,7 @@ struct Followed
 };
 
 /// Goes along the streamline through x_W until the hand at p_W is neither before nor behind, at most `mostSteps` steps
-/// of a cell. By the implicit midpoint rule, which keeps circles of linear fields and comes back on the way it went:
+/// of a cell. By the implicit midpoint rule, which keeps circles of linear fields and comes back on the curve it went:
 /// the tangent line at x, taken instead, gives the hand energy wherever it is outside the curve. A vector and its
 /// opposite are the same direction, as for eigenvectors. None where there are no vectors, or no length.
 [[nodiscard]] std::optional<Followed> followStreamline(

@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// The part of a way that a primitive resists: all of it, across a line, along a plane's normal, none.
+/// The part of a displacement that a primitive resists: all of it, across a line, along a plane's normal, none.
 [[nodiscard]] inline Vec3 resisted(const Primitive& p, const Vec3& way) noexcept
 {
   switch (p.kind)

@@ -15,8 +15,8 @@ namespace
 
 constexpr int firstRounds = 3, moreRounds = 12, mostTries = 3, mostNewton = 8;
 constexpr double stillRounds_N = 1e-13; ///< rounds that change no pull by more have ended
-constexpr double dependent = 1e-6;      ///< sine below which what two hold is one
-constexpr double solved_N = 1e-11;      ///< of the pulls: far below what any hand feels, far above rounding
+constexpr double dependent = 1e-6;      ///< sine between two constraints below which they count as one
+constexpr double solved_N = 1e-11;      ///< of the pulls: far below the threshold of any hand, far above rounding
 
 enum class Holding : std::uint8_t
 {
@@ -66,7 +66,7 @@ private:
 
   [[nodiscard]] std::size_t count() const noexcept { return this->primitives_.size(); }
 
-  /// Each pull in turn becomes what it must be beside the others. True once none changes any more, or points hold.
+  /// Each pull in turn is solved for with the others fixed. True once none changes any more, or points hold.
   bool takeRounds(int rounds) noexcept
   {
     for (int round = 0; round < rounds; ++round)
@@ -95,9 +95,9 @@ private:
     return false;
   }
 
-  /// Rounds creep where pulls must shift strength from one to another. What they minimise is a square of the place less
-  /// a linear part, and along the way of the last round its least is known: that far, or a quarter of it, where it is
-  /// less once the pulls are cut to what is allowed.
+  /// Rounds creep where pulls must shift strength from one to another. Their objective is a square of the place less a
+  /// linear part, so its least along the change of the last round is known: that far, or a quarter of that, where the
+  /// objective is less once the pulls are cut to their limits.
   void goFurther(const Pulls& before_N) noexcept
   {
     constexpr double furthest = 100.0, leastWorth = 0.1; // times the last round
@@ -150,7 +150,7 @@ private:
     return pull_N < nearly * p.strength_N ? Holding::Holds : Holding::Slides;
   }
 
-  /// Directions in which what holds leaves no freedom; what others hold already is left out.
+  /// Directions in which a holding primitive leaves no freedom; directions that others hold already are left out.
   void addRows(const Primitive& p) noexcept
   {
     const auto [across, other] = tangentsOf(p.axis);
@@ -174,7 +174,7 @@ private:
     }
   }
 
-  /// The equations of the guess: balance of the forces, and what holds does not move.
+  /// Newton's method on the guess: balance of the forces, while holding primitives do not move.
   bool finishByNewton() noexcept
   {
     this->rows_ = 0;
@@ -207,7 +207,7 @@ private:
     return this->accept(x);
   }
 
-  /// Where what holds leaves no freedom.
+  /// The place where the holding primitives leave no freedom.
   [[nodiscard]] Vec3 heldPlace() const noexcept
   {
     Vec3 x = Vec3::Zero();
@@ -264,7 +264,8 @@ private:
     right.template head<3>() -= p.strength_N * u;
   }
 
-  /// What slides pulls with all of its strength; what holds shares what is missing, changed as little as can be.
+  /// Sliding primitives pull with all of their strength; holding ones share the missing force, changed as little as can
+  /// be.
   [[nodiscard]] std::array<Vec3, PrimitiveSolution::mostPrimitives> pullsAt(const Vec3& x) const noexcept
   {
     std::array<Vec3, PrimitiveSolution::mostPrimitives> pull_N = this->best_.pull_N;
@@ -301,7 +302,7 @@ private:
     return pull_N;
   }
 
-  /// The guess counts if every pull is the allowed one nearest to what it would be without its limit.
+  /// The guess counts if every pull is the allowed one nearest to the same pull without its limit.
   bool accept(const Vec3& x) noexcept
   {
     const std::array<Vec3, PrimitiveSolution::mostPrimitives> pull_N = this->pullsAt(x);
@@ -325,7 +326,7 @@ private:
     return true;
   }
 
-  /// Each term is what a pull lacks of its best, so none is negative and nothing cancels.
+  /// Each term is the loss of a pull against its best, so none is negative and nothing cancels.
   [[nodiscard]] double certificate() const noexcept
   {
     double gap = 0.0;
@@ -348,7 +349,7 @@ private:
   int rows_ = 0;
 };
 
-/// What is left of a problem once the pulls that need no search are taken out.
+/// The rest of a problem once the pulls that need no search are taken out.
 struct Reduced
 {
   std::array<Primitive, PrimitiveSolution::mostPrimitives> primitive;
@@ -375,8 +376,8 @@ bool haveCommonAnchor(std::span<const Primitive> primitives) noexcept
   return true;
 }
 
-/// With one anchor the proxy is what the sum of all allowed pulls leaves of the hand's way from it (Moreau): the ball
-/// of the points may be taken off last, since what is left after the rest has the direction of the whole.
+/// With one anchor the proxy is the hand's offset from the anchor less the projection on the sum of all allowed pulls
+/// (Moreau): the ball of the points may be taken off last, since the rest then has the direction of the whole.
 Reduced reduce(std::span<const Primitive> primitives, const Vec3& device, double k) noexcept
 {
   Reduced reduced;

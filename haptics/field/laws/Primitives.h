@@ -14,11 +14,11 @@ enum class PrimitiveKind : std::uint8_t
 {
   Point,   ///< pulls to its anchor
   Line,    ///< pulls to the line through its anchor along its axis
-  Plane,   ///< pushes out of what lies behind its anchor, along its axis
+  Plane,   ///< pushes along its axis out of the half space behind its anchor
   Directed ///< the same force everywhere, along its axis
 };
 
-/// A pull that is limited by a strength: what it wants holds as long as that needs no more (Lundin et al. 2002).
+/// A pull that is limited by a strength: the proxy stays at the anchor while that needs no more (Lundin et al. 2002).
 struct Primitive
 {
   PrimitiveKind kind = PrimitiveKind::Point;
@@ -39,9 +39,9 @@ struct PrimitiveSolution
 
 /// argmin k/2 |x - device|^2 + sum of strength times distance over all primitives, which is convex and has one answer:
 /// where the spring of the hand and all pulls balance. Rounds over the pulls guess which primitives hold, slide or are
-/// slack, Newton's steps on the equations of that guess finish; a guess counts only if all of its pulls are what their
-/// strengths allow. Where no guess does within the bounded work, the duality gap of what was found bounds its error.
-/// Of more than eight the first eight count. k: `stiffness_N_per_u` > 0.
+/// slack, Newton's steps on the equations of that guess finish; a guess counts only if no pull exceeds its strength.
+/// Where no guess does within the bounded work, the duality gap of the best answer bounds its error. Of more than eight
+/// the first eight count. k: `stiffness_N_per_u` > 0.
 [[nodiscard]] PrimitiveSolution solvePrimitives(
   std::span<const Primitive> primitives, const Vec3& device, double stiffness_N_per_u) noexcept;
 

@@ -13,14 +13,14 @@ struct FieldPlan
   bool isosurface = false; ///< the surface scalar = isovalue is a wall from both sides
   double isovalue = 0.0;
   FrictionPlan friction; ///< of that surface: the tick's own, that of all contact
-  double yield_N = 0.0;  ///< above 0: the surface is a membrane that gives way at this force
+  double yield_N = 0.0;  ///< above 0: the surface is a membrane that yields at this force
 
   double follow_N = 0.0;    ///< holds the hand on the streamline that it is on, of vectors or axes
   double drag_N = 0.0;      ///< resists every motion, times the resistance at the hand
   double dragNone = 0.0;    ///< resistance at which nothing of it is felt
   double dragFull = 1.0;    ///< and at which all of it is, above or below that
   DetentPlan detent;        ///< levels of the scalar hold the hand
-  double snap_N = 0.0;      ///< pulls to the nearest of the brick's places and lines
+  double snap_N = 0.0;      ///< pulls to the nearest of the block's places and lines
   double snapReach_u = 5.0; ///< from there on, less with the distance
   double compare_N = 0.0;   ///< resists every motion where scalar and other differ
   double compareFull = 1.0; ///< difference from which it does with all of its strength

@@ -38,12 +38,12 @@ double share(double value, double none, double full) noexcept
   return full != none ? std::max(0.0, std::min(1.0, (value - none) / (full - none))) : 1.0;
 }
 
-/// What of a brick is felt in a tick.
+/// The parts of a block that are felt in a tick.
 struct FeltPart
 {
-  const FieldBlock& whole; ///< of smooth levels: its lattice is that of all bricks of the data
-  const FieldBlock& brick; ///< of what else there is
-  const FieldCells* cells; ///< of surfaces; null: they are the brick's
+  const FieldBlock& whole; ///< of smooth levels: its lattice is that of all blocks of the data
+  const FieldBlock& brick; ///< of all other forces
+  const FieldCells* cells; ///< of surfaces; null: they are the block's
 
   [[nodiscard]] std::uint64_t contentHash() const noexcept
   {
@@ -374,7 +374,7 @@ double furthestProxy_u(const FieldState& state, const Vec3& p_W) noexcept
   return std::sqrt(square_u2);
 }
 
-/// The finer brick where it holds the ball around the hand that all proxies are in: none of them leaves that ball in a
+/// The finer block where it holds the ball around the hand that all proxies are in: none of them leaves that ball in a
 /// tick, so none meets the rim. Taken up an eighth of its width inside, so that a hand at the rim is not handed to and
 /// fro.
 const FieldBlock& feltFieldBlock(const FieldBlock& brick, const Vec3& p_W, const FieldState& state) noexcept
@@ -396,7 +396,7 @@ const FieldBlock& feltFieldBlock(const FieldBlock& brick, const Vec3& p_W, const
 const FieldCells* feltCells(const FieldBlock& brick, const Vec3& p_W, const FieldState& state) noexcept
 {
   const FieldCells* const cells = brick.cells().get();
-  constexpr double takenUp = 0.25, left = 0.02; // of the way that they reach
+  constexpr double takenUp = 0.25, left = 0.02; // of the displacement that they reach
   const double share = cells != nullptr && state.brick == cells->contentHash() ? left : takenUp;
   const bool reaches =
     cells != nullptr && (std::isinf(cells->parts().reach_u) ||

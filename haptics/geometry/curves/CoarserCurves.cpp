@@ -71,11 +71,11 @@ struct Along
   std::size_t before = 0, behind = 0;
 };
 
-/// All that was chosen, chain by chain and in their order, and what of it comes near what.
+/// All chosen pieces, chain by chain and in their order, and the pairs that come near each other.
 class Round
 {
 public:
-  /// `local_u`: what a chain does within that distance of a piece's end makes no more than a pocket.
+  /// `local_u`: within that distance of a piece's end a chain makes no more than a pocket.
   Round(const std::vector<Piece>& pieces, const std::vector<CurveChain>& chains, double rounding_u, double local_u)
     : pieces_(pieces), chains_(chains), rounding_u_(rounding_u), local_u_(local_u), first_(chains.size() + 1, 0)
   {

@@ -26,13 +26,13 @@ struct CoarserCurves
 /// to the segments that were given. So curves cross and touch where they did, in the same points, and nowhere else, and
 /// no gap opens, in the plane as in space.
 ///
-/// Exempt is what makes no more than a pocket that nobody feels. Between two runs of a chain the chain may stay within
-/// 2 limit_u, as noise larger than its steps does: of such runs only the segments that stand for them may not cross or
-/// touch. Runs that share an end are not compared: their segments are straight and meet there alone, or one segment
-/// lies on the other where both set out in exactly one direction.
+/// Pockets too small to be felt are exempt. Between two runs the chain may stay within 2 limit_u, as noise larger than
+/// its steps does: of such runs only the segments that stand for them may not cross or touch. Runs that share an end
+/// are not compared: their segments are straight and meet there alone, or one segment lies on the other where both set
+/// out in exactly one direction.
 ///
-/// A run that bends by more than limit_u stays as it is; points on a straight way go, however far apart. Finite points,
-/// indices below their number; any thread; deterministic; O(n log n) where few runs come near each other.
+/// A run that bends by more than limit_u stays as it is; points on a straight line go, however far apart. Finite
+/// points, indices below their number; any thread; deterministic; O(n log n) where few runs come near each other.
 [[nodiscard]] CoarserCurves coarsestWithin(std::span<const Vec3> points_W,
   std::span<const std::array<std::uint32_t, 2>> segments, double limit_u, const std::stop_token& stop = {});
 

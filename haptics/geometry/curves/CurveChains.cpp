@@ -108,7 +108,7 @@ std::vector<CurveChain> joinSegments(std::span<const Segment> segments, std::siz
 {
   Links links(withoutDoubles(segments), pointCount);
   std::vector<CurveChain> chains;
-  // What has ends first; what is left then are rings.
+  // Chains with ends first; the rest are rings.
   for (const bool rings : { false, true })
   {
     for (std::uint32_t p = 0; p < pointCount; ++p)

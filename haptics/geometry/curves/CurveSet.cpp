@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 
-/// Of a whole scene of coordinates, what single precision loses, with room for a rotation.
+/// Rounding of single precision for a whole scene of coordinates, with slack for a rotation.
 double roundingOf(const TriangleMesh& segments)
 {
   constexpr double units = 4.0;

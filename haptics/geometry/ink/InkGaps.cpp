@@ -15,7 +15,7 @@ namespace palpate
 namespace
 {
 
-/// A gap is one where the way along the lines is longer than this many times the straight one.
+/// A gap is one where the path along the lines is longer than this many times the straight one.
 constexpr double leastDetour = 2.0;
 /// So that a gap of three pixels of 0.1 is one of 0.3.
 constexpr double rounding = 1e-9;
@@ -64,7 +64,7 @@ void leaveOutHooks(LooseLines& lines, const Ruler& ruler, double gap_u)
   lines.segments = std::move(kept);
 }
 
-/// How long the way along the lines is from one point to others: Dijkstra's search, which goes on from where it stands
+/// Length of the path along the lines from one point to others: Dijkstra's search, which goes on from where it stands
 /// when it is asked for more.
 class Ways
 {

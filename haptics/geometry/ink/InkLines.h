@@ -48,7 +48,7 @@ struct LooseLines
 /// more than two meet, which thinning leaves behind and which would be closed to loops. Then it joins every free end to
 /// the line across the least blank, where that is no wider than gap_u: measured from the tip of the stroke to the rim
 /// of the other, so strokes of any width count alike. A place to which the lines themselves lead by less than twice the
-/// straight way is none to join. Half done where goes says no. O(pixels) for evenly spread ends.
+/// straight distance is none to join. Half done where goes says no. O(pixels) for evenly spread ends.
 void mendGaps(
   LooseLines& lines, const Bitmap& drawing, const Eigen::Vector2d& pixel_u, double gap_u, const Goes& goes = always);
 

@@ -13,7 +13,7 @@
 namespace palpate
 {
 
-/// Lengths in space of ways given in pixels.
+/// Lengths in space of displacements given in pixels.
 class Ruler
 {
 public:

@@ -13,7 +13,8 @@ namespace palpate
 namespace
 {
 
-/// Across the triangle, or from the line, to the side of the proxy: the way from the device where that rests on it.
+/// Across the triangle, or from the line, to the side of the proxy: the direction from the device where that rests on
+/// it.
 Vec3 normalOf(const SurfaceData& data, const NearestPoint& at, const Vec3& proxy_S, const Vec3& device_S)
 {
   const Vec3 away_S = proxy_S - at.p_W;

@@ -23,8 +23,8 @@ struct ContactPlace
   std::optional<double> thickness_u; ///< of the wall behind it, straight in; nothing: none is met
 };
 
-/// The place nearest to a proxy of all that is in the scene, with what moves at the end of its way; nothing in an empty
-/// scene. `device_W`, behind the surface that is pressed, says which side is outside where the proxy lies on the
+/// The place nearest to a proxy of the whole scene, with moving surfaces at the end of their motion; nothing in an
+/// empty scene. `device_W`, behind the surface that is pressed, says which side is outside where the proxy lies on the
 /// surface itself. Not for the tick; any other thread.
 [[nodiscard]] std::optional<ContactPlace> placeOf(const Scene& scene, const Vec3& proxy_W, const Vec3& device_W);
 

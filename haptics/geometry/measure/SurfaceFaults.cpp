@@ -51,7 +51,7 @@ std::vector<SurfaceHole> holesOf(const TriangleMesh& mesh, const std::vector<Sid
   return holes;
 }
 
-/// All but one part, to see what encloses that.
+/// All but one part, to find the parts that enclose it.
 std::optional<SurfaceTree> othersThan(const TriangleMesh& mesh, const Turns& turns, std::uint32_t part)
 {
   TriangleMesh others{ mesh.vertices_W, {} };

@@ -29,7 +29,7 @@ using Kernel = CGAL::Simple_cartesian<double>; // no exact numbers, whose librar
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Paths = CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>;
 
-/// Length of the shortest way along edges, with straight first and last pieces; infinite if there is none.
+/// Length of the shortest path along edges, with straight first and last pieces; infinite if there is none.
 double lengthAlongEdges_u(const SurfaceData& data, const NearestPoint& from, const NearestPoint& to)
 {
   using Reached = std::pair<double, std::uint32_t>;
@@ -69,7 +69,7 @@ double lengthAlongEdges_u(const SurfaceData& data, const NearestPoint& from, con
   return best_u;
 }
 
-/// Whether a way of that length from one place to the other can come to the triangle.
+/// Whether a path of that length from one place to the other can come to the triangle.
 bool matters(const std::array<Vec3, 3>& corner_W, const NearestPoint& from, const NearestPoint& to, double length_u)
 {
   const Vec3 centre_W = (corner_W[0] + corner_W[1] + corner_W[2]) / 3.0;
@@ -82,9 +82,9 @@ bool matters(const std::array<Vec3, 3>& corner_W, const NearestPoint& from, cons
   return (centre_W - from.p_W).norm() + (centre_W - to.p_W).norm() - 2.0 * radius_u <= length_u * rounding;
 }
 
-/// A vertex's place, off by next to nothing and differently for each. CGAL's search sometimes loses a way that goes
-/// exactly through the vertices of a regular grid, and finds a longer one. What is found so is laid on the surface as
-/// it is, where it is longer than the shortest by the square of that share only.
+/// A vertex's place, off by next to nothing and differently for each. CGAL's search sometimes loses a path that goes
+/// exactly through the vertices of a regular grid, and finds a longer one. The path found so is laid on the exact
+/// surface, where it is longer than the shortest by the square of that share only.
 Vec3 unsettled(const SurfaceData& data, std::uint32_t v)
 {
   constexpr double share = 1e-6; // of an edge
@@ -177,7 +177,7 @@ Paths::Face_location locationOf(const Part& part, Mesh::Face_index face, const V
   return { face, { u / sum, v / sum, w / sum } };
 }
 
-/// Receives a way as CGAL has it, by edges and faces, and lays it where they are.
+/// Receives a path as CGAL has it, by edges and faces, and lays it where they are.
 struct Laying
 {
   const Part& part;
@@ -206,7 +206,7 @@ SurfacePath over(const Part& part, const NearestPoint& from, const NearestPoint&
   Paths paths(part.mesh);
   const Paths::Face_location begin = locationOf(part, part.from, from.p_W);
   const Paths::Face_location end = locationOf(part, part.to, to.p_W);
-  paths.add_source_point(end.first, end.second); // ways come back from a place to the source
+  paths.add_source_point(end.first, end.second); // paths come back from a place to the source
   SurfacePath path;
   Laying laying{ part, path.points_W };
   paths.shortest_path_sequence_to_source_points(begin.first, begin.second, laying);

@@ -42,8 +42,8 @@ void forEachEdge(const std::vector<Side>& sides, Visit visit)
   }
 }
 
-/// Which way triangles are turned: those of a part, which hang together by edges of two, and whether each is turned as
-/// the first of them.
+/// How triangles are turned: those of a part, which hang together by edges of two, and whether each is turned as the
+/// first of them.
 class Turns
 {
 public:

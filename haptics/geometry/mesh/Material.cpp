@@ -25,7 +25,7 @@ constexpr double largest = std::numeric_limits<double>::max();
 constexpr Range stiffnesses{ 0.0, largest }, frictions{ 0.0, Material::largestFriction },
   heights{ -1e100, 1e100 }; // their squares are finite
 
-/// Picks the values of the cleaned vertices; what cannot be used becomes `own`.
+/// Picks the values of the cleaned vertices; an unusable value becomes `own`.
 void fit(const std::vector<double>& raw, double own, const Range& range, const std::vector<std::uint32_t>& sourceVertex,
   std::vector<double>& fitted, std::size_t& replaced)
 {

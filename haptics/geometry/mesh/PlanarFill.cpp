@@ -194,7 +194,7 @@ public:
   }
 
 private:
-  /// The next corner on the way from `a` straight to `b`, which the triangulation has edges along.
+  /// The next corner on the segment from `a` to `b`, which the triangulation has edges along.
   [[nodiscard]] std::uint32_t nextOn(std::uint32_t a, std::uint32_t b) const
   {
     Cdt::Vertex_handle next;

@@ -34,7 +34,7 @@ struct RigidMotion
   {
     return !this->moves() && this->end_WS.p == Vec3::Zero() && this->end_WS.q.coeffs() == Quat::Identity().coeffs();
   }
-  /// Pose at a share 0..1 of the way. Rotations are interpolated by their normalised mean: the angle differs from an
+  /// Pose at a share 0..1 of the motion. Rotations are interpolated by their normalised mean: the angle differs from an
   /// even turn by less than its cube / 100 and needs no sine.
   [[nodiscard]] Pose at(double share) const noexcept
   {

@@ -93,8 +93,8 @@ void include(Box& box, const Pose& pose, const Box& shape)
   }
 }
 
-/// Around the surface on all of its way. Between two poses a point leaves the chord of its arc by at most
-/// R (1 - cos(angle / 2)), which is R |q1 - q0|^2 / 2.
+/// Around the surface in all of its motion. Between two poses a point leaves the chord of its arc by at most R (1 -
+/// cos(angle / 2)), which is R |q1 - q0|^2 / 2.
 Box boxAroundSkeleton(const Surface& surface)
 {
   const Box shape = boxAroundShape(surface);

@@ -46,7 +46,7 @@ struct Surface
 /// one frame, or both lie in W as they are.
 [[nodiscard]] bool inOneFrame(const Surface& was, std::uint64_t frame, const RigidMotion& motion) noexcept;
 
-/// Names all the places where a surface may be on its way.
+/// Names all the places where a surface may be in its motion.
 [[nodiscard]] std::uint64_t wayNameOf(const Surface& surface) noexcept;
 
 /// Everything that can be felt at one moment. Immutable once built: the servo reads it, a worker frees it.
@@ -77,7 +77,7 @@ public:
   [[nodiscard]] std::uint64_t geometryHash() const noexcept { return this->geometryHash_; }
   /// The same of the surfaces that these come from: a scene of that hash goes over into this one without a step.
   [[nodiscard]] std::uint64_t continuesGeometry() const noexcept { return this->continuesGeometry_; }
-  /// The same as geometryHash() and the ways: names a scene in a recording.
+  /// The same as geometryHash() and the motions: names a scene in a recording.
   [[nodiscard]] std::uint64_t contentHash() const noexcept { return this->contentHash_; }
   [[nodiscard]] double motion_s() const noexcept { return this->motion_s_; }
   /// How far the surfaces have come, 0..1, an age after the scene was taken [s].

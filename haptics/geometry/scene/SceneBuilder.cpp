@@ -72,7 +72,7 @@ bool SceneBuilder::knows(const std::vector<SurfaceInput>& inputs) const
   return std::all_of(inputs.begin(), inputs.end(), known);
 }
 
-/// What the previous build has for each input: the same mesh, else the surface of that name.
+/// The part of the previous build for each input: the same mesh, else the surface of that name.
 std::vector<SceneBuilder::Kept> SceneBuilder::takeKnown(const std::vector<SurfaceInput>& inputs)
 {
   std::vector<Kept> known(inputs.size());

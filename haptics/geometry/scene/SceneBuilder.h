@@ -63,7 +63,7 @@ class SceneBuilder
 public:
   explicit SceneBuilder(unsigned workers = 1);
   /// `felt`: the present scene, if surfaces are to move from there (movingFrom): refitted trees have bounds of that
-  /// way. `watch`: is told how far it is. A cancelled build gives no scene, and the next build reuses the finished
+  /// motion. `watch`: is told how far it is. A cancelled build gives no scene, and the next build reuses the finished
   /// parts.
   [[nodiscard]] SceneBuildResult build(
     const std::vector<SurfaceInput>& inputs, const Scene* felt = nullptr, BuildWatch* watch = nullptr);

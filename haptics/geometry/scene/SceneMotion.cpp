@@ -16,13 +16,13 @@ bool sameSurface(const Surface& a, const Surface& b)
   return a.name == b.name && a.tree->contentHash() == b.tree->contentHash();
 }
 
-/// True if the tree of `next` has bounds of a way from anywhere that `was` is on its own, in the frame of both.
+/// True if the tree of `next` has bounds of a motion from anywhere that `was` is in its own, in the frame of both.
 bool comesFrom(const Surface& was, const Surface& next)
 {
   return was.name == next.name && next.tree->wayName() == wayNameOf(was) && inOneFrame(was, next.frame, next.motion);
 }
 
-/// Still on a way whose bounds the same tree has.
+/// Still in a motion whose bounds the same tree has.
 bool goesOn(const Surface& was, const Surface& next, double share)
 {
   return was.name == next.name && was.tree == next.tree && was.from && share < 1.0;
@@ -51,8 +51,8 @@ const Surface* findBent(const std::vector<Surface>& now, double share, const Sur
   return found != now.end() ? &*found : nullptr;
 }
 
-/// Weights of the places of `next` that give where `was` is now. On the same way these are what is left of its start;
-/// otherwise, and where `was` stands at the end of that way, the places are the vertices of `was`, then those that
+/// Weights of the places of `next` that give where `was` is now. On the same motion they are the rest of its start;
+/// otherwise, and where `was` stands at the end of that motion, the places are the vertices of `was`, then those that
 /// `was` comes from (wayFrom in SceneBuilder.cpp).
 std::array<double, 2> ofPlaces(const Surface& was, double share, const Surface& next)
 {
@@ -93,7 +93,7 @@ std::shared_ptr<const Scene> movingFrom(
     {
       surfaces[i].motion.begin_WS = was->motion.at(share);
       moves = moves || surfaces[i].motion.moves();
-      // Built anew, the same vertices have a tree without the bounds of the way that they are still on.
+      // Built anew, the same vertices have a tree without the bounds of the motion that they are still in.
       if (was->from && share < 1.0 && inOneFrame(*was, surfaces[i].frame, surfaces[i].motion))
       {
         surfaces[i].tree = was->tree;

@@ -8,9 +8,9 @@
 namespace palpate
 {
 
-/// `next`, whose surfaces come from where they were in `now`, at a share of its way (0..1), in `motion_s` [s].
+/// `next`, whose surfaces come from where they were in `now`, at a share of its motion (0..1), in `motion_s` [s].
 ///
-/// A surface with the same vertices comes from its pose in `now`. A surface whose tree was refitted on the way from
+/// A surface with the same vertices comes from its pose in `now`. A surface whose tree was refitted for the motion from
 /// there (SceneBuilder::build with `now`) comes from its pose and from the places that its vertices have in `now`, if
 /// both are given in one frame: each vertex goes straight in that frame while the frame moves. Any other surface is at
 /// once where `next` has it, and so is everything if `motion_s` is not above 0. Returns `next` itself if nothing moves.

@@ -88,7 +88,7 @@ double furthest(double x, double y, double z)
   return inside ? std::max(onEdges, std::abs(x * y * z / d)) : onEdges;
 }
 
-/// Between the middles of two edges the normal turns by what the surface bends along half of the third.
+/// Between the middles of two edges the normal turns by the surface's bend along half of the third.
 double sagitta_u(const Facet& facet)
 {
   const auto bendAlong = [&facet](std::size_t first, std::size_t second)

@@ -146,7 +146,7 @@ SimplerScene SceneSimplifier::simplify(
       simpler = true;
     }
   }
-  if (rules.stop.stop_requested()) // what was given up has no answer to keep
+  if (rules.stop.stop_requested()) // an interrupted simplification has no result to keep
   {
     return {};
   }

@@ -80,7 +80,7 @@ bool edgesMeet(const SurfaceData& data, std::uint32_t s, std::uint32_t t)
   return false;
 }
 
-/// What of a triangle's surroundings hangs together with it.
+/// The connected part of a triangle's surroundings.
 class Surroundings
 {
 public:

@@ -72,15 +72,15 @@ Simplification prove(const SurfaceTree& surface, std::shared_ptr<const SurfaceTr
   return { std::move(fewer), std::max(there.bound_u, back.bound_u), {} };
 }
 
-/// What came of one try.
+/// The result of one try.
 struct Attempt
 {
   Simplification result;
-  bool lessMayDo = false; ///< refused for what it changed, not for what it kept
+  bool lessMayDo = false; ///< refused for a change of the surface, not for too many triangles
 };
 
-/// So much of what a limit allows is used while edges collapse. What lies between the points that are watched may get
-/// further; if it gets too far, less is allowed.
+/// Shares of a limit that are used while edges collapse. Places between the samples may get further; if one gets too
+/// far, a smaller share is tried.
 constexpr std::array<double, 3> shares = { 0.75, 0.4, 0.25 };
 
 SimplifyLimits shareOf(const SimplifyLimits& limits, double share)
@@ -154,7 +154,7 @@ public:
 
 private:
   static constexpr std::size_t count = 16, size = 512;
-  static constexpr double mostThatStays = 0.6; // half, and what a sample may be wrong by
+  static constexpr double mostThatStays = 0.6; // half, and the error of a sample
   static constexpr double ofLimit = 0.8;       // the worst place of all is worse than that of a sample
 
   [[nodiscard]] bool proven(const TriangleMesh& simpler) const
@@ -178,7 +178,7 @@ private:
   std::vector<bool> fixed_;
 };
 
-/// No further than what looking for other sheets can afford: its work grows with the square of the distance.
+/// The distance within which the search for other sheets is affordable: its work grows with the square of the distance.
 double affordable_u(const SurfaceTree& surface, double limit_u)
 {
   constexpr std::size_t samples = 64;

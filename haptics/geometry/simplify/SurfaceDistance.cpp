@@ -120,7 +120,7 @@ double area(const Piece& piece) noexcept
   return 0.5 * twice.norm();
 }
 
-/// Across its longest way.
+/// Across its longest extent.
 std::pair<Piece, Piece> halves(const Piece& piece) noexcept
 {
   const Vec3 normal = longestWay(piece).normalized();

@@ -174,8 +174,8 @@ const Rod& shapeOf(const Rod& rod)
   return rod;
 }
 
-/// Two bodies that share room have surfaces that meet, and then an edge of one is in the other at the point, or one
-/// lies in the other with all of its edges.
+/// Two bodies that overlap have surfaces that meet, and then an edge of one is in the other at the point, or one lies
+/// in the other with all of its edges.
 template<class A, class B>
 bool overlap(const A& a, const B& b)
 {

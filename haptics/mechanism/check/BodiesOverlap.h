@@ -16,24 +16,24 @@ namespace palpate
 /// Two bodies, by their names.
 using BodyPair = std::pair<std::string, std::string>;
 
-/// Which rigid and soft bodies share room as they stand, by their names, each pair once. Such as only touch do not;
-/// what the hand holds stands nowhere yet. Of surfaces: a part of an edge of one lies in the other. The edges of a
+/// Pairs of rigid and soft bodies that overlap as they stand, by their names, each pair once. Bodies that only touch do
+/// not overlap; the held body has no pose yet. For surfaces: a part of an edge of one lies in the other. The edges of a
 /// closed surface are taken a millionth of their length inside of it, so that coplanar faces and coinciding vertices
 /// decide nothing. Not real-time safe.
 [[nodiscard]] std::vector<BodyPair> overlapsOf(const Mechanism& mechanism, std::span<const MechanismSoft> soft);
 
-/// In which bodies that which the hand holds lies where its frame is at W's, left out such as a law joins it to. Not
-/// real-time safe.
+/// In which bodies that which the hand holds lies where its frame is at W's, left out such as a constraint joins it to.
+/// Not real-time safe.
 [[nodiscard]] std::vector<BodyPair> overlapsOfHeld(const Mechanism& mechanism, std::span<const MechanismSoft> soft);
 
-/// Likewise in a tick: rigid bodies and what the hand holds are where the laws have left them, soft ones as bent as
-/// they were computed last. A held rod counts by its middle line. Places between two ticks are not looked at: what is
-/// thinner than the way of a tick can be jumped over. Bodies between which a law holds are left out: it
-/// says how they meet. Two soft bodies are looked at again once one of them was computed anew. Not real-time safe.
+/// Likewise in a tick: rigid bodies and the held body have the poses of the last solution, soft ones the shape of their
+/// last computation. A held rod counts by its middle line. Poses between two ticks are not looked at: a body thinner
+/// than the displacement of a tick can be jumped over. Bodies that a constraint joins are left out: the constraint says
+/// how they meet. Two soft bodies are looked at again once one of them was computed anew. Not real-time safe.
 class OverlapWatch
 {
 public:
-  /// `pose_W`: of each body, of those that are held or rigid; `phases`: of each law.
+  /// `pose_W`: of each body, of those that are held or rigid; `phases`: of each constraint.
   [[nodiscard]] const std::vector<BodyPair>& look(const Mechanism& mechanism, std::span<const MechanismSoft> soft,
     std::span<const Pose> pose_W, std::span<const ConstraintPhase> phases);
   [[nodiscard]] const std::vector<BodyPair>& seen() const noexcept { return this->seen_; }

@@ -26,7 +26,7 @@ constexpr double leastShare = 1e-6;
 /// From there on a hundredth of a force is rounding of a device's place.
 constexpr double badCondition = 1e8;
 
-/// A mechanism where all its laws hold, as it stands at rest, the held body's frame at W's.
+/// A mechanism where all its constraints hold, as it stands at rest, the held body's frame at W's.
 class AtRest
 {
 public:
@@ -98,7 +98,7 @@ private:
     return own.maxCoeff() / own.minCoeff();
   }
 
-  /// A law whose row follows from those of others, and what is wrong where it does not agree with them.
+  /// A constraint whose row depends on those of others, and a fault where the row conflicts with them.
   void tellRedundant(MechanismCheck& check) const
   {
     const std::vector<int> in = this->independent();
@@ -127,7 +127,7 @@ private:
     }
   }
 
-  /// Of a limit, and of a shaft, which both end in two places along one way.
+  /// Of a limit, and of a shaft, which both end in two places along one direction.
   [[nodiscard]] bool isOtherEnd(const ConstraintRow& row) const
   {
     const ConstraintKind kind = this->plan_.laws[row.law].kind;
@@ -135,7 +135,7 @@ private:
            (kind == ConstraintKind::Limit || kind == ConstraintKind::Puncture || kind == ConstraintKind::Insertion);
   }
 
-  /// What a row with bounds has a share in can give way.
+  /// A row in which a bounded row has a share can yield.
   [[nodiscard]] bool followsFromHeld(int row, const std::vector<int>& in, const Eigen::VectorXd& shares) const
   {
     bool held = this->isHeld(row);
@@ -201,8 +201,8 @@ private:
     }
   }
 
-  /// A load on a body that no row goes with: the body would fall for ever. One that glides off its laws is left to be
-  /// felt, and said in each tick.
+  /// A load on a body that no row goes with: the body would fall for ever. One that glides off its constraints is left
+  /// to be felt, and said in each tick.
   void tellFalling(MechanismCheck& check) const
   {
     for (int b = 0, first = 0; b < this->plan_.bodyCount; first += this->waysOf(b), ++b)
@@ -224,8 +224,8 @@ private:
     return kind == MechanismBodyKind::Rigid ? 6 : turns ? 3 : 0;
   }
 
-  /// Coulomb's forces at points that nothing elastic tells apart have no one answer, and what a body that only balance
-  /// holds would feel of them is left to chance.
+  /// Coulomb's forces at points that no compliance separates have no unique answer, and their effect on a body that
+  /// only balance holds is left to chance.
   void tellRubbing(MechanismCheck& check) const
   {
     const int cones = 3 * this->problem_->cones;
@@ -282,7 +282,7 @@ private:
   SemidefiniteFactor<ConstraintProblem::most> factor_;
 };
 
-/// Bodies do not meet but where a law has them meet.
+/// Bodies do not meet but where a constraint has them meet.
 void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> soft, MechanismCheck& check)
 {
   check.overlaps = overlapsOf(mechanism, soft);

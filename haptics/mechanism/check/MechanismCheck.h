@@ -22,20 +22,20 @@ struct MechanismSoft
 /// Properties of a mechanism, and its faults.
 struct MechanismCheck
 {
-  std::vector<std::string> faults;    ///< a sentence each, with the name of the law or body; none: it can be felt
+  std::vector<std::string> faults;    ///< a sentence each, with the name of constraint or body; none: it can be felt
   std::vector<std::string> remarks;   ///< redundant constraints, free rotations, bad conditioning
-  std::vector<std::string> redundant; ///< names of laws of which a row follows from others
-  std::vector<std::string> free;      ///< names of bodies that can move where no law holds them
-  std::vector<std::pair<std::string, std::string>> overlaps;     ///< bodies that share room as they stand, by name
-  std::vector<std::pair<std::string, std::string>> heldOverlaps; ///< likewise of what the hand holds, at the origin
+  std::vector<std::string> redundant; ///< names of constraints of which a row follows from others
+  std::vector<std::string> free;      ///< names of bodies that can move where no constraint holds them
+  std::vector<std::pair<std::string, std::string>> overlaps;     ///< bodies that overlap as they stand, by name
+  std::vector<std::pair<std::string, std::string>> heldOverlaps; ///< likewise of the held body, at the origin
   int rows = 0;                                                  ///< that may hold at once
   int rank = 0;                                                  ///< of those, how many are independent
-  int freeTurns = 0;      ///< ways to move of rigid bodies, and of a held one that the device does not turn, that
+  int freeTurns = 0;      ///< degrees of freedom of rigid bodies, and of a held one that the device does not turn, that
                           ///< only the balance of forces and moments decides
   double condition = 1.0; ///< of the compliance of the independent rows
 };
 
-/// Reads a mechanism: faults in words, and where there are none what it becomes. `soft`: the soft bodies there are, at
+/// Reads a mechanism: faults in words, or the plan of a mechanism without faults. `soft`: the soft bodies there are, at
 /// rest; `grip`: of the device. Not real-time safe.
 [[nodiscard]] MechanismCheck checkMechanism(
   const Mechanism& mechanism, std::span<const MechanismSoft> soft, const MechanismGrip& grip);

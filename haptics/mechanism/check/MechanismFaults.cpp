@@ -12,7 +12,8 @@ namespace palpate
 namespace
 {
 
-constexpr std::size_t mostRigid = 3; // each has six ways that only balance decides: more are too many for a tick
+constexpr std::size_t mostRigid = 3; // each has six degrees of freedom that only balance decides: more are too many for
+                                     // a tick
 
 constexpr double farthest_u = 1e9; // a metre in nanometres; from there on rounding is felt
 constexpr double strongest_N = 1e6;
@@ -39,7 +40,7 @@ bool onSurface(const PressedBody& body, const Vec3& p_W)
   return (nearestPlace(body, p_W).x_W - p_W).norm() <= body.snapshot->patchRadius_u.front();
 }
 
-/// Gathers what is wrong with one mechanism.
+/// Gathers the faults of one mechanism.
 class Faults
 {
 public:
@@ -145,7 +146,7 @@ private:
 
   void judgeNumbers(const MechanismConstraint& law, const std::string& name)
   {
-    const auto positive = [](double x) { return x > 0.0; }; // of what is no number, too
+    const auto positive = [](double x) { return x > 0.0; }; // NaN fails, too
     const auto coefficient = [](double x) { return std::isfinite(x) && x >= 0.0; };
     this->require(positive(law.strength_N), name + "breaks at 0 N or less: set a strength above 0 N.");
     this->require(positive(law.tear_N), name + "tears at 0 N or less: set a strength of the hole above 0 N.");

@@ -6,7 +6,7 @@
 namespace palpate
 {
 
-/// What is wrong with bodies and laws one by one, a sentence each.
+/// The faults of bodies and constraints one by one, a sentence each.
 [[nodiscard]] std::vector<std::string> faultsOf(const Mechanism& mechanism, std::span<const MechanismSoft> soft);
 
 /// The point of a soft body's surface that is nearest to p_W, at rest.

@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// A law changed for good, or for as long as the needle is in: a recording names it by the tick.
+/// A constraint changed for good, or for as long as the needle is in: a recording names it by the tick.
 enum class ConstraintChange : std::uint8_t
 {
   Punctured,
@@ -17,7 +17,7 @@ enum class ConstraintChange : std::uint8_t
   TornOut,   ///< a shaft that was pulled across its hole with more than that holds
 };
 
-/// What the rows of one law came to.
+/// The outcome of the rows of one constraint.
 struct ConstraintOutcome
 {
   Vec3 force_W = Vec3::Zero(); ///< on A [N]
@@ -31,14 +31,14 @@ struct ConstraintOutcome
 [[nodiscard]] ConstraintOutcome outcomeOf(
   const ConstraintScene& scene, const ConstraintRows& rows, const ConstraintForces& forces, int law) noexcept;
 
-/// Whether it is of a kind that holds from the beginning and may be pulled away: what is held begins elsewhere,
-/// perhaps.
+/// Whether a constraint of this kind holds from the beginning and may be pulled away: the held body may begin
+/// elsewhere.
 [[nodiscard]] bool mayGiveWay(const PlannedConstraint& law) noexcept;
 
-/// Whether a law of that kind, or a shaft in its hole, gives way to this.
+/// Whether a constraint of that kind, or a shaft in its hole, breaks under this.
 [[nodiscard]] bool givesWay(const PlannedConstraint& law, const ConstraintOutcome& outcome) noexcept;
 
-/// What that makes of a law, if anything; the state is changed.
+/// The change that the outcome makes to a constraint, if any; the state is changed.
 [[nodiscard]] std::optional<ConstraintChange> changeConstraint(
   const PlannedConstraint& law, const ConstraintOutcome& outcome, ConstraintState& state) noexcept;
 

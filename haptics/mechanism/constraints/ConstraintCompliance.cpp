@@ -6,8 +6,8 @@ namespace palpate
 namespace
 {
 
-/// Of a body that nothing elastic holds: which of the problem's ways are its own, and which of its six numbers they
-/// are.
+/// Of a body that nothing elastic holds: which of the problem's degrees of freedom are its own, and which of its six
+/// numbers they are.
 struct FreeWays
 {
   int first = 0;
@@ -30,7 +30,7 @@ FreeWays waysOf(const MechanismPlan& plan, const MechanismGrip& grip, int body) 
   return ways;
 }
 
-/// How A's point of law l goes against B's, by the soft bodies, under a force between those of law m.
+/// How A's point of constraint l goes against B's, by the soft bodies, under a force between those of constraint m.
 Mat3 softCompliance(const ConstraintScene& scene, const ConstraintRows& rows, int l, int m) noexcept
 {
   Mat3 sum = Mat3::Zero();
@@ -50,7 +50,7 @@ Mat3 softCompliance(const ConstraintScene& scene, const ConstraintRows& rows, in
   return sum;
 }
 
-/// Of the rows of the laws that i and j belong to: rows of one law stand together.
+/// Of the rows of the constraints that i and j belong to: rows of one constraint stand together.
 void addSoft(const ConstraintScene& scene, const ConstraintRows& rows, ConstraintProblem& problem) noexcept
 {
   for (int i = 0, iEnd = 0; i < rows.count; i = iEnd)
@@ -80,7 +80,7 @@ void addSoft(const ConstraintScene& scene, const ConstraintRows& rows, Constrain
   }
 }
 
-/// Of the body in the hand, on whose side of the laws the rows' motions are.
+/// Of the body in the hand, on whose side of the constraints the rows' motions are.
 void addHeld(
   const ConstraintScene& scene, const ConstraintRows& rows, const HeldYield& held, ConstraintProblem& problem) noexcept
 {
@@ -130,8 +130,8 @@ void addWays(const ConstraintScene& scene, const ConstraintRows& rows, const Mec
   }
 }
 
-/// How a force that pulls at an arm holds that against turning, but about itself. What pushes over is left out: no body
-/// comes to rest there.
+/// Resistance of a force at an arm against turning, about all axes but its own. A force that pushes over is left out:
+/// no body comes to rest there.
 Mat3 heldByPull(const Vec3& arm_W, const Vec3& force_W) noexcept
 {
   const double pull = arm_W.dot(force_W);
@@ -139,8 +139,8 @@ Mat3 heldByPull(const Vec3& arm_W, const Vec3& force_W) noexcept
                     : Mat3(Mat3::Zero());
 }
 
-/// What hangs between joints, as a rod that is pulled at both ends does, is held by these forces alone: no row is for
-/// its turn.
+/// A body that hangs between joints, as a rod that is pulled at both ends does, is held by these forces alone: no row
+/// is for its turn.
 void addTurns(const ConstraintScene& scene, const ConstraintRows& rows, const MechanismGrip& grip,
   ConstraintProblem& problem) noexcept
 {

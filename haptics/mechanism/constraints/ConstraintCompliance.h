@@ -6,19 +6,20 @@
 namespace palpate
 {
 
-/// The problem of these rows: W = sum J C J^T over the held body's springs, soft bodies and the laws' own springs.
-/// Real-time safe.
+/// The problem of these rows: W = sum J C J^T over the held body's springs, soft bodies and the constraints' own
+/// springs. Real-time safe.
 void assembleConstraints(const ConstraintScene& scene, const ConstraintRows& rows, const MechanismGrip& grip,
   const HeldYield& held, ConstraintProblem& problem) noexcept;
 
-/// What soft bodies put between the points of law l, B's to A's, under the laws' forces as their states have them [u].
+/// Displacement that soft bodies put between the points of constraint l, B's to A's, under the constraints' forces in
+/// their states [u].
 [[nodiscard]] Vec3 softApart_W(const ConstraintScene& scene, const ConstraintRows& rows, int l) noexcept;
 
-/// The small motion of a body under the forces of the laws, whitened, from where the laws are linearised.
+/// The small motion of a body under the forces of the constraints, whitened, from where the constraints are linearised.
 [[nodiscard]] Vec6 motionOf(const ConstraintScene& scene, const ConstraintRows& rows, const MechanismGrip& grip,
   const HeldYield& held, const ConstraintForces& forces, int body) noexcept;
 
-/// The laws' forces on a body about its origin, whitened: the moment over the lever [N].
+/// The constraints' forces on a body about its origin, whitened: the moment over the lever [N].
 [[nodiscard]] Vec6 pressOn(
   const ConstraintScene& scene, const ConstraintRows& rows, const ConstraintForces& forces, int body) noexcept;
 

@@ -20,7 +20,7 @@ Vec3 freePlace_W(const ComplianceSnapshot& snapshot, const SurfacePoint& at) noe
   return x_W;
 }
 
-/// The rows of one law after another.
+/// The rows of one constraint after another.
 class RowMaker
 {
 public:
@@ -146,7 +146,7 @@ private:
     this->addHold(axis_W.cross(first_W), 0.0, 0.0);
   }
 
-  /// Both axes point the same way: the turn from B's to A's, across B's.
+  /// Both axes have the same direction: the turn from B's to A's, across B's.
   void addTurns(const Vec3& axis_W) noexcept
   {
     const Vec3 turn = axis_W.cross(this->rows_.ends[this->law_][0].axis_W);

@@ -12,7 +12,7 @@
 namespace palpate
 {
 
-/// Where one side of a law is.
+/// Where one side of a constraint is.
 struct ConstraintEnd
 {
   int body = 0;
@@ -31,41 +31,41 @@ struct ConstraintRow
   double free_u = 0.0;
   double lowest_N = 0.0;
   double highest_N = 0.0;
-  double compliance_u_per_N = 0.0; ///< of the law's own spring
-  bool dry = false;                ///< dry friction: what it moves by, it slips
+  double compliance_u_per_N = 0.0; ///< of the constraint's own spring
+  bool dry = false;                ///< dry friction: all motion is slip
   double now_u = 0.0;              ///< likewise: where it is
 };
 
-/// The laws of a mechanism, linearised at one place of its bodies.
+/// The constraints of a mechanism, linearised at one place of its bodies.
 struct ConstraintRows
 {
   static constexpr int most = ConstraintProblem::most;
 
-  std::array<std::array<ConstraintEnd, 2>, Mechanism::mostConstraints> ends{}; ///< A and B of each law
+  std::array<std::array<ConstraintEnd, 2>, Mechanism::mostConstraints> ends{}; ///< A and B of each constraint
   std::array<ConstraintRow, most> rows{};
   std::array<double, most / 3> friction{};
   int count = 0;
   int cones = 0; ///< the last three rows each
 };
 
-/// What rows are made from.
+/// The input of rows.
 struct ConstraintScene
 {
   const MechanismPlan& plan;
   std::span<const PressedBody* const> soft;
-  std::span<const Pose> pose_W; ///< of each body: where its laws are linearised
+  std::span<const Pose> pose_W; ///< of each body: where its constraints are linearised
   std::span<const ConstraintState> laws;
   const Pose& hand_W; ///< where the hand has the body that it holds
 };
 
-/// The rows of the laws that hold now. A law on a soft body that is not there has none. Real-time safe.
+/// The rows of the constraints that hold now. A constraint on a soft body that is not there has none. Real-time safe.
 void makeRows(const ConstraintScene& scene, ConstraintRows& rows) noexcept;
 
 /// Whether the rows of a kind are along B's axis, and A's point may be elsewhere along it or across.
 [[nodiscard]] bool isAlongAxis(ConstraintKind kind) noexcept;
 
-/// From the origin of a law's body to where the law presses on it: of rows along an axis that turns with what is held
-/// that is A's point, wherever it is along the axis.
+/// From the origin of a constraint's body to the point where the constraint presses on it: for rows along an axis that
+/// turns with the held body that is A's point, wherever it is along the axis.
 [[nodiscard]] Vec3 armOf(const ConstraintScene& scene, const ConstraintRows& rows, int law, int side) noexcept;
 
 /// How a row's displacement changes with a small motion of a body that is its A (side 0) or B (side 1), about the
@@ -73,7 +73,7 @@ void makeRows(const ConstraintScene& scene, ConstraintRows& rows) noexcept;
 [[nodiscard]] Vec6 jacobianOf(
   const ConstraintScene& scene, const ConstraintRows& rows, const ConstraintRow& row, int side) noexcept;
 
-/// Whether a law on the shaft of a rod holds in it now.
+/// Whether a constraint on the shaft of a rod holds in it now.
 [[nodiscard]] bool inShaft(const PlannedConstraint& law, const ConstraintState& state) noexcept;
 
 } // namespace palpate

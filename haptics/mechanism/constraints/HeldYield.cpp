@@ -41,9 +41,9 @@ struct Stiffness
 {
   HeldYield::Square springs = HeldYield::Square::Zero();
   HeldYield::Square bend = HeldYield::Square::Zero();   ///< of springs that are turned far
-  HeldYield::Square forces = HeldYield::Square::Zero(); ///< of the laws
+  HeldYield::Square forces = HeldYield::Square::Zero(); ///< of the constraints
   double mostOfForces = 0.0;                            ///< no turn is held by forces with more
-  bool turning = false; ///< a direction turns: what soft bodies yield along it is not in these
+  bool turning = false; ///< a direction turns: yield of soft bodies along it is not included
 
   /// Of a force at an arm that turns with the body, while it keeps its direction.
   void addFixed(const Vec3& force_W, const Vec3& arm_W, double characteristic_u) noexcept

@@ -6,15 +6,15 @@
 namespace palpate
 {
 
-/// How the body in the hand goes, by the hand's springs, from where its laws are taken: compliance force + back,
+/// How the body in the hand goes, by the hand's springs, from where its constraints are taken: compliance force + back,
 /// whitened. Where the device leaves the turn free, no spring turns it, and the last three are 0.
 struct HeldYield
 {
   using Square = Eigen::Matrix<double, 6, 6>;
 
   Square compliance = Square::Zero(); ///< [u/N], symmetric, positive semidefinite
-  Vec6 back_u = Vec6::Zero();         ///< without the laws' forces
-  Square eases = Square::Zero();      ///< how the laws' forces on the body fall as it goes [N/u]
+  Vec6 back_u = Vec6::Zero();         ///< without the constraints' forces
+  Square eases = Square::Zero();      ///< how the constraints' forces on the body fall as it goes [N/u]
   bool exact = true;                  ///< Newton's: else a step leaves a share of itself
 };
 

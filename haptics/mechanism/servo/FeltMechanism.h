@@ -39,7 +39,7 @@ private:
   std::vector<const PressedBody*> given_;
 };
 
-/// What the servo tells the worker of a mechanism: where its bodies are and how the laws press.
+/// The servo's message to the worker of a mechanism: poses of the bodies and forces of the constraints.
 struct MechanismHand
 {
   std::uint64_t tick = 0;
@@ -49,9 +49,9 @@ struct MechanismHand
   int pressCount = 0;
   decltype(MechanismResult::presses) presses{};
   decltype(MechanismResult::pose_W) pose_W{};                       ///< of held and rigid bodies
-  std::array<ConstraintPhase, Mechanism::mostConstraints> phases{}; ///< of the laws
+  std::array<ConstraintPhase, Mechanism::mostConstraints> phases{}; ///< of the constraints
 
-  /// Of the bodies and the law's forces that a tick came to.
+  /// Of the bodies and the constraint's forces that a tick came to.
   void press(const MechanismResult& result) noexcept
   {
     this->pose_W = result.pose_W;

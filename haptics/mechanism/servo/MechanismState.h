@@ -10,15 +10,15 @@
 namespace palpate
 {
 
-/// What the tick keeps of a mechanism.
+/// State of a mechanism between ticks.
 struct MechanismState
 {
   std::uint64_t revision = 0;                                  ///< of the plan
   std::array<std::uint64_t, Mechanism::mostBodies> snapshot{}; ///< revisions of the soft bodies' snapshots
-  std::array<Pose, Mechanism::mostBodies> pose_W{};            ///< of held and rigid bodies, as the laws left them
+  std::array<Pose, Mechanism::mostBodies> pose_W{};            ///< of held and rigid bodies, left by the constraints
   std::array<ConstraintState, Mechanism::mostConstraints> laws{};
   bool placed = false;       ///< the held body has been somewhere
-  Vec3 tip_W = Vec3::Zero(); ///< of the held body, as the laws left it
+  Vec3 tip_W = Vec3::Zero(); ///< of the held body, as the constraints left it
   ToolBlend blend;
 };
 

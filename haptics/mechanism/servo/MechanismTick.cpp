@@ -12,7 +12,7 @@
 namespace palpate
 {
 
-/// What a tick is computed in.
+/// Workspace of a tick.
 struct MechanismScratch
 {
   SettledScratch laws;
@@ -42,7 +42,7 @@ public:
     this->tip_W_ = this->plan_.held >= 0 ? this->tipOf(this->laws_.lead_W()) : Vec3(Vec3::Zero());
     this->takeSnapshots();
     this->meetSurfaces();
-    const bool first = !this->state_.placed; // laws that hold then make no step in the force
+    const bool first = !this->state_.placed; // constraints that hold then make no step in the force
     (void)(first && this->tryWaiting());
     this->laws_.settle();
     const Vec6 before_N = this->laws_.onHand();
@@ -96,7 +96,8 @@ private:
     }
   }
 
-  /// From where laws held the tip to where the hand leads it: others may keep it from a surface that it is led through.
+  /// From where constraints held the tip to where the hand leads it: others may keep it from a surface that it is led
+  /// through.
   void meetSurfaces() noexcept
   {
     for (int l = 0; l < this->plan_.lawCount && this->state_.placed; ++l)
@@ -111,7 +112,7 @@ private:
     }
   }
 
-  /// Constraints that wait are tried in each tick: those that would give way at once go on waiting.
+  /// Constraints that wait are tried in each tick: those that would break at once go on waiting.
   [[nodiscard]] bool tryWaiting() noexcept
   {
     bool any = false;
@@ -123,7 +124,7 @@ private:
     return any;
   }
 
-  /// True if a law has changed: then all are solved anew.
+  /// True if a constraint has changed: then all are solved anew.
   [[nodiscard]] bool changeConstraints() noexcept
   {
     bool changed = false;
@@ -147,7 +148,7 @@ private:
     return changed;
   }
 
-  /// What the laws came to, for the next tick and for whoever looks.
+  /// Keeps the outcome of the constraints for the next tick and for readers.
   void keep() noexcept
   {
     for (int b = 0; b < this->plan_.bodyCount; ++b)

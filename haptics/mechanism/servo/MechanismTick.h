@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// What one tick of a mechanism is given.
+/// Input of one tick of a mechanism.
 struct MechanismInput
 {
   std::uint64_t tick = 0;
@@ -19,7 +19,8 @@ struct MechanismInput
   const MechanismPlan* plan = nullptr;
   Pose hand_W; ///< of the device; its turn is not looked at where the grip leaves it free
   MechanismGrip grip;
-  std::span<const PressedBody* const> soft; ///< newest of each, in the plan's order; null: not there, its laws rest
+  std::span<const PressedBody* const>
+    soft; ///< newest of each, in the plan's order; null: not there, without constraints
 };
 
 struct MechanismEvent
@@ -30,7 +31,7 @@ struct MechanismEvent
   double force_N = 0.0;  ///< that did it
 };
 
-/// What a law does in a tick.
+/// State of a constraint in a tick.
 struct ConstraintNow
 {
   ConstraintPhase phase = ConstraintPhase::Open;
@@ -47,16 +48,16 @@ struct MechanismPress
   Vec3 force_N = Vec3::Zero(); ///< on the body
 };
 
-/// What one tick did.
+/// Result of one tick.
 struct MechanismResult
 {
-  Wrench wrench_W;        ///< on the hand, about the held body's origin: N, N u; a law's change is spread over 30 ms
-  Wrench exact_W;         ///< the same as the laws have it now
-  double stored_Nu = 0.0; ///< elastic energy of grip, laws and soft bodies under these forces
+  Wrench wrench_W;        ///< on the hand, about the held body's origin: N, N u; changes are spread over 30 ms
+  Wrench exact_W;         ///< the same as the constraints have it now
+  double stored_Nu = 0.0; ///< elastic energy of grip, constraints and soft bodies under these forces
   int rows = 0;
   std::uint32_t work = 0;  ///< of the solver in all solves of the tick, in the unit of ContactPlan::workBudget
-  bool capped = false;     ///< the laws are not met, by lawWorkBudget or by any place: the next tick goes on
-  double residual_u = 0.0; ///< largest of the laws'
+  bool capped = false;     ///< the constraints are not met, by lawWorkBudget or by any place: the next tick goes on
+  double residual_u = 0.0; ///< largest of the constraints'
   std::array<Pose, Mechanism::mostBodies> pose_W{}; ///< of held and rigid bodies
   std::array<ConstraintNow, Mechanism::mostConstraints> laws{};
   int eventCount = 0;
@@ -65,14 +66,15 @@ struct MechanismResult
   std::array<MechanismPress, 2 * Mechanism::mostConstraints> presses{};
 };
 
-/// A mechanism as no tick has moved it yet, by another plan: each law open, each place where its law is joined.
+/// A mechanism as no tick has moved it yet, by another plan: each constraint open, each place where its constraint is
+/// joined.
 void beginAnew(const MechanismPlan& plan, MechanismState& state) noexcept;
 
 struct MechanismScratch;
 
-/// Moves a mechanism and solves its laws: one problem in the space of their rows, in which the compliances of grip,
-/// soft bodies and springs add up (W = sum J C J^T), each law exact. Deterministic, bounded, real-time safe but for
-/// making and ending it.
+/// Moves a mechanism and solves its constraints: one problem in the space of their rows, in which the compliances of
+/// grip, soft bodies and springs add up (W = sum J C J^T), each constraint exact. Deterministic, bounded, real-time
+/// safe but for making and ending it.
 class MechanismTick
 {
 public:
@@ -81,9 +83,9 @@ public:
   MechanismTick(MechanismTick&&) noexcept;
   MechanismTick& operator=(MechanismTick&&) noexcept;
 
-  /// Once a tick. Another plan, by its revision, begins anew. What is not finite in the hand's pose gives no force.
+  /// Once a tick. Another plan, by its revision, begins anew. A hand's pose that is not finite gives no force.
   [[nodiscard]] const MechanismResult& step(const MechanismInput& input) noexcept;
-  /// A person breaks a law: from the next step on it is gone.
+  /// A person breaks a constraint: from the next step on it is gone.
   void breakConstraint(std::uint32_t law) noexcept;
 
   [[nodiscard]] const MechanismState& state() const noexcept { return this->state_; }

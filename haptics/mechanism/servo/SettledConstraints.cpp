@@ -10,10 +10,11 @@ namespace palpate
 namespace
 {
 
-/// Of a turn that laws make in one piece: beyond it their rows would mean little [rad].
+/// Of a turn that constraints make in one piece: beyond it their rows would mean little [rad].
 constexpr double mostTurn_rad = 0.5;
-constexpr int mostParts = 24; ///< in which a tick goes a longer turn, and follows a bent way
-/// Of the lever: what turns leave between rows and bodies is gone after from there on, and said to be too much.
+constexpr int mostParts = 24; ///< in which a tick goes a longer turn, and follows a bent path
+/// Of the lever: a mismatch that turns leave between rows and bodies is reduced from there on, and reported as too
+/// large.
 constexpr double bentFrom = 5e-15, bentMost = 1e-12;
 /// A step that is not Newton's leaves a share of itself.
 constexpr double turnedFrom_rad = 1e-11;
@@ -60,7 +61,7 @@ void SettledConstraints::settle() noexcept
   }
 }
 
-/// What is free goes a part of a turn that is too long for one tick, and else waits for the next.
+/// Free bodies go a part of a turn that is too long for one tick, and else wait for the next.
 void SettledConstraints::goOn() noexcept
 {
   for (int b = 0; b < this->plan_.bodyCount; ++b)
@@ -72,7 +73,7 @@ void SettledConstraints::goOn() noexcept
   }
 }
 
-/// Turned by the hand's spring: no way of its own is left.
+/// Turned by the hand's spring: no degree of freedom of its own is left.
 bool SettledConstraints::isSprung(int body) const noexcept
 {
   return body == this->plan_.held && this->input_.grip.turning_Nu_per_rad > 0.0;
@@ -125,7 +126,7 @@ void SettledConstraints::solve(ConstraintStart start) noexcept
   this->takeMotions();
 }
 
-/// A law that has no rows any more, broken or open, turns nothing on.
+/// A constraint that has no rows any more, broken or open, turns nothing on.
 void SettledConstraints::forgetForces() noexcept
 {
   for (int l = 0; l < this->plan_.lawCount; ++l)
@@ -135,7 +136,7 @@ void SettledConstraints::forgetForces() noexcept
   }
 }
 
-/// The next rows, and what forces do to turns, begin at these.
+/// The next rows, and the effect of forces on turns, begin at these.
 void SettledConstraints::takeForces() noexcept
 {
   for (int l = 0; l < this->plan_.lawCount; ++l)
@@ -185,7 +186,7 @@ Vec6 SettledConstraints::pressOnHeld() const noexcept
   return held ? pressOn(this->scene_, this->room_.rows, this->room_.forces, this->plan_.held) : Vec6(Vec6::Zero());
 }
 
-/// As the forces and their arms are in the end, where what is held has gone and turned from where the rows are.
+/// With the forces and their arms at the end, where the held body has moved and turned from the pose of the rows.
 Vec6 SettledConstraints::onHand() const noexcept
 {
   const int held = this->plan_.held;
@@ -201,7 +202,7 @@ Vec6 SettledConstraints::onHand() const noexcept
   return press_N;
 }
 
-/// A hand's spring is as long as its force says; what is free goes no further than it turns.
+/// A hand's spring is as long as its force says; free bodies go no further than they turn.
 Vec3 SettledConstraints::movedPlace_W(int body) const noexcept
 {
   if (body == this->plan_.held)
@@ -229,7 +230,7 @@ double SettledConstraints::residual_u() const noexcept
   return std::max(this->room_.forces.residual_u, this->left_u()) + this->bent_u();
 }
 
-/// By how much rows are not met yet, as bodies have gone a part of their way only.
+/// By how much rows are not met yet, as bodies have gone a part of their displacement only.
 double SettledConstraints::left_u() const noexcept
 {
   double most_u = 0.0;
@@ -248,7 +249,8 @@ double SettledConstraints::left_u() const noexcept
   return most_u;
 }
 
-/// The most by which a law's points on what the hand's spring turns are not where its rows have them.
+/// The largest distance between a constraint's points on the body that the hand's spring turns and their places in the
+/// rows.
 double SettledConstraints::bent_u() const noexcept
 {
   double most_u = 0.0;
@@ -265,8 +267,8 @@ double SettledConstraints::bent_u() const noexcept
   return most_u;
 }
 
-/// The remainders of the second order of exp(turn) arm and of a direction that turns while its body goes, and what the
-/// hand's spring and its own second order are apart.
+/// The remainders of the second order of exp(turn) arm and of a direction that turns while its body goes, and the
+/// distance between the hand's spring and its second-order model.
 double SettledConstraints::bentAt_u(double arm_u) const noexcept
 {
   const int held = this->plan_.held;
@@ -282,7 +284,7 @@ double SettledConstraints::stored_Nu() const noexcept
   double stored = 0.5 * f.dot(this->room_.problem.compliance.lazyProduct(f));
   if (this->plan_.held >= 0)
   {
-    // The hand's springs as they are long and turned, in place of what the rows' compliance has of them.
+    // The hand's springs with their final length and turn, in place of their part of the rows' compliance.
     const Pose held = this->movedPose(this->plan_.held);
     const Vec6 press_N = this->pressOnHeld();
     const MechanismGrip& grip = this->input_.grip;

@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// What laws are solved in: kept by who solves them. Some 70 kB.
+/// Workspace of the constraint solution, kept by the caller. Some 70 kB.
 struct SettledScratch
 {
   ConstraintRows rows;
@@ -20,10 +20,10 @@ struct SettledScratch
   ConstraintForces forces;
 };
 
-/// The laws of one tick. Rows are those of small turns; where a hand's spring turns a body, they are made anew where
-/// each solve leaves it, with the second derivatives of springs and laws, until what is left is of the second order in
-/// a turn that is next to nothing: Newton's method on the laws of finite turns. What only balance holds goes on from
-/// there in the next tick. Bounded in turns and work. Real-time safe.
+/// The constraints of one tick. Rows are those of small turns; where a hand's spring turns a body, they are made anew
+/// at the pose after each solve, with the second derivatives of springs and constraints, until the remainder is of the
+/// second order in a negligible turn: Newton's method on the constraints of finite turns. Bodies that only balance
+/// holds go on from there in the next tick. Bounded in turns and work. Real-time safe.
 class SettledConstraints
 {
 public:
@@ -40,19 +40,19 @@ public:
   void makeRowsFirst() noexcept;
   [[nodiscard]] int rowsOf(int law) const noexcept;
   [[nodiscard]] ConstraintOutcome outcome(int law) const noexcept;
-  /// What is held presses the hand so, about its origin, whitened.
+  /// Force of the held body on the hand, about its origin, whitened.
   [[nodiscard]] Vec6 onHand() const noexcept;
-  /// Where the hand would have what it holds. A device that leaves the turn free leaves it as it was.
+  /// The hand's target pose for the held body. A device that leaves the turn free leaves the turn as it was.
   [[nodiscard]] const Pose& lead_W() const noexcept { return this->lead_W_; }
-  /// Where the laws were solved last, and where that brings a body.
+  /// Where the constraints were solved last, and where that brings a body.
   [[nodiscard]] const Pose& reference_W(int body) const noexcept { return this->reference_[body]; }
   [[nodiscard]] Pose movedPose(int body) const noexcept;
 
   [[nodiscard]] std::uint32_t work() const noexcept { return this->work_; }
   [[nodiscard]] bool capped() const noexcept;
-  /// No law is missed by more, on the bodies as they are turned.
+  /// No constraint is missed by more, on the bodies as they are turned.
   [[nodiscard]] double residual_u() const noexcept;
-  /// Elastic energy of the hand's springs and the laws, and what soft bodies have of it under these forces.
+  /// Elastic energy of the hand's springs and the constraints, with that of the soft bodies under these forces.
   [[nodiscard]] double stored_Nu() const noexcept;
 
 private:
@@ -81,7 +81,7 @@ private:
   std::array<Pose, Mechanism::mostBodies> reference_{};
   std::array<Vec6, Mechanism::mostBodies> motion_{}; ///< of each body from there, whitened
   double share_ = 1.0;                               ///< of the turns that free bodies can go in one piece
-  double heldShare_ = 1.0;                           ///< likewise of what the hand's spring turns
+  double heldShare_ = 1.0;                           ///< likewise of the body that the hand's spring turns
   std::uint32_t work_ = 0;
   ConstraintScene scene_;
 };

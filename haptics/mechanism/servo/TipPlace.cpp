@@ -12,7 +12,7 @@ namespace palpate
 namespace
 {
 
-/// Of a body's size: what rounding leaves of a place.
+/// Rounding of a place, as a share of a body's size.
 constexpr double ofBody = 1e-6;
 
 const SurfaceTree& treeOf(const PressedBody& body) noexcept
@@ -26,8 +26,8 @@ double sizeOf(const PressedBody& body) noexcept
   return (data.high_W - data.low_W).norm();
 }
 
-/// The first of the body's surface on a straight way, its normal against the way: triangles have no outer side of
-/// their own.
+/// The first of the body's surface on a displacement, its normal against the displacement: triangles have no outer side
+/// of their own.
 bool place(const PressedBody& body, const Vec3& from_W, const Vec3& way_W, ConstraintState& state) noexcept
 {
   const double length_u = way_W.norm();
@@ -49,7 +49,7 @@ bool place(const PressedBody& body, const Vec3& from_W, const Vec3& way_W, Const
   return true;
 }
 
-/// Whether a place that is come from lies in the body: by what lies behind it, so that a wall of no thickness is met
+/// Whether the end of a displacement lies in the body: by the side behind it, so that a wall of no thickness is met
 /// from either side.
 bool isInside(const PressedBody& body, const Vec3& p_W, const Vec3& way_W) noexcept
 {
@@ -61,7 +61,8 @@ bool isInside(const PressedBody& body, const Vec3& p_W, const Vec3& way_W) noexc
 
 bool meetSurface(const PressedBody& body, const Vec3& from_W, const Vec3& to_W, ConstraintState& state) noexcept
 {
-  // A tip may have come to rest on the surface itself, but for rounding: the end of the way before is looked at again.
+  // A tip may have come to rest on the surface itself, but for rounding: the end of the last displacement is looked at
+  // again.
   constexpr double most = 0.1;
   const Vec3 way_W = to_W - from_W;
   const double again = std::min(most, ofBody * sizeOf(body) / std::max(way_W.norm(), 1e-300));
@@ -74,7 +75,7 @@ bool meetSurface(const PressedBody& body, const Vec3& from_W, const Vec3& to_W, 
 
 bool slideOnSurface(const PressedBody& body, const Vec3& aside_W, ConstraintState& state) noexcept
 {
-  // As far up as aside: a surface that bends by less than 45 degrees on the way is found.
+  // As far up as aside: a surface that bends by less than 45 degrees meanwhile is found.
   const double up_u = std::max(aside_W.norm(), ofBody * sizeOf(body));
   return place(body, state.place_B.x_W + aside_W + up_u * state.normal_W, -2.0 * up_u * state.normal_W, state);
 }

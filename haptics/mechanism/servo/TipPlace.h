@@ -6,8 +6,8 @@
 namespace palpate
 {
 
-/// Where a tip that goes from one place to another comes into a soft body from outside, into the law's state. The
-/// body's vertices are taken where they are without forces. Real-time safe.
+/// Where a tip that goes from one place to another comes into a soft body from outside, into the constraint's state.
+/// The body's vertices are taken where they are without forces. Real-time safe.
 [[nodiscard]] bool meetSurface(
   const PressedBody& body, const Vec3& from_W, const Vec3& to_W, ConstraintState& state) noexcept;
 

@@ -7,7 +7,7 @@
 namespace palpate
 {
 
-/// All rows that have bounds; what cones and free ways add to their gaps is known.
+/// All rows that have bounds; the share of cones and degrees of freedom in their gaps is known.
 struct BoundedConstraints
 {
   static constexpr int most = ConstraintProblem::most;

@@ -14,11 +14,11 @@ constexpr double strongest = 1e5;
 /// By so much of it a contact is opened more than its friction asks, so that the search ends.
 constexpr double beyond = 1e-3;
 constexpr int mostSweeps = 40;
-/// Of the guess: a way that is led to less of it ends at none, or is far from the guess.
+/// Of the guess: a displacement that is projected to less of it ends at none, or is far from the guess.
 constexpr double leastLeft = 1e-2;
 constexpr int perWork = 27; ///< multiply-adds to the unit of ContactPlan::workBudget
 
-/// A way of the free bodies, led to where no law without bounds resists it.
+/// A displacement of the free bodies, projected until no constraint without bounds resists it.
 class WaySearch
 {
 public:
@@ -53,8 +53,9 @@ private:
 
   [[nodiscard]] double frictionOf(int cone) const noexcept { return this->p_.friction[static_cast<std::size_t>(cone)]; }
 
-  /// Each resisted row in turn: what it led the way aside by is taken back, then the nearest way that it does not
-  /// resist (Dykstra's projections, which end at the one that is nearest to the first).
+  /// Each resisted row in turn: its last correction of the displacement is taken back, then comes the nearest
+  /// displacement that the row does not resist (Dykstra's projections, which end at the one that is nearest to the
+  /// first).
   void sweep() noexcept
   {
     for (int i = 0; i < this->p_.bounded(); ++i)
@@ -127,7 +128,7 @@ private:
 
 bool isEndless(const ConstraintProblem& problem, const ConstraintProblem::Way& guess, std::uint32_t& work) noexcept
 {
-  if (problem.load.isZero(0.0)) // what drives nothing rests where it is
+  if (problem.load.isZero(0.0)) // without a load the bodies rest where they are
   {
     return false;
   }

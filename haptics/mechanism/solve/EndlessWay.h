@@ -6,12 +6,12 @@
 namespace palpate
 {
 
-/// Whether the free bodies find no rest: a way is a certificate of that, along which the loads do more work than all
-/// forces together that the laws allow can take up (Farkas' lemma; of Coulomb's laws the kinematic theorem of limit
-/// analysis, which needs a way that opens each contact by its friction). It is looked for near `guess`, along
-/// which the body slips, say: as its projection on all ways that nothing resists without bounds (Boyle & Dykstra 1986).
-/// True is a proof that no forces below 1e5 times the load balance it; false says nothing. `work` is added to, in the
-/// unit of ContactPlan::workBudget. Real-time safe.
+/// Whether the free bodies find no rest: a displacement is a certificate of that, along which the loads do more work
+/// than all forces together that the constraints allow can take up (Farkas' lemma; of Coulomb's friction the kinematic
+/// theorem of limit analysis, which needs a displacement that opens each contact by its friction). The displacement is
+/// looked for near `guess`, along which the body slips, say: as its projection on all displacements that nothing
+/// resists without bounds (Boyle & Dykstra 1986). True is a proof that no forces below 1e5 times the load balance it;
+/// false says nothing. `work` is added to, in the unit of ContactPlan::workBudget. Real-time safe.
 [[nodiscard]] bool isEndless(
   const ConstraintProblem& problem, const ConstraintProblem::Way& guess, std::uint32_t& work) noexcept;
 

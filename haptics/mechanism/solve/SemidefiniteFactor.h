@@ -50,7 +50,7 @@ public:
   /// Which rows were taken, in that order: the first rank() are independent.
   [[nodiscard]] int row(int place) const noexcept { return this->order_[place]; }
 
-  /// x with matrix x = b for b in the range; what has no pivot stays 0.
+  /// x with matrix x = b for b in the range; components without a pivot stay 0.
   [[nodiscard]] Numbers solve(const Numbers& b) const noexcept
   {
     std::array<double, Most> y{};

@@ -16,17 +16,18 @@ namespace
 
 /// Share of a row's own size, of a force and of a balance, that is rounding.
 constexpr double rounding = 1e-13;
-/// What the friction solver leaves open beyond this many times its rounding is not met.
+/// A residual of the friction solver beyond this many times its rounding is not met.
 constexpr double metWithin = 1e4;
 
-/// Damping of the steps towards balance, as a share of what would resist a body of the compliance to compare with.
+/// Damping of the steps towards balance, as a share of the stiffness of a body with the scale of the compliances.
 constexpr double dampedFirst = 1e-2;
 constexpr double dampedLess = 0.3;  ///< by every step at least, so that nothing is crept towards
 constexpr double dampedMore = 10.0; ///< where a step has led further away
 constexpr double dampedMost = 0.1;  ///< then it is gone on from all the same
 constexpr double turnedMost = 0.5;  ///< share of the balance that a step follows by which it may turn round
 constexpr double dampedLeast = 1e-12;
-/// From where the problem before ended it is one step or two to balance: with more, what rubs has changed.
+/// From the end of the problem before it is one step or two to balance: with more, the frictional contacts have
+/// changed.
 constexpr int mostStepsOn = 4;
 constexpr int mostSteps = 1 << 20; ///< the budget ends it before
 /// From that step on it is asked whether there is a place of rest, ever more seldom.
@@ -40,7 +41,7 @@ std::uint32_t workOf(int multiplyAdds) noexcept
   return 1 + static_cast<std::uint32_t>(multiplyAdds / multiplyAddsPerWork);
 }
 
-/// The turns between rows, cones and free ways.
+/// The iteration between rows, cones and degrees of freedom.
 class ConstraintSolve
 {
 public:
@@ -116,7 +117,7 @@ private:
       {
         return false;
       }
-      // What is held as before answers the cones as these have reckoned with.
+      // With the same active set as before the cones get the response that they were solved with.
       met = (held->isHeldAs(before) && this->conesAreMet()) || this->solveCones(*held);
     }
     return true;
@@ -124,7 +125,7 @@ private:
 
   void prepare() noexcept
   {
-    // On the balance this adds nothing: it only keeps what resists no way from being without end.
+    // In balance this adds nothing: the term only keeps displacements that no row resists finite.
     this->room_.stiffened = this->p_.compliance;
     if (this->p_.ways > 0)
     {
@@ -137,7 +138,7 @@ private:
 
   void spend(int multiplyAdds) noexcept { this->f_.work += workOf(multiplyAdds); }
 
-  /// Bounded rows under the present cones and ways; false if they could not be ended.
+  /// Bounded rows under the present cones and displacements; false if they could not be ended.
   [[nodiscard]] bool solveRows(ActiveConstraints& held) noexcept
   {
     const int n = this->p_.count;
@@ -224,7 +225,7 @@ private:
     return isEndless(this->p_, this->step_u_, this->f_.work);
   }
 
-  /// Past a place of rest, where what slips slips the other way, balance may be as far off as before.
+  /// Past a place of rest, where slip is reversed, balance may be as far off as before.
   [[nodiscard]] bool wasTooFar(const ConstraintProblem::Way& open) const noexcept
   {
     const bool turnedRound = open.dot(this->step_u_) < -turnedMost * this->open_N_.dot(this->step_u_);
@@ -245,7 +246,8 @@ private:
     ++this->steps_;
   }
 
-  /// How the laws resist each free way: the held rows, then the cones in what these leave them.
+  /// Resistance of the constraints in each degree of freedom: the active rows, then the cones with the compliance that
+  /// these leave.
   void resistWays(const ActiveConstraints& held) noexcept
   {
     const auto rows = held.held();
@@ -269,7 +271,7 @@ private:
     {
       this->resistByCones();
     }
-    // What turns do to forces goes through the yield as every other force does.
+    // The effect of turns on forces goes through the yield as every other force does.
     this->room_.held = this->p_.turns;
     this->room_.held -= this->p_.yield_u_per_N * this->room_.resists.lazyProduct(this->p_.turns);
     this->room_.resists += this->room_.held;
@@ -299,7 +301,8 @@ private:
     this->spend(cones * cones * (cones / 3 + 2) + 2 * cones * this->p_.ways * (cones + this->p_.ways));
   }
 
-  /// How the cones' rows move under forces on themselves and with the ways, all other laws held as they are.
+  /// How the cones' rows move under forces on themselves and with the degrees of freedom, all other constraints held as
+  /// they are.
   void reduceToCones(const ActiveConstraints& held) noexcept
   {
     const auto rows = held.held();
@@ -325,7 +328,7 @@ private:
     this->spend(cones * n * (n + cones + this->p_.ways));
   }
 
-  /// Coulomb's laws in what the others leave them; true if they are met already.
+  /// Coulomb's constraints with the compliance that the other rows leave; true if they are met already.
   [[nodiscard]] bool solveCones(const ActiveConstraints& held) noexcept
   {
     this->reduceToCones(held);
@@ -342,7 +345,7 @@ private:
     return change <= rounding * before.lpNorm<Eigen::Infinity>();
   }
 
-  /// With ways across counted in units of each friction, all cones are one.
+  /// With displacements across counted in units of each friction, all cones are one.
   [[nodiscard]] double unit(int i) const noexcept
   {
     return i % 3 == 0 ? 1.0 : this->p_.friction[static_cast<std::size_t>(i / 3)];
@@ -383,8 +386,8 @@ private:
     return moved;
   }
 
-  /// Where no balance was found bodies go as through what drags at them: a first step, from which the next tick goes
-  /// on. So one that nothing stops slides, and no further in a tick than its load makes it.
+  /// Where no balance was found bodies go against a drag: a first step, from which the next tick goes on. So a body
+  /// that nothing stops slides, and no further in a tick than its load makes it.
   void yield() noexcept
   {
     if (this->steps_ > 0)

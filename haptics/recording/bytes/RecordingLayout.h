@@ -12,7 +12,7 @@
 namespace palpate
 {
 
-/// What a recording begins with, before the number of its format.
+/// The first bytes of a recording, before the number of its format.
 inline constexpr std::string_view recordingMagic = "PALPATE-RECORDING ";
 
 /// The last lines of its header: "check: crc32c " and, in eight digits 0 to f, the checksum of all before those digits.
@@ -30,11 +30,11 @@ inline constexpr std::size_t headerCheckDigits = 8;
   return digits;
 }
 
-/// What a chunk of a recording holds, by its name in the file, and the version of it that this program writes and
-/// reads. In the file a chunk is its head (name, version u32, size of the payload u64, number of the chunk from 1 on
-/// u64, CRC-32C of the payload u32, CRC-32C of the head's bytes so far u32), then its payload. The head has a checksum
-/// of its own: a size must be believed before the payload can be found. The number shows a chunk that is missing, that
-/// is there twice or that stands elsewhere: each of these has right checksums.
+/// The kind of a chunk of a recording, by its name in the file, and the version that this program writes and reads. In
+/// the file a chunk is its head (name, version u32, size of the payload u64, number of the chunk from 1 on u64, CRC-32C
+/// of the payload u32, CRC-32C of the head's bytes so far u32), then its payload. The head has a checksum of its own: a
+/// size must be believed before the payload can be found. The number shows a chunk that is missing, that is there twice
+/// or that stands elsewhere: each of these has right checksums.
 struct ChunkKind
 {
   static constexpr std::size_t nameSize = 8; ///< in the file, filled up with zeros

@@ -89,7 +89,7 @@ struct Bodies
   };
   static void read(ByteReader& payload, Recorded& recorded);
 
-  /// Packets lie before what takes them, but for those that were made before the recording began.
+  /// Snapshots lie before the ticks that take them, but for those that were made before the recording began.
   class Replay
   {
   public:

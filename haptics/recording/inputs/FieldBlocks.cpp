@@ -81,7 +81,7 @@ void putCells(ByteWriter& payload, const CellParts& parts)
   payload.put(parts.reach_u);
 }
 
-/// The data's own cells; null where what was recorded ends before them.
+/// The data's own cells; null where the record ends before them.
 std::shared_ptr<const FieldCells> readCells(ByteReader& in)
 {
   if (in.left() == 0)
@@ -109,7 +109,7 @@ std::shared_ptr<const FieldCells> readCells(ByteReader& in)
   return in.ok() ? std::make_shared<const FieldCells>(std::move(parts)) : nullptr;
 }
 
-/// A brick as its parts, before it is known whether they are one.
+/// A block as its parts, before it is known whether they are one.
 struct FieldBlockParts
 {
   std::uint64_t contentHash = 0;

@@ -11,12 +11,12 @@
 namespace palpate
 {
 
-/// The payload of a brick's chunk.
+/// The payload of a block's chunk.
 void putFieldBlock(ByteWriter& payload, const FieldBlock& brick);
-/// Null, with in.ok() false, where the bytes are no brick.
+/// Null, with in.ok() false, where the bytes are no block.
 [[nodiscard]] std::shared_ptr<const FieldBlock> readFieldBlock(ByteReader& in);
 
-/// The cells of a field's state are indices, and those of a file are not trusted: they are kept where the brick that
+/// The cells of a field's state are indices, and those of a file are not trusted: they are kept where the block that
 /// they are of is among these and has them. Else the state is forgotten, and the hand meets the field anew.
 void keepCellsWithin(const std::vector<std::shared_ptr<const FieldBlock>>& bricks, FieldState& state);
 

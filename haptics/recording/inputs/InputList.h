@@ -242,7 +242,7 @@ template<class K>
   }
 }
 
-/// Memory that a tick computes with, where that is more than a stack has room for.
+/// Workspace of a tick, where that is more than fits on a stack.
 template<class K>
 struct WorkspaceOf
 {

@@ -135,7 +135,7 @@ bool hasVertices(const SurfacePoint& at, int body, const RecordedMechanism& mech
   return soft < 0 || std::ranges::all_of(at.vertices, [vertices](std::uint32_t v) { return v < vertices; });
 }
 
-/// What the tick has room for, and indices that it follows.
+/// Whether the plan fits into the tick's fixed memory and its indices exist.
 bool isUsable(const RecordedMechanism& mechanism)
 {
   const MechanismPlan& plan = mechanism.plan;

@@ -49,7 +49,7 @@ struct Scenes
     SnapshotMailbox<Scene> scenes; ///< owner -> servo
   };
   [[nodiscard]] static auto& buffer(Links& links) noexcept { return links.scenes; }
-  /// The scene before stays alive for this tick: each mailbox keeps what it replaces.
+  /// The scene before stays alive for this tick: each mailbox keeps the snapshot that it replaces.
   template<class Arrivals>
   static void put(Arrivals& arrivals, TickInput& tick) noexcept
   {

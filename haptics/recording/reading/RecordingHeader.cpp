@@ -22,7 +22,7 @@ std::string deviceIn(const std::string& text)
   return at == std::string::npos ? "" : text.substr(at + field.size(), text.find('\n', at + 1) - at - field.size());
 }
 
-/// Whether its last line is the checksum of what stands before; none: it has no such line.
+/// Whether its last line is the checksum of the lines before; none: there is no such line.
 std::optional<bool> checkOf(std::string_view header)
 {
   const std::size_t last = headerCheckDigits + headerEnd.size();

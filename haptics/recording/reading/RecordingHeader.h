@@ -16,7 +16,7 @@ struct RecordingHeader
   std::size_t size = 0; ///< bytes
 };
 
-/// What a person can do about a recording whose bytes are not those that were written.
+/// The remedy for a recording whose bytes are damaged.
 inline constexpr const char* otherCopy = ": take another copy of it, or record it again";
 
 /// Of bytes that are not trusted.

@@ -28,7 +28,7 @@ bool isPossible(const Recording& recording)
 }
 
 /// Says which chunk is damaged, by its number from 1 on, and where it lies, by its first byte and the first after it.
-/// The name in a head that is damaged is said only if it is one, for it may be what is damaged.
+/// The name in a head that is damaged is said only if a kind has that name, for the name itself may be damaged.
 std::string damageOf(const RecordedChunk& chunk, std::uint64_t number, std::size_t begin, std::size_t end)
 {
   const std::string kind = !chunk.headDamaged || readerOf(chunk.name) ? " (" + chunk.name + ")" : "";
@@ -51,7 +51,7 @@ class ChunkParser
 public:
   ChunkParser(Recording& recording, std::size_t fileSize) : recording_(recording), fileSize_(fileSize) {}
 
-  /// Empty, or what is wrong.
+  /// Empty, or the fault.
   std::string parse(ByteReader& in)
   {
     bool first = true;

@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// Where the hand and its proxy were in one tick, and what was felt.
+/// Hand, proxy and forces of one tick.
 struct TrajectoryPoint
 {
   std::uint64_t tick = 0;
@@ -26,8 +26,8 @@ struct TrajectoryPoint
   [[nodiscard]] double depth_u() const noexcept { return (this->proxy_W - this->hand_W).norm(); }
 };
 
-/// The way of the hand through a recording, in the order of its ticks; what it touched need not be there. A tick whose
-/// sample could not be used has no point, but its period counts.
+/// The path of the hand through a recording, in the order of its ticks; the touched surfaces need not be there. A tick
+/// whose sample could not be used has no point, but its period counts.
 [[nodiscard]] std::vector<TrajectoryPoint> trajectoryOf(const Recording& recording);
 
 } // namespace palpate

@@ -49,18 +49,18 @@ public:
 
   /// Opens the file. Returns empty, or one sentence. `background`: write from a thread; else pump() writes.
   [[nodiscard]] std::string open(const std::string& path, const std::string& device, bool background);
-  /// Writes the rest and the closing chunk, once the servo pushes no more. Returns empty, or what went wrong.
+  /// Writes the rest and the closing chunk, once the servo pushes no more. Returns empty, or the fault.
   std::string close();
   [[nodiscard]] bool isOpen() const noexcept { return this->file_.isOpen(); }
   /// The servo has said that this was all, and it is written: close() need not wait.
   [[nodiscard]] bool hasEnded() const noexcept { return this->ended_.load(std::memory_order_acquire); }
-  /// What comes now is not written any more.
+  /// Entries from now on are not written any more.
   [[nodiscard]] bool isFull() const noexcept { return this->file_.isFull(); }
 
   /// Closed, and there is a file.
   [[nodiscard]] bool isKept() const noexcept { return this->file_.isKept(); }
 
-  /// Servo thread; wait-free. The first and the last push; false: there was no room, to be tried again.
+  /// Servo thread; wait-free. The first and the last push; false: the ring was full, to be tried again.
   [[nodiscard]] bool pushStart(const HapticParameters& parameters, const RendererState& state) noexcept;
   [[nodiscard]] bool pushEnd() noexcept;
   /// Servo thread; wait-free. A full ring is counted and makes the recording one that cannot be recomputed.
@@ -99,7 +99,7 @@ public:
     const std::lock_guard lock(this->storedMutex_);
     std::get<input::Stored<K>>(this->stored_).waiting.push_back(value);
   }
-  /// Writes what has come in. The thread that calls close().
+  /// Writes the entries that have arrived. The thread that calls close().
   void pump();
 
 private:

@@ -13,7 +13,7 @@ namespace palpate
 namespace
 {
 
-/// More than a closing chunk takes: what is cut off a full disk's file to have room for it.
+/// More than a closing chunk takes: the end of a full disk's file is cut off by so much for that chunk.
 constexpr std::uint64_t roomForEnd = 256;
 
 } // namespace
@@ -45,7 +45,7 @@ void RecordingFile::put(const char* bytes, std::size_t size)
   }
 }
 
-/// The size is asked for before the stream is closed, which would try to write what it could not once more.
+/// The size is asked for before the stream is closed, which would try to write the failed bytes once more.
 void RecordingFile::checkDisk()
 {
   if (!this->file_.good())
@@ -78,7 +78,7 @@ void RecordingFile::flush()
   }
 }
 
-/// To the end of a chunk after which there is room on a disk that has none left. False if there is no such chunk.
+/// To the end of a chunk after which a full disk has space. False if there is no such chunk.
 bool RecordingFile::cutBack(std::size_t room)
 {
   while (!this->ends_.empty() && this->ends_.back() + room > this->there_)

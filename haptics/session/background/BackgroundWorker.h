@@ -23,7 +23,7 @@ namespace palpate
 
 /// A thread beside the servo that computes one kind of input of the tick. Its owner never waits for it, but for its
 /// end, and then no longer than an iteration takes. A session that never orders anything has no thread for it. A Task
-/// is what the thread alone uses:
+/// is used by the thread alone:
 ///   Order, Status                see WorkerChannel; two orders compare equal where the work is the same
 ///   Task(channel, links)
 ///   apply(order, stop, again)    a newer order, `again` if the one before was interrupted; true: this one was, too
@@ -116,7 +116,7 @@ private:
   WorkerChannel<Order, Status> channel_;
   bool interrupted_ = false; ///< of the thread alone, like the task
   Task task_;
-  std::jthread thread_; ///< last: it ends before what it uses
+  std::jthread thread_; ///< last: the thread ends before the members that it uses
 };
 
 } // namespace palpate

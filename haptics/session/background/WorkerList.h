@@ -12,7 +12,7 @@
 namespace palpate
 {
 
-/// What workers know of a session beside the choices of a person.
+/// The session as workers see it, beside the choices of a person.
 struct WorkSurroundings
 {
   std::shared_ptr<const Scene> scene; ///< that is touched
@@ -22,10 +22,10 @@ struct WorkSurroundings
 };
 
 /// The workers of a session, one a task (BackgroundWorker.h). Beside that a task has
-///   Choice                       what a person chooses that is to be felt
+///   Choice                       the object that a person chooses to feel
 ///   isHeld                       whether the choice is in the hand: how stiff the hand can be depends on it
 ///   Order::of(choice, around)    the order for a choice
-///   linksOf(Links&)              its part of what the servo shares with others
+///   linksOf(Links&)              its part of the servo's links
 template<class... Task>
 class WorkerList : BackgroundWorker<Task>...
 {

@@ -70,7 +70,7 @@ void MechanismBodies::tell(const MechanismHand& told)
         hand.force_N[hand.count++] = press.force_N;
       }
     }
-    // What no law presses on now is to be answered all the same: a law may in the next tick.
+    // Points without a force now are answered as well: a constraint may press there in the next tick.
     for (std::size_t i = 0; i < this->places_[b].size() && hand.count < BodyHand::most; ++i)
     {
       hand.forceAt[hand.count] = this->places_[b][i];

@@ -17,7 +17,7 @@ struct MechanismSoftInput
 {
   std::string name;
   std::shared_ptr<const SoftBodyInput> input;
-  double tip_u = 0.0; ///< radius of what laws press it with; 0: as wide as its patches
+  double tip_u = 0.0; ///< radius of the constraints' contacts on it; 0: as wide as its patches
 
   friend bool operator==(const MechanismSoftInput&, const MechanismSoftInput&) = default;
 };
@@ -33,7 +33,7 @@ struct MechanismInputs
 /// The soft bodies of a mechanism at rest, in the order of its inputs.
 using BodiesAtRest = std::vector<std::shared_ptr<const PressedBody>>;
 
-/// The soft bodies of a mechanism and what the servo takes of each. A worker's.
+/// The soft bodies of a mechanism and their snapshots for the servo. A worker's.
 class MechanismBodies
 {
 public:
@@ -46,23 +46,23 @@ public:
   [[nodiscard]] const BodyMaker& maker(std::size_t body) const { return *this->makers_[body]; }
   /// As a check and a plan want to see them: at rest, the first time.
   [[nodiscard]] const std::vector<MechanismSoft>& atRest() const noexcept { return this->atRest_; }
-  /// The same, for who judges other laws.
+  /// The same, for who judges other constraints.
   [[nodiscard]] const BodiesAtRest& first() const noexcept { return this->first_; }
-  /// Where a plan's laws are on the bodies: snapshots are made around these places from now on.
+  /// Where a plan's constraints are on the bodies: snapshots are made around these places from now on.
   void hold(const MechanismPlan& plan);
 
-  /// What the mechanism did in a tick, and where the tip of what the hand holds is: of each body the next snapshot
+  /// The forces of the mechanism in a tick, and the place of the held body's tip: of each body the next snapshot
   /// answers there.
   void tell(const MechanismHand& hand);
-  /// Packets at that rate, each of which arrives a period after what it was made from [s].
+  /// Makes snapshots at that rate, each of which arrives a period after the forces that it was made from [s].
   void pace(double period_s);
   /// The newest of each at that time; virtual time, after pace().
   [[nodiscard]] std::span<const PressedBody* const> at(double time_s);
-  /// Each at rest under what it was told last, by so many Newton steps.
+  /// Each at rest under the forces that were told last, by so many Newton steps.
   [[nodiscard]] std::span<const PressedBody* const> rest(int newtonSteps);
 
-  /// Each once more, for what was told last and a hand that has so long until the next [s]. False if one of them cannot
-  /// be made any more: it stays as it was.
+  /// Each once more, for the forces that were told last and a hand that has so long until the next [s]. False if one of
+  /// them cannot be made any more: it stays as it was.
   [[nodiscard]] bool press(double period_s);
   /// Of each.
   [[nodiscard]] const std::vector<std::shared_ptr<const PressedBody>>& newest() const noexcept { return this->newest_; }
@@ -82,7 +82,7 @@ private:
   std::vector<std::shared_ptr<const PressedBody>> newest_;
   std::vector<MechanismSoft> atRest_;
   std::vector<std::shared_ptr<const CheckedTetras>> asMade_;
-  std::vector<std::vector<SurfacePoint>> places_; ///< of laws, of each body
+  std::vector<std::vector<SurfacePoint>> places_; ///< of constraints, of each body
   std::vector<BodyHand> hands_;
   std::vector<VirtualBody> paced_;
   std::vector<const PressedBody*> given_;

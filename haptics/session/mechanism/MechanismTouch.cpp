@@ -132,7 +132,7 @@ MechanismResult MechanismTouch::compute(MechanismInput& input)
   return this->tick_.step(input);
 }
 
-/// Bodies and laws take turns until the force stays: each turn begins where the tick before ended.
+/// Bodies and constraints take turns until the force stays: each turn begins where the tick before ended.
 MechanismResult MechanismTouch::computeAtRest(MechanismInput& input)
 {
   constexpr int mostTurns = 40;

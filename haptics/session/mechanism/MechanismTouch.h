@@ -14,9 +14,9 @@ namespace palpate
 /// How a hand holds a mechanism.
 struct MechanismHold
 {
-  double stiffness_N_per_m = 1000.0; ///< of the spring from the hand to what the hand holds, > 0
-  double turning_N_m_per_rad = 0.0;  ///< likewise of turning, >= 0; 0: what is held turns freely
-  double scale_u_per_m = 1.0;        ///< of the hand's way, > 0
+  double stiffness_N_per_m = 1000.0; ///< of the spring between hand and held body, > 0
+  double turning_N_m_per_rad = 0.0;  ///< likewise of turning, >= 0; 0: the held body turns freely
+  double scale_u_per_m = 1.0;        ///< of the hand's motion, > 0
   double lowRate_Hz = 30.0; ///< snapshots a second of soft bodies, >= 0; 0: at rest in every tick, the reference
 };
 
@@ -32,12 +32,12 @@ public:
 
   /// The hand is there at that time, which is later than the time before. Wrench on the hand: N, N m.
   [[nodiscard]] MechanismResult next(double time_s, const Pose& hand_W);
-  /// A person breaks a law.
+  /// A person breaks a constraint.
   void breakConstraint(std::uint32_t law) noexcept { this->tick_.breakConstraint(law); }
 
   [[nodiscard]] const MechanismCheck& check() const noexcept { return this->check_; }
   [[nodiscard]] const MechanismPlan& plan() const noexcept { return this->plan_; }
-  /// Which bodies shared room at the last place of the hand, though no law between them held.
+  /// Bodies that overlapped at the last place of the hand, though no constraint joined them.
   [[nodiscard]] const std::vector<BodyPair>& overlaps() const noexcept { return this->watch_.seen(); }
   [[nodiscard]] const MechanismBodies& bodies() const noexcept { return *this->bodies_; }
 
@@ -59,7 +59,7 @@ private:
   double time_s_ = 0.0;
 };
 
-/// Of a hand that turns what it holds, in life size: what a mechanism is judged by before anybody holds it.
+/// Of a hand that turns the held body, in life size: a mechanism is judged by it before anybody holds the mechanism.
 [[nodiscard]] MechanismHold usualHold(double unit_m) noexcept;
 
 /// "", or that a plan has nothing for a hand to hold.
@@ -68,7 +68,7 @@ private:
 /// The spring of a hold in units of the scene.
 [[nodiscard]] MechanismGrip gripOf(const MechanismHold& hold) noexcept;
 
-/// What became of a law.
+/// The new state of a constraint, in words.
 [[nodiscard]] const char* wordsOf(ConstraintChange change) noexcept;
 
 /// All faults of a check in one line; "": none.

@@ -63,7 +63,7 @@ bool MechanismTask::apply(Order order, const std::stop_token& stop, bool again)
   return interrupted;
 }
 
-/// What one hand can hold another cannot.
+/// A mechanism that one hand can hold may be unstable in another.
 bool MechanismTask::judgeAnew(const std::stop_token& stop)
 {
   MechanismCheck check = this->judge();
@@ -80,7 +80,7 @@ MechanismCheck MechanismTask::judge() const
   return checkMechanism(this->now_.choice.inputs->mechanism, this->bodies_->atRest(), this->now_.grip);
 }
 
-/// Factors take long: laws that are changed leave the bodies as they are, pressed or not.
+/// Factors take long: constraints that are changed leave the bodies as they are, pressed or not.
 void MechanismTask::makeBodies(std::string& refusal, const std::stop_token& stop)
 {
   const std::vector<MechanismSoftInput> soft = this->now_.soft();
@@ -148,8 +148,7 @@ std::string MechanismTask::plan()
   return {};
 }
 
-/// Presses of another plan are on places of its own; those of the bodies' own plan are what the next snapshots stand
-/// on.
+/// Forces of another plan are at places of its own; those of the bodies' own plan are the load of the next snapshots.
 void MechanismTask::readHand()
 {
   MechanismHand hand = this->links_.hand.read();

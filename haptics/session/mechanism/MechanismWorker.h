@@ -20,8 +20,8 @@ struct MechanismLinks;
 /// How a mechanism is, for a person to see.
 struct MechanismStatus : WorkStatus
 {
-  MechanismCheck check;           ///< what it becomes
-  std::vector<BodyPair> overlaps; ///< bodies that share room where they are felt, though no law between them holds
+  MechanismCheck check;           ///< plan and faults
+  std::vector<BodyPair> overlaps; ///< bodies that overlap where they are felt, though no constraint joins them
   std::uint64_t plan = 0;         ///< revision of the one that the servo is given; 0: none
   std::vector<SeenBody> soft;     ///< of that, in the order of its inputs
   BodiesAtRest atRest;            ///< likewise

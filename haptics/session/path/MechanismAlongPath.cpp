@@ -10,7 +10,7 @@ namespace palpate
 namespace
 {
 
-/// Without a stiffness of turning a lever gives one; without both what is held turns freely.
+/// Without a stiffness of turning a lever gives one; without both the held body turns freely.
 MechanismHold mechanismHoldOf(const SettingStore& settings)
 {
   const double stiffness_N_per_m = settings.number("Stiffness"), scale_u_per_m = settings.number("Scale");
@@ -20,7 +20,7 @@ MechanismHold mechanismHoldOf(const SettingStore& settings)
     scale_u_per_m, settings.number("SoftRate") };
 }
 
-/// A mechanism is felt as its laws say: what else was asked for would be lost.
+/// A mechanism is felt as its constraints say: any other input would be lost.
 std::string lostBesideMechanism(const PathInputs& inputs)
 {
   const std::string lost =

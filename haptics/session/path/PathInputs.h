@@ -28,7 +28,7 @@ struct PathSurface
   std::shared_ptr<const MaterialFields> fields = {}; ///< of its vertices, stiffness [N/m], or null
   bool curves = false;
   std::vector<std::size_t> holeEdges = {}; ///< see SurfaceInput
-  std::string materialNote = {};           ///< what the arrays gave
+  std::string materialNote = {};           ///< the arrays that are used
   std::string materialProblem = {};        ///< why an array could not be used; "": none was asked for, or all were used
 };
 
@@ -58,7 +58,7 @@ struct PathMechanism
   std::shared_ptr<const MechanismInputs> inputs;
 };
 
-/// What a hand feels along a path that is known before. A mechanism is felt alone, a tool feels surfaces alone.
+/// The input of a path that is known before. A mechanism is felt alone, a tool feels surfaces alone.
 struct PathInputs
 {
   SettingStore settings = pathSettings();

@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// What moves along a path. Nothing is given to next() twice, and finish() comes after the last sample.
+/// The object that moves along a path. Nothing is given to next() twice, and finish() comes after the last sample.
 class PathKind
 {
 public:
@@ -29,10 +29,10 @@ public:
 [[nodiscard]] std::unique_ptr<PathKind> toolAlongPath(const PathInputs& inputs, PathReport& report);
 [[nodiscard]] std::unique_ptr<PathKind> mechanismAlongPath(const PathInputs& inputs, PathReport& report);
 
-/// The surfaces and curves as one scene, with what cleaning left out in the notes; null with a refusal.
+/// The surfaces and curves as one scene, with the parts that cleaning left out in the notes; null with a refusal.
 [[nodiscard]] std::shared_ptr<const Scene> pathScene(const PathInputs& inputs, PathReport& report);
 
-/// "In N ticks WHAT", as a note, where there are any.
+/// "In N ticks ...", as a note, where there are any.
 void noteTicks(PathReport& report, int ticks, const std::string& what);
 
 } // namespace palpate

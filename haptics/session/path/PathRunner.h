@@ -17,7 +17,7 @@ struct PathTick
 {
   Pose proxy_W;             ///< of the ball, the tool's handle or the held body of a mechanism [u]
   Wrench wrench_W;          ///< on the hand [N], [N m]
-  int contacts = 0;         ///< planes, contacts or laws that push
+  int contacts = 0;         ///< planes, contacts or constraints that push
   std::vector<double> more; ///< the values of the columns that the kind adds
   double cost_us = 0.0;     ///< see TickCost
 };
@@ -26,16 +26,16 @@ struct PathTick
 struct PathColumn
 {
   std::string
-    name; ///< Turn (w x y z), Torque [N m], Angle [degrees], Residual [u], Force of, Phase of, Inside of a law
+    name; ///< Turn (w x y z), Torque [N m], Angle [degrees], Residual [u], Force of, Phase of, Inside of a constraint
   int components = 1;
 };
 
-/// What a person is to know, a sentence each, with settings by their names in braces.
+/// Messages for a person, a sentence each, with settings by their names in braces.
 struct PathReport
 {
   std::string refusal;              ///< why nothing can be touched; "": the path can be followed
   std::vector<std::string> notes;   ///< of settings and of ticks that did less, or something else, than was asked for
-  std::vector<std::string> remarks; ///< what was made of the data, and which laws of a mechanism changed when
+  std::vector<std::string> remarks; ///< how the data were read, and which constraints of a mechanism changed when
   std::string unfelt;               ///< why nothing was felt of the field; "": something was, or there is none
 };
 
@@ -44,7 +44,7 @@ struct PathReport
 [[nodiscard]] std::optional<SurfaceInput> sceneInput(
   const PathSurface& surface, const SettingStore& settings, std::string& refusal);
 
-/// What cleaning took from each surface that it took something from.
+/// The parts that cleaning removed, for each surface that lost any.
 [[nodiscard]] std::vector<std::string> cleaningNotes(const std::vector<SurfaceReport>& reports);
 
 class PathKind;

@@ -13,11 +13,11 @@ namespace palpate
 {
 
 /// Settings of a session that are felt along a path as well. In every sentence of this folder a setting stands by its
-/// name in braces, "{Radius}", for whoever tells the sentence to put what a person knows the setting by.
+/// name in braces, "{Radius}", which the caller replaces by the name in its interface.
 
 [[nodiscard]] bool isOfPath(const Setting& setting);
 
-/// The sentence with what a person knows each setting by in place of its name in braces.
+/// The sentence with the interface's name of each setting in place of its name in braces.
 [[nodiscard]] std::string withNames(std::string sentence, const std::function<std::string(std::string_view)>& known);
 
 /// Whether curves are walls in the plane z = 0.

@@ -15,25 +15,24 @@ namespace palpate
 class PathTouch
 {
 public:
-  /// `scene`: null where there is a field alone. `first_s`: how long the first tick is, of which nobody knows when the
-  /// one before was.
+  /// `scene`: null where there is a field alone. `first_s`: how long the first tick is, as there is none before.
   PathTouch(std::shared_ptr<const Scene> scene, const HapticParameters& parameters, double first_s);
 
-  /// Numbers in space are felt as well, from the next tick on. Their bricks are as large as the memory of one allows,
+  /// Numbers in space are felt as well, from the next tick on. Their blocks are as large as the memory of one allows,
   /// and are waited for: the same path gives the same forces on any machine.
   void feel(std::shared_ptr<const FieldSource> field);
 
-  /// What gives way beside the scene, from the next tick on. `rate_Hz`: of its snapshots, each of which arrives one
-  /// period after what it was made from; 0: it is at rest in every tick, which is the reference.
+  /// A soft body beside the scene, from the next tick on. `rate_Hz`: of its snapshots, each of which arrives one period
+  /// after the forces that it was made from; 0: it is at rest in every tick, which is the reference.
   void press(std::unique_ptr<BodyMaker> body, double rate_Hz);
 
   /// The hand is there at that time, which is later than the time before. Where a field alone is touched the proxy is
   /// that of the field. The contacts are those of the surfaces and those of the field.
   [[nodiscard]] HapticState next(double time_s, const Pose& hand_D);
 
-  /// The newest brick of the field, or why there is none.
+  /// The newest block of the field, or why there is none.
   [[nodiscard]] const MadeFieldBlock& madeFieldBlock() const noexcept { return this->field_.made(); }
-  /// The body that gives way; null: none.
+  /// The soft body; null: none.
   [[nodiscard]] const BodyMaker* body() const noexcept { return this->maker_.get(); }
   /// "", or that smooth levels hold with less than was asked for.
   [[nodiscard]] std::string detentText() const;

@@ -15,7 +15,7 @@ namespace
 
 constexpr double degreesPerRadian = 180.0 / std::numbers::pi;
 constexpr std::uint64_t workOfUpdate = 10'000'000; // so much that an update ends by its steps
-constexpr int mostUpdates = 50;                    // a way across a scene takes a few
+constexpr int mostUpdates = 50;                    // a path across a scene takes a few
 
 /// How a hand holds a tool.
 struct ToolHold
@@ -23,7 +23,7 @@ struct ToolHold
   double stiffness_N_per_m; ///< of the spring from the hand to where the tool can be
   double scale_u_per_m;
   std::optional<double>
-    characteristic_u; ///< what a turn by 1 rad weighs as a way; none: that of the tool about its handle
+    characteristic_u; ///< lever arm [u] of the tool's turns; none: that of the tool about its handle
   ToolCoupling coupling;
   double friction; ///< of each contact (settledTarget())
 };
@@ -42,7 +42,7 @@ ToolHold toolHoldOf(const SettingStore& settings)
     settings.number("FrictionKinetic") };
 }
 
-/// A tool feels surfaces as they are: what else was asked for would be lost.
+/// A tool feels surfaces as they are: any other input would be lost.
 std::string lostBesideTool(const PathInputs& inputs)
 {
   const std::string lost = setBeside(inputs.settings,

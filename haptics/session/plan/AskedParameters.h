@@ -12,13 +12,13 @@
 namespace palpate
 {
 
-/// What a person asked for, and what the servo is told of it: a ball no larger than the scene allows, and in a plane
-/// world the walls and the guide that the device allows. told(), otherBall() and otherPlane() say what to tell the
-/// servo now; taken() and ballTaken() say that the servo has it.
+/// A person's settings, and the parameters for the servo: a ball no larger than the scene allows, and in a plane world
+/// the walls and the guide that the device allows. told(), otherBall() and otherPlane() return the parameters to send
+/// now; taken() and ballTaken() say that the servo has them.
 class AskedParameters
 {
 public:
-  bool limitRadius = true; ///< to what finishes its work in a tick
+  bool limitRadius = true; ///< to the radius whose work fits into a tick
   PlaneWishes plane;
 
   explicit AskedParameters(const HapticParameters& first) : asked_(first), ball_u_(first.contact.radius_u) {}
@@ -39,7 +39,7 @@ public:
   /// none: they are the same. Always usable, for they come from a plane and the defaults.
   [[nodiscard]] std::optional<HapticParameters> otherPlane(const BuiltScene& scene, const DeviceInfo& device);
 
-  /// By what the scene is touched.
+  /// The contact plan for the scene.
   [[nodiscard]] TouchChoice touch(const BuiltScene& scene) const;
 
 private:

@@ -22,8 +22,8 @@ namespace palpate
 [[nodiscard]] std::string boundsOf(
   const Scene* scene, const std::vector<std::string>& names, std::array<double, 6>& bounds);
 
-/// Whether a scene that was committed then is the one that touching began with: what is shown is handed over a moment
-/// after a touch, what is shown later does not move the hand [s].
+/// Whether a scene that was committed then is the one that touching began with: shown data are handed over a moment
+/// after a touch; data that are shown later do not move the hand [s].
 [[nodiscard]] bool isOfTouch(double committed_s, double begun_s);
 
 } // namespace palpate

@@ -26,11 +26,11 @@ struct HandPlace
 /// The corners of the box around the ball that a device reaches, in the order of the bits x, y, z [u].
 [[nodiscard]] std::array<Vec3, 8> workspaceCorners(const WorkspaceMap& map, double radius_m);
 
-/// What a person holds, and how the view is looked at.
+/// The controls that a person holds, and the rotation of the view.
 struct HandWishes
 {
   bool clutch = false;      ///< the device is moved and the hand is not
-  bool precise = false;     ///< the same way of the device is a shorter one of the hand,
+  bool precise = false;     ///< the same displacement of the device moves the hand less,
   double precision = 5.0;   ///< by this factor, at least 1
   std::optional<Quat> q_WD; ///< the rotation that is wanted; none: as it is
 };
@@ -42,12 +42,12 @@ struct HandMapChange
   bool clutch = false; ///< the hand stays where it is, whatever the device does
 };
 
-/// Has the map do what the person holds. No change moves the hand: what is scaled or turned is so about the place where
-/// the hand is, and a device that was moved while the clutch was held goes on from where it is then.
+/// Applies the controls that the person holds to the map. No change moves the hand: scale and rotation are about the
+/// place of the hand, and a device that was moved while the clutch was held goes on from where it is then.
 class HandMap
 {
 public:
-  /// What is to change now; none: nothing. `now`: the map, with the precision that was asked for before.
+  /// The change that is due now; none: nothing. `now`: the map, with the precision that was asked for before.
   [[nodiscard]] std::optional<HandMapChange> follow(
     const HandWishes& wishes, const WorkspaceMap& now, const HandPlace& hand);
   /// The map is set anew, with no precision in it and no clutch.

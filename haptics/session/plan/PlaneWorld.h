@@ -12,7 +12,7 @@
 namespace palpate
 {
 
-/// What a person wants in a plane world.
+/// Settings of a person in a plane world.
 struct PlaneWishes
 {
   bool holdWalls = true; ///< by the device, where it can
@@ -24,7 +24,7 @@ struct PlaneWishes
 
 /// The parameters with the guide to the plane that all that is touched stands across, and with walls that a device
 /// which moves in that plane may hold; with neither where there is none (nothing). No guide pushes a device that has no
-/// motor that way.
+/// motor in that direction.
 [[nodiscard]] HapticParameters inPlane(HapticParameters parameters, const std::optional<Pose>& plane_WP,
   const PlaneWishes& wishes, const DeviceInfo& device);
 
@@ -32,7 +32,7 @@ struct PlaneWishes
 [[nodiscard]] double feltStiffness_N_per_m(
   const HapticParameters& parameters, const DeviceInfo& device, const StabilityLimits& limits) noexcept;
 
-/// What held walls brake a slide of 0.1 m/s along a line that leans by 45 degrees by, on average [N].
+/// Mean braking force of held walls on a slide of 0.1 m/s along a line that leans by 45 degrees [N].
 [[nodiscard]] double slantDrag_N(const HapticParameters& parameters, double stiffness_N_per_m, double period_s);
 
 /// Who closes the walls of a plane world, why, and whether the hand is led to it: the end of the plan's sentence.

@@ -51,7 +51,7 @@ std::vector<SurfaceInput> inputsOf(const std::vector<SceneSurface>& surfaces)
 
 namespace
 {
-/// What a person is told of a damaged surface that is felt without a part of it.
+/// The message about a damaged surface that is felt without a part of it.
 std::string damageOf(const SurfaceReport& report)
 {
   const CleanReport& clean = report.clean;

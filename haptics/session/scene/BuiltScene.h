@@ -19,7 +19,7 @@ namespace palpate
 struct SceneSurface
 {
   SurfaceInput input;
-  std::string materialNote;     ///< what its arrays give, for the report; "" where it has none
+  std::string materialNote;     ///< the arrays that it uses, for the report; "" where it has none
   std::optional<Pose> plane_WP; ///< given: it is walls across that plane, as its mesh stands without `input.pose_WS`
 };
 
@@ -37,26 +37,26 @@ struct BuiltScene
 {
   std::shared_ptr<const Scene> scene; ///< null when nothing is touchable
   std::string refused;                ///< without one: the first surface that was refused and the reason
-  std::string damaged; ///< the first surface that has coordinates that are not finite, and what is left out; or ""
-  std::string report;  ///< a line a surface: what was repaired, refused and planned
-  std::array<double, 6> bounds{};                                   ///< of what is touchable: low and high x, y, z [u]
+  std::string damaged; ///< the first surface that has coordinates that are not finite, and the parts left out; or ""
+  std::string report;  ///< a line a surface: repairs, refusals and plans
+  std::array<double, 6> bounds{};                                   ///< of touchable surfaces: low and high x, y, z [u]
   double largestRadius_u = std::numeric_limits<double>::infinity(); ///< whose work fits into a tick
   std::optional<Pose> plane_WP; ///< of the walls, where all that is touchable stands across one plane
   SurfaceTraits traits;         ///< of the surfaces of the scene
   double stamp_s = 0.0;         ///< of the commit
   ScenePart part;
-  LoadedRegion known; ///< what the servo is told of it
+  LoadedRegion known; ///< the part of it that is told to the servo
 };
 
-/// What the builder takes of them.
+/// The inputs of the builder in these surfaces.
 [[nodiscard]] std::vector<SurfaceInput> inputsOf(const std::vector<SceneSurface>& surfaces);
 
 /// Cleans and builds: everything of a built scene but `largestRadius_u`, `plane_WP` and `stamp_s`.
 [[nodiscard]] BuiltScene buildScene(
   SceneBuilder& builder, const std::vector<SceneSurface>& surfaces, const Scene* felt, BuildWatch* watch = nullptr);
 
-/// The plane that all of these are walls across, where they stand now: the same to the direction of a normal and to
-/// what rounding moves it. Nothing if one is no wall, or stands across another plane.
+/// The plane that all of these are walls across, where they stand now: the same up to the sign of the normal and to
+/// rounding. Nothing if one is no wall, or stands across another plane.
 [[nodiscard]] std::optional<Pose> commonPlane(const std::vector<SceneSurface>& surfaces);
 
 } // namespace palpate

@@ -15,7 +15,7 @@ namespace palpate
 namespace
 {
 
-/// A way that was free is left a little before it ends at a surface: what touches is not outside of it.
+/// A free path is cut off a little before its end at a surface: a ball that touches is not outside of it.
 constexpr double shortOfEnd = 0.999;
 
 /// A surface of a scene where it stands in the end.
@@ -70,7 +70,7 @@ double beyond_u(const Standing& s, double radius_u, const Vec3& x_W)
   return 2.0 * (furthest.norm() + radius_u + posed.data().coat_u);
 }
 
-/// How far a ball got that way in what was felt.
+/// The end of a ball's free path in that direction in the scene that was felt.
 Vec3 freeEnd(const Scene* before, const ContactPlan& plan, const Vec3& x_W, const Vec3& way_W)
 {
   if (before == nullptr || before->empty())
@@ -81,7 +81,8 @@ Vec3 freeEnd(const Scene* before, const ContactPlan& plan, const Vec3& x_W, cons
   return x_W + (hit.hit ? shortOfEnd * hit.t : hit.freeUntil) * way_W;
 }
 
-/// Where the way to x_W comes from that ends nearest to it, if the surface is around x_W as seen from what was felt.
+/// Where the path to x_W comes from that ends nearest to it, if the surface is around x_W as seen from the scene that
+/// was felt.
 std::optional<Vec3> wayOut(const Scene* before, const Standing& s, const ContactPlan& plan, const Vec3& x_W)
 {
   std::optional<Vec3> out_W;
@@ -243,7 +244,7 @@ std::optional<CameAround> squeezedInto(
   std::optional<CameAround> nearest;
   for (const Vec3& d : directions())
   {
-    for (const double share : { 0.25, 0.5, 1.0 }) // in a room the furthest place may be outside of the room
+    for (const double share : { 0.25, 0.5, 1.0 }) // inside of a hollow surface the furthest place may be outside of it
     {
       const Vec3 from_W = x_W + share * way_u * d;
       const Vec3 ball_W = stopBefore(rests, plan, plan.radius_u, from_W, x_W);

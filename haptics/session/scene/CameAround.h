@@ -17,18 +17,17 @@ namespace palpate
 struct CameAround
 {
   std::string surface;
-  Vec3 from_W = Vec3::Zero(); ///< a place outside the surface; the way from there to the hand meets the surface [u]
-  Vec3 ball_W = Vec3::Zero(); ///< where that way ends
+  Vec3 from_W = Vec3::Zero(); ///< a place outside the surface; the segment from there to the hand meets the surface [u]
+  Vec3 ball_W = Vec3::Zero(); ///< where that segment ends
 };
 
-/// Whether a surface of `after` has swallowed the ball at x_W, which was outside of what was felt `before` (null:
-/// nothing).
+/// Whether a surface of `after` has swallowed the ball at x_W, which was outside of the surfaces `before` (null: none).
 ///
-/// Only surfaces that come from nothing felt are asked: those that move, bend or give way to simpler ones take the ball
-/// along in the tick. With an eye (of the view, eye_W) that saw the ball, a surface that now hides it has. Otherwise
-/// the ball was where it was felt: it went straight, in any of 26 directions, as far as what was felt let it. A surface
-/// that bars the way back from all those ends that are outside of its box is around the ball, unless one of its name
-/// was before; the nearest way out is taken. Milliseconds at most; not for the tick.
+/// Only new surfaces are asked: those that move, bend or are replaced by simpler ones take the ball along in the tick.
+/// With an eye (of the view, eye_W) that saw the ball, a surface that now hides it has. Otherwise the ball was where it
+/// was felt: it went straight, in any of 26 directions, as far as the surfaces before let it. A surface that bars the
+/// way back from all those ends that are outside of its box is around the ball, unless one of its name was before; the
+/// nearest way out is taken. Milliseconds at most; not for the tick.
 [[nodiscard]] std::optional<CameAround> cameAround(
   const Scene* before, const Scene& after, const ContactPlan& plan, const Vec3& x_W, const std::optional<Vec3>& eye_W);
 
@@ -41,7 +40,7 @@ struct CameAround
 [[nodiscard]] std::vector<std::string> surfacesAround(const Scene& scene, const ContactPlan& plan, const Vec3& x_W);
 
 /// Whether a surface of a scene at rest is around the ball at x_W that was not, by name, before surfaces moved and left
-/// the ball no room. The nearest way out leads to a place that is in those of `before` and in no others. Milliseconds
+/// the ball no space. The nearest way out leads to a place that is in those of `before` and in no others. Milliseconds
 /// at most; not for the tick.
 [[nodiscard]] std::optional<CameAround> squeezedInto(
   const Scene& scene, const ContactPlan& plan, const std::vector<std::string>& before, const Vec3& x_W);
@@ -54,7 +53,7 @@ enum class HandHolder
   Device,  ///< one that pushes a person
 };
 
-/// What is done with that hand.
+/// The action for that hand.
 struct StayOutside
 {
   bool letGo = false;   ///< the force ends until the hand has moved out: it would be larger than the largest allowed

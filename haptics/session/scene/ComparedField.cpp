@@ -11,7 +11,7 @@ namespace palpate
 namespace
 {
 
-/// The values of a brick's scalar at the points of another grid, less an offset; NaN where it has none.
+/// The values of a block's scalar at the points of another grid, less an offset; NaN where it has none.
 std::vector<float> sampledAt(const FieldBlockGrid& grid, const FieldBlock* values, double offset)
 {
   std::vector<float> sampled(grid.points(), std::numeric_limits<float>::quiet_NaN());
@@ -86,8 +86,8 @@ double squareTo(const FieldBlockLine& line_W, const Vec3& from_W) noexcept
   return squareTo(nearestOn(line_W, from_W), from_W);
 }
 
-/// The nearest of them that a brick can hold. Where some are left out, `reach_u` becomes at most half of the way to the
-/// first of those: a hand that comes nearer to them has another brick.
+/// The nearest of them that a block can hold. Where some are left out, `reach_u` becomes at most half of the distance
+/// to the first of those: a hand that comes nearer to them has another block.
 template<class Place>
 std::vector<Place> nearestOf(std::vector<Place> places, const Vec3& from_W, double& reach_u)
 {

@@ -22,7 +22,7 @@ struct SnapPlaces
   std::shared_ptr<const FieldSource> field, std::shared_ptr<const FieldSource> other);
 
 /// A field that a hand snaps to given places of, instead of those that are found in its values: of points and of pieces
-/// of lines those nearest to the place that a brick is made around, FieldBlock::mostPlaces of each.
+/// of lines those nearest to the place that a block is made around, FieldBlock::mostPlaces of each.
 [[nodiscard]] std::shared_ptr<const FieldSource> snappingTo(
   std::shared_ptr<const FieldSource> field, SnapPlaces places);
 

@@ -28,7 +28,7 @@ double roundedUp(double value)
   return std::ceil(value / unit) * unit;
 }
 
-/// A brick that is all of the data knows how steep they are.
+/// A block that is all of the data knows how steep they are.
 MadeFieldBlock withLevels(MadeFieldBlock made, const FieldBlockWish& wish)
 {
   const bool all = made.brick && std::isinf(made.reach_u);
@@ -59,7 +59,7 @@ void FeltField::setSource(std::shared_ptr<const FieldSource> source)
   }
 }
 
-/// Half of the room: the other half is for what the hand does until the next brick is there.
+/// Half of the margin: the other half is for the hand's motion until the next block is there.
 bool FeltField::needsAnother(const FieldBlockWish& wish) const noexcept
 {
   const std::optional<double>& level = wish.level;

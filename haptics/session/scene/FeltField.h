@@ -16,19 +16,19 @@
 namespace palpate
 {
 
-/// Keeps a brick of a field around the hand: the next one is made, by a worker unless the source wants its owner to
-/// ask, once the hand has used up half of the room that it had. By distance, never by a clock: a hand at rest costs
-/// nothing. One thread, the session's owner, calls every method.
+/// Keeps a block of a field around the hand: the next one is made, by a worker unless the source wants its owner to
+/// ask, once the hand has used up half of its margin. By distance, never by a clock: a hand at rest costs nothing. One
+/// thread, the session's owner, calls every method.
 class FeltField
 {
 public:
-  /// From now on this is felt; null: nothing. A brick that is being made of another source is thrown away.
+  /// From now on this is felt; null: nothing. A block that is being made of another source is thrown away.
   void setSource(std::shared_ptr<const FieldSource> source);
   [[nodiscard]] bool hasSource() const noexcept { return this->source_ != nullptr; }
 
-  /// What the session is to feel from now on, if that changed. `hand_W`: where the hand is. `reach_u`: how far it may
-  /// get before it is asked again, and a worker has answered. `plan`: how it is felt; where the value of a surface goes
-  /// far, noise is measured beside it anew. With `wait` the brick of here and now.
+  /// The block that the session is to feel from now on, if that changed. `hand_W`: where the hand is. `reach_u`: how
+  /// far it may get before it is asked again, and a worker has answered. `plan`: how the field is felt; where the value
+  /// of a surface goes far, noise is measured beside it anew. With `wait` the block of here and now.
   [[nodiscard]] std::optional<std::shared_ptr<const FieldBlock>> follow(
     const Vec3& hand_W, double reach_u, const FieldPlan& plan, bool wait = false);
 
@@ -49,7 +49,7 @@ private:
   std::chrono::steady_clock::time_point taken_{};
   std::uint64_t revision_ = 0;
   bool askedLevels_ = false; ///< how steep all of the data is was asked of this source
-  bool changed_ = false;     ///< another source: what was made is of the one before
+  bool changed_ = false;     ///< another source: the block is of the one before
   LatestTask<MadeFieldBlock> task_;
 };
 
@@ -60,17 +60,17 @@ private:
 /// the distance to the surface, which the values are not.
 [[nodiscard]] std::string pointText(const FieldPlan& plan, double radius_u);
 
-/// "", or that smooth levels hold the hand with less than what was asked, since it would jump from one to the next.
-/// The force where the gradient is usual, which the strength is said for, and the largest, which is never exceeded.
-/// `stiffness_N_per_u`: of each spring of the field.
+/// "", or that smooth levels hold the hand with less than the strength set, since the hand would jump from one to the
+/// next. The text has the force at the usual gradient, for which the strength is set, and the largest force, which is
+/// never exceeded. `stiffness_N_per_u`: of each spring of the field.
 [[nodiscard]] std::string detentText(const FieldPlan& plan, double stiffness_N_per_u);
 
-/// "", or that surfaces and clicking levels are felt at the points of a brick instead of the data's own cells, how far
+/// "", or that surfaces and clicking levels are felt at the points of a block instead of the data's own cells, how far
 /// apart these are at a place, and why.
 [[nodiscard]] std::string latticeText(const FieldPlan& plan, const MadeFieldBlock& made, const Vec3& hand_W);
 
-/// What a plan takes from the data, so that no brick changes the feel: the gradient that a detent's strength is said
-/// for, where the brick is the first of its data, and how steep the scalar is at most in all of them.
+/// The numbers of a plan that come from the data, so that no block changes the feel: the gradient for which a detent's
+/// strength is set, where the block is the first of its data, and the steepest gradient of the scalar in all of them.
 void takeFromData(FieldPlan& plan, const MadeFieldBlock& made, bool first);
 
 /// Least and largest value of all of the data; turned round where there are none.
@@ -83,8 +83,8 @@ using FieldEnds = std::array<double, 2>;
 /// The same where nothing else is to be felt.
 [[nodiscard]] std::string levelProblem(const FieldPlan& plan, const FieldEnds& ends);
 
-/// What is felt of data of that name: how finely and how far around the hand, and how fast the hand may go so that a
-/// brick is there in time; or why nothing is.
+/// The status of data of that name: how finely and how far around the hand they are felt, and how fast the hand may go
+/// so that a block is there in time; or why nothing is felt.
 [[nodiscard]] std::string fieldText(
   const std::string& name, const MadeFieldBlock& made, double scale_u_per_m, double ahead_s);
 

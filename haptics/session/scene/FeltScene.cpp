@@ -25,7 +25,7 @@ bool searched(const SurfaceChoice& choice)
   return choice.reason.empty();
 }
 
-/// What is to be known of a scene that comes after another.
+/// The known part of a scene that comes after another.
 LoadedRegion knownOf(const BuiltScene& now, const BuiltScene& before)
 {
   if (!now.scene || now.part.whole == 0)
@@ -54,7 +54,7 @@ bool FeltScene::takeBuilt(const SimplifyPlan& plan, double now_s, bool wait)
   if (this->session_.running() && this->built_.scene)
   {
     const HapticState& felt = this->session_.state();
-    const Scene& now = *this->full_.scene; // what moves is felt with all its triangles
+    const Scene& now = *this->full_.scene; // moving surfaces are felt with all their triangles
     const double share = felt.sceneRevision == now.revision() ? felt.sceneShare : 0.0;
     const double motion_s = std::clamp(built->stamp_s - this->built_.stamp_s, this->period_s_, longestMotion_s);
     built->scene = movingFrom(now, share, built->scene, motion_s);
@@ -92,7 +92,7 @@ void FeltScene::ask(std::uint64_t request)
   }
 }
 
-/// A scene that the servo has not taken yet has changed nothing: what counts is the one that the hand is in.
+/// A scene that the servo has not taken yet has changed nothing: the scene around the hand counts.
 void FeltScene::lookAround(const Scene* next)
 {
   this->around_.reset();
@@ -121,7 +121,7 @@ void FeltScene::lookAround(const Scene* next)
   }
 }
 
-/// The servo has the newest scene, and what moves in it has arrived.
+/// The servo has the newest scene, and its moving surfaces have arrived.
 bool FeltScene::hasMoved() const
 {
   const Scene* const scene = this->session_.scene().get();

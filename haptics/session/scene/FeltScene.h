@@ -17,9 +17,9 @@ namespace palpate
 
 class HapticSession;
 
-/// Decides what of the scenes that a worker builds a session feels: all of it at first, simpler surfaces once they are
-/// proven to feel the same, and from where to where what moves goes. One thread, the session's owner, calls every
-/// method.
+/// Decides which of the scenes that a worker builds a session feels: all triangles at first, simpler surfaces once they
+/// are proven to feel the same, and the motion of surfaces from one scene to the next. One thread, the session's owner,
+/// calls every method.
 class FeltScene
 {
 public:
@@ -28,7 +28,7 @@ public:
 
   /// Hands over a scene that is to be built.
   [[nodiscard]] SceneWorker& worker() noexcept { return this->worker_; }
-  /// To be called before a commit: what it changes comes from what is felt now.
+  /// To be called before a commit: the changes of the commit start from the felt scene.
   void beforeCommit();
   /// From where the hand is seen in a view [u]; nothing: it is where it is felt.
   void seeFrom(const std::optional<Vec3>& eye_W) { this->eye_W_ = eye_W; }
@@ -42,8 +42,8 @@ public:
   /// is let go.
   void ask(std::uint64_t request);
 
-  /// Once surfaces that moved rest: whether they had left the ball no room and it is now in one that it was outside of.
-  /// Then the ball comes from outside again, and cameAround() says so.
+  /// Once surfaces that moved rest: whether they had left the ball no space and it is now in one that it was outside
+  /// of. Then the ball comes from outside again, and cameAround() says so.
   bool takeOutSqueezed();
   /// Plans again, from all triangles on, after a change of the inputs of the choice.
   void follow(const SimplifyPlan& plan);
@@ -84,7 +84,7 @@ private:
   std::optional<Vec3> eye_W_;
   std::optional<CameAround> around_;
   std::vector<std::string> within_; ///< closed surfaces that the ball was in when surfaces rested last
-  std::uint64_t pinned_ = 0;        ///< ticks without room for the ball until then
+  std::uint64_t pinned_ = 0;        ///< ticks without space for the ball until then
 };
 
 } // namespace palpate

@@ -13,11 +13,11 @@
 namespace palpate
 {
 
-/// Which brick is asked for.
+/// Which block is asked for.
 struct FieldBlockWish
 {
   Vec3 centre_W = Vec3::Zero();  ///< around this place [u]
-  double reach_u = 0.0;          ///< as far as that, or as far as the memory of a brick allows
+  double reach_u = 0.0;          ///< as far as that, or as far as the memory of a block allows
   std::uint64_t revision = 0;    ///< its number
   std::optional<double> level{}; ///< isovalue in use: reference for its noise
   bool smoothLevels = false;     ///< smooth levels are felt: how steep the scalar is in all of the data is asked too
@@ -28,17 +28,17 @@ struct FieldSmoothness
 {
   int passes = 0;                ///< of smoothing that it had
   double noise = 0.0;            ///< that it would have without, as far as it was measured [spacings of the grid]
-  std::optional<double> level{}; ///< that it was measured beside; none: nobody asked
+  std::optional<double> level{}; ///< that it was measured beside; none: not asked for
   double until = std::numeric_limits<double>::infinity(); ///< from there on it is to be measured anew [values]
 };
 
-/// A brick as a source made it.
+/// A block as a source made it.
 struct MadeFieldBlock
 {
   std::shared_ptr<const FieldBlock> brick; ///< null: there is nothing to feel there
   Vec3 centre_W = Vec3::Zero();            ///< that it was made around [u]
   double reach_u =
-    0.0; ///< how far the hand may go from there along each axis before the brick ends; infinite: it holds all
+    0.0; ///< how far the hand may go from there along each axis before the block ends; infinite: it holds all
   std::string problem; ///< why there is none
   FieldSmoothness smoothness{};
   double error = 0.0; ///< largest difference to the data's own cells that was found, of the range of the values; 0: the

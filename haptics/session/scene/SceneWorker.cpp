@@ -32,7 +32,8 @@ void SceneWorker::follow(std::shared_ptr<const Scene> felt)
 
 LatestTask<BuiltScene>::Work SceneWorker::begin(Commit commit)
 {
-  // What only moves waits for nobody: a pose is felt with the next snapshot, and balls stay as large as they may be.
+  // Surfaces that only move wait for nothing: a pose is felt with the next snapshot, and balls keep their largest
+  // radius.
   const bool known = this->builder_.knows(inputsOf(commit.surfaces));
   this->watch_ = std::make_shared<BuildWatch>();
   this->watch_->expect(1); // the largest ball, found once all is built: until then something is left to do

@@ -33,7 +33,7 @@ public:
   /// The present scene, from where vertices of the next builds come; null: from nowhere. The commit that waits begins:
   /// commits may come faster than builds for as long as they like, and each build is felt and followed by the next.
   void follow(std::shared_ptr<const Scene> felt);
-  /// Nothing comes from elsewhere any more: the next trees have no room for ways.
+  /// Nothing comes from elsewhere any more: the next trees have no memory for motions.
   void forget() { this->felt_.reset(); }
   [[nodiscard]] bool building() const { return this->task_.running(); }
   /// Built share of the commit, 0 to 1; 1 without a build.

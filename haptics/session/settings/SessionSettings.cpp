@@ -50,7 +50,7 @@ Setting count(std::string_view name, std::string_view unit, std::string_view tit
   return { name, Count, unit, title, sentence, effect, { byDefault }, {}, low, high };
 }
 
-/// What the ends of an array's data feel like.
+/// A setting of two numbers, felt at the ends of an array's data.
 Setting pair(std::string_view name, std::string_view unit, std::string_view title, std::string_view sentence,
   std::vector<double> byDefault, double low = -none, double high = none)
 {

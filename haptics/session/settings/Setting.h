@@ -47,7 +47,7 @@ struct Setting
   SettingKind kind = SettingKind::Number;
   std::string_view unit;     ///< "" without a unit; u is a scene unit
   std::string_view title;    ///< of its row in the panel, & before its letter; "": it has none
-  std::string_view sentence; ///< what it is
+  std::string_view sentence; ///< description
   TakesEffect effect = TakesEffect::NextTick;
   std::vector<double> defaults{}; ///< one a number
   std::string_view defaultText{}; ///< of a text
@@ -78,7 +78,7 @@ struct Readout
   Kind kind = Kind::Number;
   std::string_view unit;     ///< "" without a unit
   std::string_view title;    ///< of its row in the panel; "": it has none of its own
-  std::string_view sentence; ///< what it is
+  std::string_view sentence; ///< description
   int elements = 1;
 };
 

@@ -33,7 +33,7 @@ std::string quoted(std::string_view text)
   return result + '"';
 }
 
-/// What is not finite is null.
+/// A number that is not finite is null.
 std::string number(double value)
 {
   std::ostringstream text;

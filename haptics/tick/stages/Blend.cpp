@@ -11,7 +11,7 @@ namespace palpate::stage
 namespace
 {
 
-/// The person does, and what the law has held is gone at once.
+/// The person breaks it, and its force is gone at once.
 bool breaksConstraint(const TickContext& tick) noexcept
 {
   return std::any_of(tick.input.events.begin(), tick.input.events.end(),

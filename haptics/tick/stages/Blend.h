@@ -12,9 +12,9 @@ namespace palpate::stage
 {
 
 /// F = F_new + (F_old - F_new) decaying, and so the torque: a replaced scene, another map, a tool or a mechanism that
-/// is taken, replaced or laid down, a law that is broken by hand, a body that begins or ends to give way, a hand that
-/// leaves or re-enters its known surroundings never steps (Mark et al. 1996). Not for the first scene, not for
-/// surfaces that only move or bend, and not a safety limit.
+/// is taken, replaced or laid down, a constraint that is broken by hand, a body that becomes or ceases to be soft, a
+/// hand that leaves or re-enters its known surroundings never steps (Mark et al. 1996). Not for the first scene, not
+/// for surfaces that only move or bend, and not a safety limit.
 struct Blend
 {
   static constexpr std::string_view name = "blend";
@@ -41,7 +41,7 @@ struct Blend
     Vec3 blendTorque_D = Vec3::Zero();
     bool blendTool = false;           ///< a tool was held that touches by its mesh
     double blendBall_u = 0.0;         ///< one was held that is felt as a ball of that radius; 0: none
-    bool blendBody = false;           ///< a soft body gave way
+    bool blendBody = false;           ///< a soft body was felt
     std::uint64_t blendMechanism = 0; ///< which one was held; 0: none
   };
   template<class Visit, class... S>

@@ -18,7 +18,7 @@ struct Clutch
   struct Plan
   {
     bool clutch = false;
-    /// Another map is a way of the hand, and blended. False: the hand begins anew, as recordings have it that do not
+    /// Another map is a motion of the hand, and blended. False: the hand begins anew, as recordings have it that do not
     /// say; a session says true (DeviceAdaptation.h).
     bool keepsHand = false;
   };

@@ -43,8 +43,8 @@ void tell(const ProxyStep& moved, HapticState& state) noexcept
   state.infeasible = result.infeasible;
 }
 
-/// The proxy where it is, until all is known around it again. In another scene it is nowhere: what it touched was of
-/// the one before. Each snapshot of a soft body brings a scene that goes on from the one before.
+/// The proxy where it is, until all is known around it again. In another scene it has no place: its contacts were of
+/// the one before. Each snapshot of a soft body brings a scene that continues the one before.
 void wait(TickContext& tick) noexcept
 {
   GodObjectState& contact = tick.s.contact;
@@ -54,8 +54,8 @@ void wait(TickContext& tick) noexcept
   tick.out.state.proxy_W.p = contact.placed ? contact.x_W : tick.out.state.device_W.p;
 }
 
-/// How far what a view shows has come. A soft body brings it along in a new scene with each snapshot: where it has
-/// arrived once, it stays.
+/// How far the motion that a view shows has come. A soft body brings the motion along in a new scene with each
+/// snapshot: a motion that has arrived once stays at its end.
 void follow(const TickContext& tick, Contact::State& state) noexcept
 {
   const bool same = tick.input.body != nullptr && tick.out.state.sceneRevision == state.sceneRevision;
@@ -64,7 +64,7 @@ void follow(const TickContext& tick, Contact::State& state) noexcept
   state.shownShare = same ? std::max(state.shownShare, share) : share;
 }
 
-/// What the next tick compares its scene with.
+/// The state that the next tick compares its scene with.
 void remember(const TickContext& tick, Contact::State& state) noexcept
 {
   follow(tick, state);

@@ -14,8 +14,8 @@
 namespace palpate::stage
 {
 
-/// Takes the proxy along with its scene and towards the hand. A hand that is led to a plane touches what is below it
-/// there.
+/// Takes the proxy along with its scene and towards the hand. A hand that is led to a plane touches the surface below
+/// it there.
 struct Contact
 {
   static constexpr std::string_view name = "contact";
@@ -67,7 +67,7 @@ struct Contact
   {
     GodObjectState contact;
     WorkspaceMap map;          ///< of the last tick: one that puts the hand elsewhere places the proxy anew
-    double radius_u = 0.0;     ///< of the last tick: another ball is seated where the old one was, once there is room
+    double radius_u = 0.0;     ///< of the last tick: another ball is seated where the old one was, once it fits there
     std::uint64_t ballLed = 0; ///< number of the lead that was followed last
     std::uint64_t sceneRevision = 0;
     std::uint64_t sceneGeometry = 0; ///< its surfaces, at any pose
@@ -75,8 +75,8 @@ struct Contact
     double shownAge_s = 0.0;         ///< since one of another revision was: snapshots of a soft body bring many of one
     double shownShare = 1.0;         ///< progress of the motion of all surfaces, 0..1
   };
-  /// Touched features are no part of a recording: they are numbers of surfaces and triangles, and nobody knows yet of
-  /// which. The age of visible data is reported, and has no effect on the force.
+  /// Touched features are no part of a recording: they are numbers of surfaces and triangles, which are not known yet.
+  /// The age of visible data is reported, and has no effect on the force.
   template<class Visit, class... S>
   static void stateFields(const Visit& visit, S&... s)
   {

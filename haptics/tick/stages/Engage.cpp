@@ -56,7 +56,7 @@ void Engage::step(TickContext& tick) noexcept
 {
   RendererState& s = tick.s;
   const SafetyLimits& limits = tick.p.safety;
-  // What a blend hides for a moment is asked for when it has ended.
+  // Force that a blend hides for a moment comes when the blend has ended.
   const double twist_N =
     tick.turn.lever_m > 0.0 ? tick.out.state.renderedTorque_D.norm() / tick.turn.lever_m : 0.0; // at its lever's end
   const double asked_N =

@@ -63,16 +63,16 @@ void meterTurning(TickContext& tick) noexcept
   tick.out.state.turned_J = tick.s.turned_J;
 }
 
-/// What walls and viscosity of the command give a hand where it is [N].
+/// Force of the command's walls and viscosity on a hand at the sample [N].
 Vec3 heldForce(const TickContext& tick) noexcept
 {
   const DeviceCommand& held = tick.out.command;
   return forceOfWalls(held, tick.input.sample.pose_D.p) - held.viscosity_Ns_per_m * tick.out.state.velocity_D;
 }
 
-/// What the device gives by itself, as far as the host knows: what its walls give at rest. Walls that are not numbers
-/// are not sent. Energy is not metered: the force that is told is a spring's, a function of the place, and gives
-/// nothing over a closed way whatever the device really does.
+/// The device's own force, as far as the host knows: that of its walls at rest. Walls that are not numbers are not
+/// sent. Energy is not metered: the force that is told is a spring's, a function of the place, and gives no energy over
+/// a closed path whatever the device really does.
 void tellHeld(TickContext& tick) noexcept
 {
   HapticState& state = tick.out.state;

@@ -8,7 +8,7 @@ namespace palpate::stage
 namespace
 {
 
-/// What keeps the force away: a latched fault, or what will pass by itself.
+/// The reason why there is no force: a latched fault, or a passing one.
 Fault faultOf(const TickContext& tick) noexcept
 {
   if (tick.s.fault != Fault::None)

@@ -8,7 +8,7 @@ namespace palpate::stage
 namespace
 {
 
-/// What touches for the hand: where it is, and how far it reaches from there.
+/// The proxy or the tool's mesh: its place, and how far it reaches from there.
 struct Toucher
 {
   bool placed = false;
@@ -35,7 +35,8 @@ bool isBeyond(const TickContext& tick) noexcept
   return !tick.p.known.has(hand_W, pulled_u + toucher.reach_u);
 }
 
-/// Names the scene that a server's part may be: a soft body is felt in one of its own, with what is beside it.
+/// Names the scene that a server's part may be: a soft body is felt in a scene of its own, that of the bodies beside it
+/// counts.
 std::uint64_t geometryOf(const TickInput& input) noexcept
 {
   return input.body != nullptr ? input.body->beside : input.scene->geometryHash();
@@ -61,7 +62,7 @@ void Surroundings::step(TickContext& tick) noexcept
   bool beyond = false;
   if (of != 0 && scene != nullptr)
   {
-    // What is said of another scene is of one that is on its way.
+    // A message about another scene is about one that is on its way.
     beyond = late || (of == geometryOf(tick.input) ? isBeyond(tick) : s.beyondKnown);
   }
   tick.knownChanged = beyond != s.beyondKnown;

@@ -24,7 +24,7 @@ namespace palpate::test
 /// A wheel with three pedals, as hid-logitech offers a G29: constant force alone.
 [[nodiscard]] EvdevTraits wheelTraits();
 
-/// An event device on the fake bus, and what is wrong with it.
+/// An event device on the fake bus, and its faults.
 struct FakeEvdevPort
 {
   FakeEvdevPort(HidEntry is, const EvdevTraits& has) : entry(std::move(is)), traits(has), driver(has) {}
@@ -34,7 +34,7 @@ struct FakeEvdevPort
   VirtualDriver driver;
   std::vector<std::vector<std::uint8_t>> behindPlug;
   std::string openProblem;
-  std::map<std::string, int> settings; ///< what the driver says in files of its own
+  std::map<std::string, int> settings; ///< files of the driver's own
   std::map<int, input_absinfo> axes;   ///< ranges and newest values
   std::bitset<KEY_CNT> keys;
   std::deque<input_event> events;

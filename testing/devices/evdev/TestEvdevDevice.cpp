@@ -77,7 +77,7 @@ TEST(EvdevDevice, AForceThatHoldsGoesOnForSecondsAndEndsByItselfOnceNobodyGivesI
   EXPECT_EQ(rig.driver().force()[0], 0.0);
 }
 
-// ff-memless lets its timer run while the kernel stores what it was given.
+// ff-memless lets its timer run while the kernel stores the effect.
 TEST(EvdevDevice, AForceThatADriverMissedIsFeltWhenItIsRenewed)
 {
   EvdevRig rig(wheelTraits(), wheelProduct);

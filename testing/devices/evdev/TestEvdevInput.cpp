@@ -19,7 +19,7 @@ struct Reading
   {
   }
 
-  /// Reads what waits; how many reports have ended.
+  /// Reads the waiting events; how many reports have ended.
   int read()
   {
     std::array<input_event, 64> events;

@@ -129,7 +129,7 @@ TEST_F(EvdevFolders, AllInterfacesOfOneUsbDeviceAreBehindItsPlugAndNoOthers)
   write(this->root / "usb1" / "1-2" / "1-2:1.0" / "bInterfaceNumber", "00\n");
   write(this->root / "usb1" / "1-2" / "1-2:1.0" / "0003:1209:0001.0003" / "report_descriptor", "x");
   EXPECT_EQ(hidFolders(this->event), (std::vector{ this->hid, this->other }));
-  fs::remove(this->hid.parent_path() / "bInterfaceNumber"); // what a program made up is behind no plug
+  fs::remove(this->hid.parent_path() / "bInterfaceNumber"); // a device that a program made up is behind no plug
   EXPECT_EQ(hidFolders(this->event), std::vector{ this->hid });
   fs::remove(this->hid / "report_descriptor");
   EXPECT_TRUE(hidFolders(this->event).empty());

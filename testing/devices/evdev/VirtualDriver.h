@@ -10,15 +10,15 @@
 namespace palpate::test
 {
 
-/// What the kernel and the driver of a force-feedback device do with effects (Documentation/input/ff.rst, ff-core.c and
-/// ff-memless.c under drivers/input), and the handle that they push: a mass with friction between two stops. Positions
-/// are shares of half the travel and forces of the largest, x to the right and y towards the person.
+/// Treatment of effects by the kernel and the driver of a force-feedback device (Documentation/input/ff.rst, ff-core.c
+/// and ff-memless.c under drivers/input), and the handle that they push: a mass with friction between two stops.
+/// Positions are shares of half the travel and forces of the largest, x to the right and y towards the person.
 class VirtualDriver
 {
 public:
   using Axes = std::array<double, 2>;
 
-  /// Force of a condition's coefficient of 1 at a distance of 1, and what the metric of a damper is of the speed.
+  /// Force of a condition's coefficient of 1 at a distance of 1, and a damper's metric as a share of the speed.
   static constexpr double springGain = 10.0, damperMetric = 0.2;
   static constexpr double handleMass = 0.01, handleFriction = 0.6;
   static constexpr std::size_t memory = 16;
@@ -29,7 +29,7 @@ public:
 
   /// 0, or the error of errno.h. A new effect, -1, gets its number.
   int upload(ff_effect& effect);
-  /// What is left of that to a driver once the kernel has given the effect its number.
+  /// The driver's part of that once the kernel has given the effect its number.
   void store(const ff_effect& effect);
   int erase(int effect);
   /// A written EV_FF event.
@@ -48,7 +48,8 @@ public:
   Axes push{}; ///< of the hand
   Axes position{}, velocity{};
   int gain = 0x1000, autocentre = 0x4000; ///< as the last program has left them
-  /// Its timer fires once between taking an effect and storing it: what it plays stays as it was until the next change.
+  /// Its timer fires once between taking an effect and storing it: the played effect stays as it was until the next
+  /// change.
   bool missesNext = false;
 
 private:

@@ -25,7 +25,7 @@ public:
     this->now_ = held + force + (command.signal != Signal::None ? shake : 0.0);
     this->all_.emplace_back(now_ms, this->now_);
   }
-  /// What is felt may be late by the time in which an effect runs out.
+  /// The force that is felt may be late by the time in which an effect runs out.
   [[nodiscard]] double most(std::int64_t now_ms, int late_ms) const
   {
     double most = this->now_;

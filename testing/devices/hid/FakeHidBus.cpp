@@ -130,7 +130,7 @@ private:
     const std::vector<std::uint8_t> input = this->port_.firmware().nextInput();
     if (input.empty() && !this->port_.present)
     {
-      return -1; // what was queued before still comes
+      return -1; // reports that were queued before still come
     }
     std::copy_n(input.begin(), std::min(input.size(), report.size()), report.begin());
     return static_cast<int>(std::min(input.size(), report.size()));

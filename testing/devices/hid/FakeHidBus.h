@@ -17,7 +17,7 @@
 namespace palpate::test
 {
 
-/// A device plugged into the fake bus, and what is wrong with the link to it.
+/// A device plugged into the fake bus, and the faults of the link to it.
 struct FakePort
 {
   HidEntry entry;
@@ -27,7 +27,7 @@ struct FakePort
   std::vector<std::uint8_t> descriptor;
   bool present = true;
   std::string descriptorProblem; ///< why its descriptor cannot be had
-  std::string openProblem;       ///< no permission, busy: what the system says
+  std::string openProblem;       ///< no permission, busy: the system's message
   bool featureTimesOut = false;
   bool stalls = false;                ///< a write waits until this ends, or 5 s, then fails
   int hanging = 0;                    ///< so many writes wait now

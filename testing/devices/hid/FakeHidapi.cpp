@@ -5,7 +5,7 @@
 
 #include <hidapi/hidapi.h>
 
-/// What hidapi's handle points to.
+/// The target of hidapi's handle.
 struct hid_device_
 {
   std::unique_ptr<palpate::HidConnection> connection;

@@ -25,9 +25,9 @@ struct ModelWire
   int firstBlock = 1, blocks = 14;
 };
 
-/// What the firmwares that people have do with each report, written by us from facts in their public sources; the class
-/// holds what they have in common. It reads reports by the place of their bytes, not through a descriptor. Positions
-/// and forces are shares, as those of VirtualHandle.
+/// Treatment of each report by the firmwares that people have, written by us from facts in their public sources; the
+/// class holds their common part. The model reads reports by the place of their bytes, not through a descriptor.
+/// Positions and forces are shares, as those of VirtualHandle.
 class FirmwareModel
   : public VirtualHid
   , public VirtualHandle
@@ -70,7 +70,7 @@ protected:
   virtual void settingsCame(Effect&) {}
   virtual void conditionCame(Effect&, std::size_t) {}
   virtual void control(int number) = 0;
-  /// A start, a stop or the end of a millisecond changes what plays.
+  /// A start, a stop or the end of a millisecond changes the effects that play.
   virtual void started(Effect& effect) { effect.playing = true; }
   virtual void tick(Effect&) {}
   /// Its share along an axis.

@@ -8,16 +8,16 @@
 namespace palpate::test
 {
 
-/// When a firmware takes over what it is told of a condition.
+/// When a firmware takes over the numbers of a condition.
 enum class ConditionOrder : std::uint8_t
 {
   Any,
-  OnlyAfterSetEffect, ///< what comes before the effect's settings is forgotten
+  OnlyAfterSetEffect, ///< numbers before the effect's settings are forgotten
   OnlyWithSetEffect,  ///< it counts from the settings that follow, with a sign for each axis from their angle
 };
 
-/// What firmwares do differently where the class's specification leaves it open, or in spite of it. Each was seen in
-/// the public source of one that people have; the default is what most do.
+/// Differences of firmwares where the class's specification leaves it open, or in spite of it. Each was seen in the
+/// public source of one that people have; the default is that of most.
 struct PidHabits
 {
   bool pointsTo = false;        ///< the angle says where a force points to, not where it comes from

@@ -11,7 +11,7 @@
 namespace palpate::test
 {
 
-/// Nothing runs by itself, the scale is that of the virtual firmware, and what it holds is believed.
+/// Nothing runs by itself, the scale is that of the virtual firmware, and its walls are trusted.
 inline PidDeviceOptions virtualOptions(const FakeHidBus& bus)
 {
   PidDeviceOptions options;

@@ -137,7 +137,7 @@ TEST(DeviceSearch, ALoosePlugThatBouncesSoonAfterItWasFoundIsFoundInItsNewPlace)
   }
 }
 
-/// What a search makes of a lost device that is in another place before anybody looks.
+/// A search for a lost device that is in another place before anybody looks.
 struct BackBeforeTheLook
 {
   explicit BackBeforeTheLook(const std::string& serial)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The engine through the whole of a link, against models of what public firmwares do with each report.
+// The engine through the whole of a link, against models of public firmwares.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ struct ModelRig : test::PidRig
     this->run(20);
   }
 
-  /// What the motors do at that place and speed, in D's test::directions [shares].
+  /// The motors' force at that place and speed, in D's test::directions [shares].
   Vec3 felt(const Vec3& at, const Vec3& speed = Vec3::Zero())
   {
     this->firmware.position = { at.x(), -at.y() };

@@ -41,7 +41,7 @@ TEST(PidDevice, ShowsTheHandInMetresOnEveryLayoutToOneStep)
   }
 }
 
-// What a coefficient of 1 gives; half as stiff a wall is a coefficient of a half, a stiffer one would be cut.
+// The force of a coefficient of 1; half as stiff a wall is a coefficient of a half, a stiffer one would be cut.
 TEST(PidDevice, SaysHowStiffAndHowHardItsWallsAreWhereItHoldsAny)
 {
   constexpr double unlimited = std::numeric_limits<double>::infinity();

@@ -17,7 +17,7 @@ namespace palpate
 namespace
 {
 
-/// Takes what it is told and answers with anything; remembers whether a report was of another length than its layout.
+/// Takes all reports and answers with anything; remembers whether a report was of another length than its layout.
 class AnyDevice final : public HidConnection
 {
 public:
@@ -194,7 +194,7 @@ void requireBounded(test::PidRig& rig, test::Random& random, const std::string& 
   }
 }
 
-/// What is held is limited by itself, however hard its walls were asked for.
+/// Each condition is limited by itself, however hard its walls were asked for.
 void requireLimited(test::PidRig& rig, const test::PidLayout& layout)
 {
   const test::PidNumber* const saturation = layout.conditionNumber(0x63);

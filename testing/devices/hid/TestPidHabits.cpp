@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The engine through a link, against every combination of what firmwares do differently.
+// The engine through a link, against every combination of the firmwares' differences.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ struct HabitRig
       this->bus->advance(1);
     }
   }
-  /// A hand that does not give way.
+  /// A hand that does not yield.
   void put()
   {
     this->stick().position = { this->at.x(), -this->at.y() };
@@ -78,14 +78,15 @@ struct HabitRig
   Vec3 at = Vec3::Zero(), speed = Vec3::Zero();
 };
 
-/// What a force asked for becomes: the engine takes angles as where a force comes from, and a self-test finds the rest.
+/// The force given for a force asked for: the engine takes angles as where a force comes from, and a self-test finds
+/// the rest.
 Vec3 through(const PidHabits& habits, const Vec3& asked)
 {
   const double sign = habits.pointsTo ? -1.0 : 1.0;
   return { sign * asked.x(), habits.oneMotor ? 0.0 : sign * asked.y(), 0.0 };
 }
 
-/// What a condition does: each axis for itself, whatever an angle means.
+/// The force of a condition: each axis for itself, whatever an angle means.
 Vec3 held(const PidHabits& habits, const Vec3& asked)
 {
   return habits.deadConditions ? Vec3(0, 0, 0) : Vec3(asked.x(), habits.oneMotor ? 0.0 : asked.y(), 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the link to a device says of itself, and what it does when the device does not keep up.
+// Messages of the link to a device, and its reaction to a device that does not keep up.
 #include <gtest/gtest.h>
 
 #include "testing/devices/hid/PidRig.h"

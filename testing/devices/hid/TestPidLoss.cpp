@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A device that goes and comes back: what it is told last, who throws it away, and where the hand is then.
+// A device that goes and comes back: its last command, the program that throws it away, and the place of the hand then.
 #include <future>
 
 #include <gtest/gtest.h>
@@ -121,7 +121,7 @@ TEST(PidLoss, TheServoKnowsThatNothingIsReadAnyMoreWhileTheOrderToStopHangs)
   rig.bus->release(rig.port);
 }
 
-// A write may take 50 ms. It ends afterwards, and then the device says that its effects have stopped.
+// A write may take 50 ms. A hung write ends afterwards, and then the device says that its effects have stopped.
 TEST(PidLoss, ADeviceThatWasToldToStopBecauseAWriteHungIsNotSaidToBeTakenByAnotherProgram)
 {
   Hanging rig;
@@ -263,7 +263,7 @@ TEST(PidLoss, ADeviceThatComesBackWithoutRoomForItsWallsOrTheirViscosityStaysLos
     EXPECT_EQ(rig.status, DeviceStatus::Lost) << slots;
     EXPECT_NE(rig.device.linkReport().message.find("came back without " + lack), std::string::npos) << slots;
     EXPECT_EQ(rig.stick().effectsUsed(), 0) << slots;
-    small.slots = 4; // nothing of what holds a hand is missing
+    small.slots = 4; // no effect that holds a hand is missing
     rig.port.device = std::make_shared<test::VirtualPidDevice>(small);
     rig.run(1500);
     EXPECT_EQ(rig.status, DeviceStatus::Ok) << slots;
@@ -273,7 +273,7 @@ TEST(PidLoss, ADeviceThatComesBackWithoutRoomForItsWallsOrTheirViscosityStaysLos
 TEST(PidLoss, WhatADeviceCanDoIsKnownOnceItIsOpen)
 {
   test::PidLayout small = test::plainLayout();
-  small.slots = 2; // two forces, and no room for a spring
+  small.slots = 2; // two forces, and no slot for a spring
   Rig rig(small);
   ASSERT_TRUE(rig.device.info().abilities.holdsWalls);
   ASSERT_EQ(rig.device.open(), "");

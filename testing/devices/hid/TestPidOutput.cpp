@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What goes to a device when: a signal that was begun, and walls that go.
+// The order of reports to a device: a signal that was begun, and walls that go.
 #include <algorithm>
 #include <cmath>
 
@@ -47,8 +47,8 @@ double strongest(Rig& rig, int duration_ms)
   return most;
 }
 
-// Three reports make a shake, and a report takes a millisecond. It has a period of 20 ms and would last for 200 ms;
-// whoever asks for it asks as long as the hand is to be shaken.
+// Three reports make a shake, and a report takes a millisecond. The shake has a period of 20 ms and would last for 200
+// ms; a caller asks for it as long as the hand is to be shaken.
 TEST(PidOutput, ASignalIsFeltWhileItIsAskedForAndEndsAtOnceWithTheCommand)
 {
   Rig rig(test::plainLayout());

@@ -170,7 +170,7 @@ TEST(PidSession, ALostDeviceIsAFaultThatStaysWhenItIsPluggedInAgain)
   session.step(1);
   EXPECT_EQ(session.state().fault, Fault::SceneRefused); // only that there is nothing to touch here
   bus->alone([&] { return port.present = false; });
-  while (link.readPass(0)) // what was queued before still comes
+  while (link.readPass(0)) // reports that were queued before still come
   {
   }
   session.step(1);

@@ -69,7 +69,7 @@ TEST(PidWatch, EffectsOfOurOwnAndALongUseAreNoDisturbance)
   }
 }
 
-// What is asked after cannot be had: the device is used all the same.
+// The answers are missing: the device is used all the same.
 TEST(PidWatch, ADeviceThatStopsAnsweringOrAnswersOtherwiseEachTimeIsNotAskedOn)
 {
   Rig rig(silentLayout());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What real devices say about their reports (descriptors/README.md).
+// Report descriptors of real devices (descriptors/README.md).
 #include <gtest/gtest.h>
 
 #include "devices/hid/SpaceMouseInput.h"
@@ -15,7 +15,7 @@ namespace
 
 using test::RealDescriptor;
 
-/// With axes at all; what gives force says so by its kind.
+/// With axes at all; a device that gives force says so by its kind.
 struct Known
 {
   const char* name;

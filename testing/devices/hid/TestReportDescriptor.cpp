@@ -315,7 +315,7 @@ struct Drawn
   HidUsage firstUsage;
 };
 
-/// Random fields over random reports in random order, written down; the parser must say of each what was drawn.
+/// Random fields over random reports in random order, written down; the parser must return each as drawn.
 TEST(ReportDescriptor, SaysOfRandomDescriptorsWhatWasWritten)
 {
   test::Random random(test::testSeed(5101));

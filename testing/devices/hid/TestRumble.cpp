@@ -138,8 +138,8 @@ TEST(Rumble, APadFeelsContactAsAPulseAndSlidingAsVibrationThatIsArmedAgainAndAga
   // Half travels of 50 mm a second, full at 0.1 m/s: half. Sampled at tenths of a period, whose largest sine is that of
   // 72 degrees.
   const double share = 0.5 * 2.0 / rig.scale().maxForce_N * std::sin(0.4 * std::numbers::pi);
-  // The speed is that of 16 ms or more, of which a report of 1 ms more or less may have come; what differs by less than
-  // 1 % of the largest force from what plays is not sent.
+  // The speed is that of 16 ms or more, of which a report of 1 ms more or less may have come; a change by less than 1 %
+  // of the largest force is not sent.
   const double off = share / 16.0 + 0.01;
   EXPECT_NEAR(strongest(rig, 100, 1.0), share, off);
   const std::uint64_t restarts = rig.device.linkReport().restarts;

@@ -17,7 +17,7 @@ struct VirtualHandle
   Axes position{}, velocity{};
   Axes push{}; ///< of the hand
 
-  /// A millisecond; `force` says what the motors do where the handle is.
+  /// A millisecond; `force`: that of the motors at the handle's place.
   template<class Force>
   void advanceHandle(Force force)
   {

@@ -27,7 +27,7 @@ class VirtualPidDevice final
 public:
   /// Force of a condition's coefficient of 1 at a distance of 1: full force at a tenth of half the travel.
   static constexpr double springGain = 10.0;
-  /// What the metric of a damper is, of the speed in half travels a second.
+  /// A damper's metric, as a share of the speed in half travels a second.
   static constexpr double damperMetric = 0.2;
   /// Force of the spring to the centre at a distance of 1.
   static constexpr double centringGain = 0.5;
@@ -41,7 +41,7 @@ public:
   /// Firmware and handle.
   void advance(int duration_ms) override;
 
-  /// What the kernel's own driver does to it once a program uploads an effect: reset, enable, an effect of its own.
+  /// The effect of the kernel's own driver on it once a program uploads an effect: reset, enable, an effect of its own.
   void uploadFromElsewhere();
 
   /// Shows the host an input report, whatever it says.
@@ -53,7 +53,7 @@ public:
   std::uint8_t buttons = 0;
   bool silent = false;                                ///< it shows nothing of the handle
   int slowLoads = 0;                                  ///< so many block loads say nothing yet
-  std::optional<std::vector<std::uint8_t>> wrongLoad; ///< what a block load answers instead
+  std::optional<std::vector<std::uint8_t>> wrongLoad; ///< answer of a block load instead
 
   int badReports = 0, outputs = 0, stopAlls = 0, resets = 0, constantForces = 0, conditions = 0;
   double gain = 1.0;
@@ -62,7 +62,7 @@ public:
   [[nodiscard]] int effectsPlaying() const;
   [[nodiscard]] const PidLayout& layout() const noexcept { return this->layout_; }
   [[nodiscard]] bool centring() const noexcept { return this->centring_; }
-  /// Of the effect in a block, 1 and up, along an axis: what it was told last.
+  /// Of the effect in a block, 1 and up, along an axis: its last numbers.
   [[nodiscard]] const Condition& condition(int block, int axis) const;
 
 private:

@@ -100,9 +100,9 @@ TEST(Detents, AClickThatIsPressedAndLeftAgainLosesNothingSoCrossingsAloneDoNotCo
 
 TEST(Detents, AClickAtAnySpeedTakesTheEnergyOfItsSpringAndItsStrengthOverTheWayOfOneTickByAnySumOfForces)
 {
-  // The pull rises with the hand from 0 to the strength s. It is sampled once a tick, and the tick in which the hand
-  // passes has s as well. Over all phases of a level among the ticks, the sum of the rising part is its integral
-  // s^2 / 2k, whichever end of a tick the force is taken from, and s times the way of a tick is added.
+  // The pull rises with the hand from 0 to the strength s. The pull is sampled once a tick, and the tick in which the
+  // hand passes has s as well. Over all phases of a level among the ticks, the sum of the rising part is its integral
+  // s^2 / 2k, whichever end of a tick the force is taken from, and s times the displacement of a tick is added.
   const FieldBlock brick = brickOf({ scalar(height) });
   for (const double strength_N : { 0.2, 0.5 })
   {

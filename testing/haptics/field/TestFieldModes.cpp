@@ -98,7 +98,7 @@ TEST(FieldModes, SnapPullsToTheNearestPlaceByAForceWithAPotential)
     EXPECT_NEAR(hand.force.norm(), truth, 1e-12);
     EXPECT_LE(hand.force.x() * (5.0 - away), 0.0) << "towards the nearer one";
   }
-  // A way of another shape between the same places takes as much work: the potential is the same at both.
+  // A path of another shape between the same places takes as much work: the potential is the same at both.
   EXPECT_NEAR(hand.work, 0.0, 1e-6);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A brick with a finer one in it. The judge is the ball whose distance both have sampled: a surface of spacing h lies
+// A block with a finer one in it. The judge is the ball whose distance both have sampled: a surface of spacing h lies
 // h^2 / 4 R inside of it.
 #include <cmath>
 
@@ -80,8 +80,8 @@ TEST(FinerFieldBlock, ComingToItAndFromItIsNoStepAndTheHandKeepsItsSide)
     EXPECT_FALSE(result.letGo || result.outside || result.beyond);
     if (last.norm() > 0.0)
     {
-      // What the hand does itself, a slip across a crease of the coarse surface (h / R of the depth), and what a brick
-      // may change in a tick.
+      // The hand's own motion, a slip across a crease of the coarse surface (h / R of the depth), and the change that a
+      // new block may make in a tick.
       EXPECT_LE((result.pull_W - last).norm(), 2.0 * step_u + depth_u * coarse_u / radius_u + 0.1);
     }
     EXPECT_GT(result.pull_W.dot(at(turn)), 0.0);

@@ -144,7 +144,7 @@ TEST(IsoProxy, OnASphereOfItsSampledSquareErrsByThreeEighthsOfThat)
 
 TEST(IsoProxy, NeverPassesASheetOfAFiftiethOfASpacingUnderJumpsOfSixty)
 {
-  // |z - 32| is exactly what the grid holds, since its kink lies on points.
+  // The grid holds |z - 32| exactly, since its kink lies on points.
   IsoHand hand(test::scalarFieldBlock(65, [](const Vec3& i) { return std::fabs(i.z() - 32.0); }), at(0.01, 10));
   test::Random random(test::testSeed(1613));
   hand.to({ 32, 32, 40 });
@@ -196,8 +196,8 @@ TEST(IsoProxy, IsNeverOnTheWrongSideInNoiseWithHolesInNumbersOf113Bits)
 
 TEST(IsoProxy, RestsWhereNoLegalPlaceNearbyIsNearerToTheHand)
 {
-  // A poll: the proxy, moved by a thousandth of a spacing in many directions and back onto the surface along the way to
-  // the hand, comes no nearer.
+  // A poll: the proxy, moved by a thousandth of a spacing in many directions and back onto the surface along the
+  // segment to the hand, comes no nearer.
   const auto waves = [](const Vec3& i)
   { return std::sin(0.4 * i.x()) + std::sin(0.5 * i.y()) + std::sin(0.45 * i.z() + 0.1 * i.x()); };
   IsoHand hand(test::scalarFieldBlock(32, waves), at(0.2));
@@ -312,7 +312,7 @@ TEST(IsoProxy, UnderFrictionOnlyTakesEnergyOverClosedWays)
     pull = now;
     p = next;
   }
-  // The kinetic force, 0.2 of a millimetre, along most of the way that the hand makes a millimetre deep.
+  // The kinetic force, 0.2 of a millimetre, along most of the path that the hand makes a millimetre deep.
   EXPECT_LT(gain, -0.8 * 0.2 * 2.0 * std::numbers::pi * 9.0);
   EXPECT_GT(gain, -1.2 * 0.2 * 2.0 * std::numbers::pi * 9.0);
 }

@@ -19,7 +19,7 @@ constexpr double scrub_u = 0.045; ///< 0.045 N a tick at 1 N a spacing
 struct Scrubbed
 {
   std::uint64_t wrong = 0, touching = 0, released = 0;
-  double mostChange_u = 0.0; ///< of the pull, beyond what the hand moved and fading took, while the surface moves
+  double mostChange_u = 0.0; ///< of the pull, beyond the hand's motion and the fading, while the surface moves
 };
 
 /// The level is drawn anew two hundred times a second while a hand presses.
@@ -65,7 +65,7 @@ TEST(IsoScrub, MovesTheSurfaceUnderAStillHandByLessThanATenthOfANewtonATickAndKe
   const Scrubbed seen = scrub(ball, 2.0, 12.0, 0.0, 1630);
   EXPECT_EQ(seen.wrong, 0U);
   EXPECT_GT(seen.touching, 100U);
-  // The proxy is taken along by 1.1 ways of the scrub and goes one itself: below 0.1 N at 1 N a spacing.
+  // The proxy is taken along by 1.1 displacements of the scrub and makes one itself: below 0.1 N at 1 N a spacing.
   EXPECT_LE(seen.mostChange_u, 2.1 * scrub_u + 1e-9);
 }
 
@@ -140,7 +140,7 @@ TEST(IsoScrub, LetsGoOfAHandWhoseSurfaceVanishes)
 TEST(IsoScrub, FadesWithinThirtyMillisecondsOfWhereTheLastOfASurfaceIsGone)
 {
   // A hill of the value -|i - top|, whose corner nearest to the hand is (16, 16, 16) wherever the top is in that cell:
-  // there the level can go to -|top - corner| and no further. A hand that is outside pulls at what is left.
+  // there the level can go to -|top - corner| and no further. A hand that is outside pulls at the rest of the surface.
   test::Random random(test::testSeed(1632));
   for (std::size_t i = 0; i < test::testCount(40); ++i)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Smooth levels have a potential up to the strength that mostSmooth_N() says, wherever the hand goes. The judge is the
-// work over closed ways, and derivatives that are sampled densely.
+// work over closed paths, and derivatives that are sampled densely.
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -62,7 +62,7 @@ DetentPlan levelsOf(double strength_N, const LevelBounds& bounds)
   return plan;
 }
 
-/// The work that levels do on a hand over a closed way, after a first turn on which it takes its place. No step of the
+/// The work that levels do on a hand over a closed path, after a first turn on which it takes its place. No step of the
 /// force is longer than asked. `largest_N` becomes the largest force.
 double workOver(const Way& way, const FieldBlockAt& brickAt, const DetentPlan& detent, double& largest_N)
 {
@@ -172,7 +172,7 @@ TEST(SmoothLevels, TakeNoWorkOverClosedWaysWhereBricksFollowTheHandAndTheFinerOn
 {
   const Way way = [](double turn)
   { return Vec3(middle + Vec3(6.5 + 5.0 * std::cos(turn), 4.0 * std::sin(turn), 2.5 * std::sin(2.0 * turn))); };
-  // Steeper on one side: by its own steepest place each brick would have another limit.
+  // Steeper on one side: by its own steepest place each block would have another limit.
   const Function uneven = [](const Vec3& p) { return p.x() + 0.02 * p.x() * p.x() + 0.5 * std::sin(0.4 * p.y()); };
   for (const Function& function : { Function(distance), uneven })
   {

@@ -22,7 +22,7 @@ Vec3 unit(double angle_rad)
   return { std::cos(angle_rad), std::sin(angle_rad), 0 };
 }
 
-/// What springs at these walls do to a handle, written down from their definition.
+/// Force of springs at these walls on a handle, written down from their definition.
 Vec3 springs(const AxisWalls& walls, const Vec3& p_D)
 {
   Vec3 force = Vec3::Zero();
@@ -106,7 +106,7 @@ TEST(DeviceWalls, NeverEnterTheHandFasterThanTheLimitAndLeaveItAtOnce)
 }
 
 // Two springs across each other give at most sqrt(F_x^2 + F_y^2); with F / sqrt(2) each that is F, and a corner deep
-// enough reaches it. Of two opposite walls that leave room between them no more than one pushes, and with all of F.
+// enough reaches it. Of two opposite walls with space between them no more than one pushes, and with all of F.
 TEST(DeviceWalls, TogetherPushNoHarderThanTheLimitHoweverDeepTheHandleIs)
 {
   constexpr double largest_N = 3.0;

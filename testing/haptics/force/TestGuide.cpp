@@ -58,9 +58,9 @@ TEST(Guide, ComesAndGoesLinearlyInItsRampTime)
   EXPECT_EQ(rampedShare(0.3, false, 0.0, T), 0.0);
 }
 
-// With d_k the heights of a closed way and steps D_k = d_{k+1} - d_k the held force of the spring gives K/2 sum D_k^2,
-// and the damping K T takes K sum D_k D_{k-1}: all that the hold gives, and as much again but for what the acceleration
-// of the hand leaves, K/2 sum (D_k - D_{k-1})^2.
+// With d_k the heights of a closed path and steps D_k = d_{k+1} - d_k the held force of the spring gives K/2 sum D_k^2,
+// and the damping K T takes K sum D_k D_{k-1}: all energy of the hold, and as much again but for the part of the hand's
+// acceleration, K/2 sum (D_k - D_{k-1})^2.
 TEST(Guide, AClosedWayTakesFromTheHandWhatTheHoldOfTheForceWouldGiveIt)
 {
   GuidePlan plan;
@@ -113,7 +113,7 @@ TEST(Guide, AFreeDeviceComesToThePlaneAndStays)
       before_m = height_m;
       fastest = std::max(fastest, device.speed_D().norm());
     }
-    // Friction holds a device where the guide is weaker than it; what is measured is a step off at most. What swings is
+    // Friction holds a device where the guide is weaker than it; the measurement is a step off at most. Swings are
     // damped by the device: by e^(-b t / 2 m) since the guide has all its force.
     const double left_m = 0.02 * std::exp(-0.5 * model.damping_Ns_per_m / model.mass_kg * (8.0 - plan.ramp_s));
     const double rest_m = model.friction_N / plan.stiffness_N_per_m + model.encoderStep_m + left_m;

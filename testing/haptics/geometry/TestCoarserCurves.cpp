@@ -222,7 +222,7 @@ TEST(CoarserCurves, CurvesNearerThanTheLimitThatDidNotCrossDoNot)
   }
 }
 
-/// Without those beside a junction, where chains that begin there may lose what crosses between their first runs.
+/// Without those beside a junction, where chains that begin there may lose crossings between their first runs.
 std::set<std::array<Segment, 2>> awayFrom(
   const std::vector<Vec3>& junctions_W, const std::vector<Vec3>& points_W, std::set<std::array<Segment, 2>> crossings)
 {

@@ -96,7 +96,7 @@ TEST(InkLines, ThinningKeepsTheNumberOfPiecesAndOfHoles)
   }
 }
 
-// Ink goes from both sides in turn, one pixel at a time: what is left is within a pixel of the middle.
+// Ink goes from both sides in turn, one pixel at a time: the rest is within a pixel of the middle.
 TEST(InkLines, AThickRingBecomesOneClosedCurveAlongItsMiddle)
 {
   for (const double width : { 2.0, 5.0, 12.0 })
@@ -221,7 +221,7 @@ TEST(InkLines, AnEndIsJoinedStraightToTheSideOfAnotherStroke)
   EXPECT_NEAR(lines.points_W[end].x(), 40.0, 1.0);
 }
 
-// Between a wall and what branches from it there is a corner and no gap, however short the branch.
+// Between a wall and its branch there is a corner and no gap, however short the branch.
 TEST(InkLines, ABranchIsNotJoinedToTheWallItBranchesFromAndAHookIsLeftOut)
 {
   for (const double length : { 10.0, 12.0, 20.0, 30.0 })

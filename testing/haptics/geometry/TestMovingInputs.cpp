@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes built one after another of surfaces that move: what is built anew, what is refitted, and from where it moves.
+// Scenes built one after another of surfaces that move: surfaces that are built anew or refitted, and the start of
+// their motions.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -135,7 +136,7 @@ TEST(MovingInputs, AMotionBeginsWhereTheSurfaceIsFeltAndEndsWhereItIsShown)
   const auto first = movingFrom(*at(0.0), 1.0, at(2.0), 0.1);
   ASSERT_EQ(first->motion_s(), 0.1);
   EXPECT_EQ(first->surfaces()[0].motion.begin_WS.p.z(), 0.0);
-  // The next snapshot comes at a quarter of that way.
+  // The next snapshot comes at a quarter of that motion.
   const auto second = movingFrom(*first, 0.25, at(3.0), 0.1);
   EXPECT_EQ(second->surfaces()[0].motion.begin_WS.p.z(), 0.25 * 2.0);
   EXPECT_EQ(second->surfaces()[0].motion.end_WS.p.z(), 3.0);
@@ -152,7 +153,7 @@ TEST(MovingInputs, WhatIsNewOrStandsStillDoesNotMove)
   EXPECT_EQ(movingFrom(*flat, 1.0, next, 0.1), next);
 }
 
-/// Builds a sheet after another, each on the way from where the one before is felt.
+/// Builds a sheet after another, each in motion from where the one before is felt.
 class Series
 {
 public:

@@ -48,7 +48,7 @@ Cut cut(const Loop& loop)
   return made;
 }
 
-/// Edges by where they are that occur an odd number of times: the border of what they go round, whatever it looks like.
+/// Edges by their places that occur an odd number of times: the border of the polygon, whatever it looks like.
 class Border
 {
 public:
@@ -163,7 +163,7 @@ Loop makeSimple(std::size_t corners, Random& random)
   return loop;
 }
 
-/// A rectangle with star-shaped holes, each reached from the lower side by a way that is gone there and back.
+/// A rectangle with star-shaped holes, each reached from the lower side by a cut that is gone there and back.
 Loop makeKeyholes(std::size_t holes, Random& random)
 {
   constexpr double cell = 1000.0;

@@ -21,7 +21,7 @@ namespace palpate::test::rays
 namespace
 {
 
-/// CGAL's tree with exact constructions: what our walk is judged by.
+/// CGAL's tree with exact constructions: the judge of our walk.
 class ExactRays
 {
 public:

@@ -150,7 +150,7 @@ TEST(SceneSimplifier, SaysWhyASurfaceItLookedForIsRefused)
 {
   Random random(testSeed(4301));
   TriangleMesh crossed = makeSheet({ 20.0, 20.0, 40, 40, 0.0 }, random);
-  append(crossed, shifted(crossed, { 0, 0, 0.01 })); // within what is not noticed: nothing may go
+  append(crossed, shifted(crossed, { 0, 0, 0.01 })); // within the distance that nobody notices: nothing may go
   const Scene scene(1, { surfaceOf("plate", crossed) });
   SceneSimplifier simplifier;
   const SimplerScene none = simplifier.simplify(scene, chooseAtFirst(scene, {}, rules()), rules(), 2);

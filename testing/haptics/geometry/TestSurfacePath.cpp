@@ -83,7 +83,7 @@ TEST(SurfacePath, OverATessellatedPlaneIsStraightFromVertexToVertexOfARegularGri
   }
 }
 
-// The nearest point of a convex body is a map that lengthens no way (Busemann & Feller 1936): from the sphere to the
+// The nearest point of a convex body is a map that lengthens no path (Busemann & Feller 1936): from the sphere to the
 // polyhedron in it, and from there to the ball inside.
 TEST(SurfacePath, OverAPolyhedronInASphereIsNoLongerThanTheGreatCircleAndNoShorterThanThatOfTheBallInside)
 {

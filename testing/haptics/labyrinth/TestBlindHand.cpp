@@ -113,8 +113,8 @@ Labyrinth hairpin()
   return labyrinth;
 }
 
-// The shortest way of the disc is along the wall between the corridors and round its end: two straights of 2.5, less
-// what the reach of the exit spares, and half a circle of at least the disc's radius.
+// The shortest path of the disc is along the wall between the corridors and round its end: two straights of 2.5, less
+// the reach of the exit, and half a circle of at least the disc's radius.
 TEST(BlindHand, GoesThroughAHairpinRoundTheEndOfItsWallAndNotThroughIt)
 {
   const LabyrinthOutcome outcome = runBlind(hairpin(), {});
@@ -138,7 +138,7 @@ TEST(BlindHand, SaysThatAWorldWithoutAWayHasNone)
   EXPECT_NE(outcome.problem.find("all reachable"), std::string::npos) << outcome.problem;
 }
 
-/// Rooms of one corridor each with one way between any two of them, so that many walls end where a hand looks for a
+/// Rooms of one corridor each with one path between any two of them, so that many walls end where a hand looks for a
 /// place. A line so far away makes them a tenth of a workspace: 1.4 mm on a joystick, where a wall gives 0.3 N.
 class Board
 {
@@ -225,7 +225,7 @@ std::vector<LabyrinthRun> everyRun()
   return runs;
 }
 
-// A way has been left open between any two rooms, so whoever tells walls from places arrives.
+// A path has been left open between any two rooms, so a hand that tells walls from places arrives.
 TEST(BlindHand, FindsItsWayWithEveryDeviceInEveryHandAmongEndsOfWallsThatPushNoHarderThanFriction)
 {
   test::Random random(test::testSeed(2));

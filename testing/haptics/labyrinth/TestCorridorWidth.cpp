@@ -36,7 +36,7 @@ struct Gaps
     wall(10, 0, 10, 4);
     wall(10, 4, 0, 4);
     wall(0, 4, 0, 0);
-    wall(3, 0, 3, 4 - first); // the way round its end is `first` wide
+    wall(3, 0, 3, 4 - first); // the path round its end is `first` wide
     wall(7, second, 7, 4);
     maze.start_W = this->put(1.5, 2);
     maze.exit_W = this->put(8.5, 2);
@@ -65,7 +65,7 @@ TEST(CorridorWidth, IsTheNarrowestGapOnTheWayWhereverAndHoweverLargeTheMazeIs)
 TEST(CorridorWidth, OfTwoWaysTheWiderCounts)
 {
   Labyrinth maze = Gaps().made(0.5, 3.0);
-  maze.curves.points_W[8] = Gaps().put(3, 1.0); // now there is a way below the first wall too
+  maze.curves.points_W[8] = Gaps().put(3, 1.0); // now there is a path below the first wall too
   const std::optional<double> width_u = corridorWidth(maze);
   ASSERT_TRUE(width_u);
   EXPECT_NEAR(*width_u, 1.0, 3 * 10.0 / 512);

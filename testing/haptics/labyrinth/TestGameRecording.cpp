@@ -25,7 +25,8 @@ Labyrinth shortCorridor()
 
 constexpr int playedTicks = 8000;
 
-/// Two games on a joystick that nobody holds, the second one asked for after 4 s; what phases ticks ended in.
+/// Two games on a joystick that nobody holds, the second one asked for after 4 s; returns the phases at the ends of
+/// ticks.
 std::string play(const std::string& path, bool deviceHolds)
 {
   const DeviceModel& model = *deviceModel("simulated-joystick");

@@ -55,7 +55,7 @@ TEST(LabyrinthButtons, StateOfATickHasTheButtonsOfItsSample)
   EXPECT_EQ(renderTick(input, parameters, state).state.buttons, first | third);
 }
 
-/// What a menu makes of buttons that are pressed from nothing.
+/// The menu's answer to buttons that are pressed from nothing.
 LabyrinthCall pressed(LabyrinthMenu menu, GamePhase phase, std::uint32_t buttons)
 {
   static_cast<void>(menu.look(phase, 0, look_s));

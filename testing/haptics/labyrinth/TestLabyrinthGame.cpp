@@ -172,7 +172,7 @@ TEST(LabyrinthGame, AHandThatHoldsStillIsPulledWithNoMoreThanTheLimit)
   }
 }
 
-/// The box with a wall across the way from its left side to the start.
+/// The box with a wall across the path from its left side to the start.
 Labyrinth boxWithAWall()
 {
   Labyrinth labyrinth = box();

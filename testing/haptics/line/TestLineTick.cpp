@@ -19,7 +19,7 @@ LineWorld ramp()
   return world;
 }
 
-/// A wheel at one place, and what it is told tick by tick.
+/// A wheel at one place, and its commands tick by tick.
 struct Wheel
 {
   LineWorld world = ramp();

@@ -53,7 +53,7 @@ TEST(LineWorld, ADetentDrawsToItsMiddleAndHardestHalfWayToTheNext)
   {
     const double middle_m = detent * world.detentEvery_m;
     EXPECT_NEAR(lineForce(world, middle_m), 0.0, 1e-12);
-    EXPECT_NEAR(lineForce(world, middle_m + 0.001), -0.1, 1e-12); // a quarter of the way to the half
+    EXPECT_NEAR(lineForce(world, middle_m + 0.001), -0.1, 1e-12); // a quarter of the distance to the half
     EXPECT_NEAR(lineForce(world, middle_m + 0.0039999), -0.4, 1e-4);
     EXPECT_NEAR(lineForce(world, middle_m - 0.0039999), 0.4, 1e-4);
   }
@@ -115,7 +115,7 @@ TEST(LineWorld, FrictionTakesWorkOverEveryClosedWay)
   for (std::size_t step = 0; step < test::testCount(2000); ++step)
   {
     const double next_m = std::clamp(s_m + random.uniform(-2e-3, 2e-3), -0.05, 0.05);
-    work_J += lineFriction(world, next_m, anchor_m) * (next_m - s_m); // held for the way there at the least
+    work_J += lineFriction(world, next_m, anchor_m) * (next_m - s_m); // held over the displacement there at the least
     s_m = next_m;
   }
   work_J += lineFriction(world, 0.0, anchor_m) * (0.0 - s_m);

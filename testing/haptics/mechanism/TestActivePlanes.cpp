@@ -19,7 +19,8 @@ constexpr double bar = 0.15;
 const Vec3 planePoint_B(0.01, -0.005, 0.1);
 const Vec3 planeAxis_B = Vec3(0.4, -0.3, 1.0).normalized();
 
-/// A law between a point of the world and a plane or a line of the bar, which meet where the hand is in the origin.
+/// A constraint between a point of the world and a plane or a line of the bar, which meet where the hand is in the
+/// origin.
 class ActivePlanes : public testing::Test
 {
 protected:
@@ -33,8 +34,8 @@ protected:
     return law;
   }
 
-  /// For hands at random, led there from where the law holds without force: where the bar comes to, and the wrench.
-  /// `law` is added to the energy of the hand's springs, with `more` coordinates of its own.
+  /// For hands at random, led there from where the constraint holds without force: where the bar comes to, and the
+  /// wrench. `law` is added to the energy of the hand's springs, with `more` coordinates of its own.
   template<class Constraint>
   void judge(std::uint64_t seed, int more, const Constraint& law)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each law of docs/theory.md, "Constraints between bodies", against its closed form: a rod of .2 m in a hand of 1000
-// N/m and 2 N m/rad.
+// Each constraint of docs/theory.md, "Constraints between bodies", against its closed form: a rod of .2 m in a hand of
+// 1000 N/m and 2 N m/rad.
 #include <cmath>
 #include <limits>
 
@@ -40,7 +40,8 @@ TEST_F(Constraints, AContactPushesByTheSpringsInSeriesAndNeverPulls)
   EXPECT_EQ(out.residual_u, 0.0);
 }
 
-/// Where the rod of that hand rests with a law of so many coordinates of its own added to the energy of the springs.
+/// Where the rod of that hand rests with a constraint of so many coordinates of its own added to the energy of the
+/// springs.
 template<class Constraint>
 Eigen::VectorXd restOf(const HeldRod& rod, int more, const Constraint& law)
 {

@@ -40,7 +40,7 @@ class FiniteTurns : public testing::Test
 protected:
   FiniteTurns() { this->rig.grip = { kc, kr }; }
 
-  /// To a pose in parts of its way, as hands go, from what lies there without forces.
+  /// To a pose in parts of the motion, as hands go, from the pose without forces.
   const MechanismResult& lead(const Pose& to, int parts = 40)
   {
     const Vec3 turn = rotationVector(to.q);
@@ -137,7 +137,8 @@ TEST_F(FiniteTurns, APushThatAlmostFoldsTheRodIsMetAndItsResidualIsTrueOnTheWay)
   this->rig.grip = { kc, 0.5 };
   this->rig.join(ConstraintKind::Attachment, "world", turnedTip, turnedTip);
   this->pinned = true;
-  const Pose to{ Vec3(2e-4, 0.0, 0.012), Quat::Identity() }; // 12 N at .2 m: beyond what the turning spring holds
+  const Pose to{ Vec3(2e-4, 0.0, 0.012), Quat::Identity() }; // 12 N at .2 m: beyond the largest moment of the turning
+                                                             // spring
   const MechanismResult& r = this->lead(to, 200);
   const auto energy = [&to](const Coordinates& z)
   {

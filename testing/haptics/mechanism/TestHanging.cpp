@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What turns freely between joints: a rod in the hand on a drawer, and on a door [mm, N, N/mm].
+// Bodies that turn freely between joints: a rod in the hand on a drawer, and on a door [mm, N, N/mm].
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ protected:
     return law;
   }
 
-  /// Along a straight way, then at rest.
+  /// Along a straight line, then at rest.
   const MechanismResult& lead(const Vec3& from, const Vec3& to, int ticks)
   {
     for (int i = 0; i < 2 * ticks; ++i)
@@ -73,7 +73,7 @@ protected:
   }
 
   /// Across the rails hand, rod and drawer are one straight line, as nothing there has a moment: as long as the arm,
-  /// the rod's share and the hand's spring. The rod leans by what the felt holds.
+  /// the rod's share and the hand's spring. The rod leans by the friction of the felt.
   static double pullAcross(double distance)
   {
     double low = 0.0, high = hangingCoupling * distance;

@@ -90,7 +90,7 @@ TEST_F(Lever, AHandThatGoesFiveMillimetresFeelsTheStaticsOfTheFiniteTurn)
   EXPECT_LE((r.wrench_W.torque - rod.moment(z)).norm(), 1e-10);
   EXPECT_LE((r.pose_W[0].p - z.head<3>()).norm(), 1e-12);
   EXPECT_LE((rotationVector(r.pose_W[0].q) - z.segment<3>(3)).norm(), 1e-11);
-  // By small turns it would be off by what the rod leans.
+  // The rows of small turns would be off by the rod's lean.
   EXPECT_NEAR(r.laws[0].force_W.y(), -1.231527, 1e-2);
   EXPECT_GT(std::abs(r.laws[0].force_W.y() + 1.231527), 1e-5);
 }

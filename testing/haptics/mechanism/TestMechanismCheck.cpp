@@ -35,7 +35,7 @@ TEST_F(Checked, AMechanismIsSaidToBecomeRowsRankAndFreeTurns)
   EXPECT_TRUE(check.faults.empty());
   EXPECT_EQ(check.rows, 8);
   // Both dry rows are along one rod, but through two tissues of their own, and so are its ends at the hub, along the
-  // same ways.
+  // same directions.
   EXPECT_EQ(check.rank, 6);
   EXPECT_EQ(check.freeTurns, 0);
   EXPECT_TRUE(check.redundant.empty());
@@ -229,7 +229,7 @@ TEST(CheckedBodies, ARigidOneThatPassesThroughASoftSurfaceIsSaid)
   }
 }
 
-/// A needle of .2 m below a wall and a box above it, and what a watch of the ticks says.
+/// A needle of .2 m below a wall and a box above it, and a watch of the ticks.
 class WatchedBodies : public testing::Test
 {
 protected:

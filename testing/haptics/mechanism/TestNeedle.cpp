@@ -80,7 +80,7 @@ TEST_F(Needle, NoMoreOfTheRodGoesInThanThereIs)
   const MechanismResult& r = this->at(through);
   EXPECT_EQ(r.laws[0].phase, ConstraintPhase::Inside);
   EXPECT_NEAR(r.laws[0].inside_u, rod, 1e-12);
-  // The hand is beyond by what its spring and the wall's give way by under the force.
+  // The hand is beyond by the yield of its spring and the wall's under the force.
   EXPECT_NEAR(-r.exact_W.force.z(), (through - rod) / series, 1e-9);
   (void)this->at(rod - 0.01);
   EXPECT_NEAR(this->at(rod - 0.02).exact_W.force.z(), friction, 1e-12) << "and the hub lets go";

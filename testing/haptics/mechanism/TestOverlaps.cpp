@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies whose vertices, edges and faces coincide overlap where their boxes share room along each axis, and nowhere
-// else: the boxes are the judge.
+// Bodies whose vertices, edges and faces coincide overlap where their boxes overlap along each axis, and nowhere else:
+// the boxes are the judge.
 #include <algorithm>
 #include <array>
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rigid plate on four patches that give way, pressed by a rod off its middle, against a solve of each set of patches
-// that may bear it.
+// A rigid plate on four soft patches, pressed by a rod off its middle, against a solve of each set of patches that may
+// bear it.
 #include <bitset>
 #include <optional>
 
@@ -20,7 +20,7 @@ constexpr double lengthOverPlate = 0.2, halfPlate = 0.05, thickPlate = 0.005;
 /// Beyond it a tick goes in parts, each with arms of its own: no closed form of small turns has that.
 constexpr double smallTurn_rad = 0.5;
 
-/// What is asked of a plate.
+/// The input of a plate.
 struct PressedPlate
 {
   std::array<Vec3, 4> feet;

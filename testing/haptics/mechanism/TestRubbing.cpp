@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A block that nothing but the balance of forces holds stands on four springs that it rubs on, and a needle pushes it.
+// A block that nothing but the balance of forces holds stands on four springs with friction, and a needle pushes it.
 #include <cmath>
 #include <tuple>
 
@@ -79,7 +79,7 @@ protected:
   static constexpr std::size_t block_ = 2; // after needle and world
   MechanismRig rig{ pusher };
   Vec3 pushed = Vec3::Zero();
-  Pose before_W; ///< of the block, where its laws are taken
+  Pose before_W; ///< of the block, where its constraints are taken
 };
 
 TEST_F(Rubbing, ABlockThatIsPushedSticksUntilAllFrictionIsUsedUpThenSlidesAndStaysWhereItCame)
@@ -205,7 +205,7 @@ TEST_F(Rubbing, WhereNoPlaceIsOneOfRestATickSaysSoAndTheBlockGoesNoFurtherThanIt
     EXPECT_GT(x - last, 0.0);
     last = x;
   }
-  // A needle in its way bears what friction does not.
+  // A needle in its way bears the load beyond the friction.
   this->rig.mechanism.laws.pop_back();
   const Vec3 front(halfBlock, 0.0, -0.02);
   this->rig.join(ConstraintKind::Contact, "block", Vec3(0.0, 0.0, pusher), front).axis_B = Vec3::UnitX();
@@ -230,8 +230,8 @@ TEST_F(Rubbing, WhatSlidesWithoutEndIsFoundOutInAShareOfTheWorkAndGoesAsItWouldW
       const MechanismResult& r = this->rig.step(Pose{ this->pushed - Vec3(1e-2 + pusher, 0.0, 0.0), alongX });
       EXPECT_TRUE(r.capped) << tick;
       EXPECT_LE(10 * r.work, lawWorkBudget) << tick;
-      // The step of the drag, which has the compliance of the hand's spring: it goes by what its feet leave of its
-      // load.
+      // The step of the drag, which has the compliance of the hand's spring: it goes by the load that its feet do not
+      // bear.
       Vec3 left_N = this->rig.mechanism.bodies[block_].load_W;
       for (std::size_t foot = 0; foot < 4; ++foot)
       {
@@ -243,7 +243,7 @@ TEST_F(Rubbing, WhatSlidesWithoutEndIsFoundOutInAShareOfTheWorkAndGoesAsItWouldW
   }
 }
 
-/// A rod stands on a floor that it rubs on, and its hand goes aside.
+/// A rod stands on a floor with friction, and its hand goes aside.
 MechanismResult standAside(double turning_Nm_per_rad, double friction, double depth, double aside)
 {
   const Vec3 tipAt(0.0, 0.0, pusher);

@@ -81,7 +81,7 @@ void makeRandom(Random& random, Solver& solver)
   }
 }
 
-/// Forces where all laws hold, found among all ways in which rows may be held or at a bound.
+/// Forces where all constraints hold, found among all combinations of rows that are held or at a bound.
 std::optional<Eigen::VectorXd> forcesByTryingAll(const ConstraintProblem& p)
 {
   const int n = p.count;
@@ -135,7 +135,7 @@ std::optional<Eigen::VectorXd> forcesByTryingAll(const ConstraintProblem& p)
   return std::nullopt;
 }
 
-/// The largest number that is summed up in a row: its rounding is what no solver undoes.
+/// The largest number that is summed up in a row: no solver is better than its rounding.
 double termsOf(const ConstraintProblem& p, const ConstraintForces& f)
 {
   const Eigen::VectorXd forces = Eigen::VectorXd(f.force_N).cwiseAbs();
@@ -216,7 +216,7 @@ double coneMissed(const ConstraintProblem& p, const ConstraintForces& f, int fir
   return most;
 }
 
-/// Rows without bounds and one with, up to two free ways and one or two cones that rub differently.
+/// Rows without bounds and one with, up to two degrees of freedom and one or two cones with different friction.
 void makeRubbing(Random& random, Solver& solver)
 {
   const int ways = static_cast<int>(random.below(3));
@@ -248,7 +248,8 @@ void makeRubbing(Random& random, Solver& solver)
   }
 }
 
-/// In ticks, each of which begins where the body came to in the one before, until its laws are met. Returns how many.
+/// In ticks, each of which begins where the body came to in the one before, until its constraints are met. Returns how
+/// many.
 int goOn(Solver& solver)
 {
   constexpr int most = 300;
@@ -299,7 +300,7 @@ TEST(SolveConstraints, ConesBesideRowsAndFreeWaysMeetCoulombsLawEachWithItsOwnFr
   EXPECT_GT(slips, 0);
 }
 
-/// A body of the size of its lever that springs hold softly and that stands on feet that rub and give way.
+/// A body of the size of its lever that springs hold softly and that stands on soft feet with friction.
 void makeStanding(Random& random, Solver& solver, int feet)
 {
   constexpr int ways = 6;
@@ -331,7 +332,7 @@ void makeStanding(Random& random, Solver& solver, int feet)
   }
 }
 
-/// Of forces and places: what one of a few newtons is judged by.
+/// Of forces and places: the scale of a comparison, with that of a few newtons.
 double sizeOf(const ConstraintForces& f)
 {
   return 1.0 + f.force_N.lpNorm<Eigen::Infinity>() + f.way_u.lpNorm<Eigen::Infinity>();
@@ -399,7 +400,7 @@ bool areWithinBounds(const ConstraintProblem& p, const ConstraintForces& f)
 TEST(SolveConstraints, WhatExceedsItsWorkSaysSoAndItsForcesAreWithinTheirBounds)
 {
   Random random(testSeed(2005));
-  constexpr std::uint32_t mostOfATurn = 3000; // what has begun is ended
+  constexpr std::uint32_t mostOfATurn = 3000; // a solve that has begun is ended
   std::size_t said = 0;
   for (std::size_t trial = 0; trial < testCount(300); ++trial)
   {
@@ -430,8 +431,8 @@ TEST(SolveConstraints, WhatExceedsItsWorkSaysSoAndItsForcesAreWithinTheirBounds)
   EXPECT_GT(said, testCount(300));
 }
 
-/// No compliance and no law without friction: whether a body rests is told by balance alone. On three feet around it
-/// in one plane, with the load in that plane, it does up to the angle of its friction.
+/// No compliance and no constraint without friction: whether a body rests is told by balance alone. On three feet
+/// around it in one plane, with the load in that plane, it does up to the angle of its friction.
 TEST(SolveConstraints, ABodyThatItsFrictionHoldsIsNeverFoundToBeEndless)
 {
   Random random(testSeed(2806));

@@ -24,7 +24,7 @@ std::shared_ptr<const PressedBody> padAtRest()
   return maker ? maker->press({}, 0.0) : nullptr;
 }
 
-/// Where a straight way enters the box, and the outer normal there.
+/// Where a straight segment enters the box, and the outer normal there.
 std::pair<Vec3, Vec3> entryOf(const Vec3& from_W, const Vec3& to_W)
 {
   double entry = 0.0;

@@ -52,7 +52,7 @@ public:
   [[nodiscard]] Vec3 top_W() const { return middleOfPad() + this->shift_W_; }
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(this->free_.size()); }
 
-  /// Column by column: what strain puts on the nodes where one of them is displaced by a metre.
+  /// Column by column: forces of the strain on the nodes where one of them is displaced by a metre.
   [[nodiscard]] Eigen::MatrixXd stiffness()
   {
     Eigen::MatrixXd k(this->size(), this->size());
@@ -113,7 +113,8 @@ TEST(WholeMechanism, SixRowsOfTheTickAreTheAnswerOfAllFourteenHundredUnknownsHow
   const Pose hand_W{ origin_W + Vec3(2e-3, -1e-3, -1.5e-3), turnBy(Vec3(0.01, -0.02, 0.03)) * down };
   const MechanismResult& r = rig.step(hand_W);
 
-  // Every node of both pads answers by the inverse of the whole stiffness: what forces on the tops leave of them.
+  // Every node of both pads has a share in the inverse of the whole stiffness: the yield of the tops is condensed from
+  // it.
   ASSERT_EQ(wall.size() + organ.size() + 18, 1431) << "and the rod, the device and six rows";
   std::array<Mat3, 2> yields;
   std::array<Vec3, 2> tops, places; // places on the rod, which stay the same

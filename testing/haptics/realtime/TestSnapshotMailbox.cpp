@@ -105,7 +105,7 @@ TEST(SnapshotMailbox, AReaderNeverSeesADeadOrAnOlderSnapshotIn300000Publishes)
   EXPECT_EQ(backward, 0U);
 }
 
-// A reader that pauses at odd moments lets what it puts down pile up between two emptyings.
+// A reader that pauses at odd moments lets replaced snapshots pile up between two emptyings.
 TEST(SnapshotMailbox, NothingIsLostHoweverTheReaderPauses)
 {
   constexpr std::uint64_t publishes = 300'000;

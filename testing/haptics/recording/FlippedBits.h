@@ -108,7 +108,7 @@ private:
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;
   }
 
-  /// What is said of a byte.
+  /// The name of the part that has a byte.
   [[nodiscard]] std::string nameOf(std::size_t at) const
   {
     if (at < this->chunks_.front().begin)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes a recording of each session in today's format: palpate-make-fixtures FOLDER. What is in fixtures/ stays.
+// Writes a recording of each session in today's format: palpate-make-fixtures FOLDER. Files in fixtures/ stay.
 #include <iostream>
 #include <string>
 

@@ -71,7 +71,7 @@ public:
     return output.state;
   }
 
-  /// Empty, or what went wrong.
+  /// Empty, or the fault.
   [[nodiscard]] std::string close() { return this->recorder_.close(); }
 
 private:

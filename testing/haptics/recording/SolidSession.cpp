@@ -79,8 +79,8 @@ Vec3 handAt(int tick)
   return { 0.012 * std::sin(9.0 * s), 0.004 * std::sin(23.0 * s), std::max(0.0475, 0.056 - 0.0007 * tick) };
 }
 
-/// What goes wrong in a tick: samples that are no numbers at 40, 42 and 43, a late loop, a device that waits, and one
-/// that is gone.
+/// Faults of a tick: samples that are no numbers at 40, 42 and 43, a late loop, a device that waits, and one that is
+/// gone.
 void disturb(int tick, RecordedTicks& ticks)
 {
   ticks.status = tick == 74 ? DeviceStatus::Waiting : tick >= 96 ? DeviceStatus::Lost : DeviceStatus::Ok;

@@ -22,7 +22,7 @@ Recording fixtureOf(const std::string& session)
   return std::get<Recording>(std::move(read));
 }
 
-/// What a session lived through, in words.
+/// The events of a session, in words.
 std::set<std::string> livedThrough(const HapticState& s)
 {
   const std::pair<bool, std::string> seen[] = {
@@ -53,7 +53,7 @@ std::set<std::string> livedThrough(const HapticState& s)
   return words;
 }
 
-/// Replays a recording and says what was lived through.
+/// Replays a recording and returns its events.
 std::set<std::string> replayed(const Recording& recording)
 {
   std::set<std::string> lived;

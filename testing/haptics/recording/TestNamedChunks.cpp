@@ -127,7 +127,7 @@ TEST(NamedChunks, WithANameThatCannotBeShownAreDamaged)
   EXPECT_EQ(problemOf(raw), "it is damaged: it has a part of unknown kind");
 }
 
-/// What a start holds of its parameters.
+/// The start chunk's text with these parameters.
 std::string startWith(const std::string& parameters)
 {
   return test::rawPart("parameters", parameters);
@@ -289,7 +289,7 @@ struct Locate
   }
 };
 
-/// Between the members that are named there is never room for another one.
+/// Between the members that are named there is never space for another one.
 template<class Plan>
 void expectNoHoles(std::vector<Extent> members, const Plan& plan, std::string_view stage)
 {

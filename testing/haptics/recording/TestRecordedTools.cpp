@@ -27,7 +27,7 @@ ToolContacts someContacts()
   return set;
 }
 
-/// Whether what is written of a set is read.
+/// Whether a written set is read back.
 bool isRead(const ToolContacts& set)
 {
   ByteWriter out;

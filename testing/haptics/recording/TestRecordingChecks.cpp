@@ -115,7 +115,7 @@ TEST(RecordingChecks, NameTheChunkOfEveryBitThatFlipsInAFixture)
   EXPECT_EQ(fixtures, 2);
 }
 
-/// What a disk or a transfer loses is the end, not a bit: that is another sentence.
+/// A disk or a transfer loses the end, not a bit: that is another sentence.
 TEST(RecordingChecks, OfARecordingThatEndsTooEarlyAreNotCalledWrong)
 {
   const test::TemporaryFolder folder;

@@ -40,8 +40,8 @@ inline Vec3 topOfBlock()
   return { 0.05, 0.05, 0.05 };
 }
 
-/// How far the vertex in the middle of the top gives way under a newton along z [m], by a solve with the whole
-/// stiffness of the block at rest.
+/// Compliance of the vertex in the middle of the top along z [m/N], by a solve with the whole stiffness of the block at
+/// rest.
 inline double yieldOfTop()
 {
   SoftBodyResult made = makeSoftBody(softBlock(ElasticModel::Linear));

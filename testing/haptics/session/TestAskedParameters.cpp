@@ -25,7 +25,7 @@ BuiltScene allowing(double largest_u)
   return scene;
 }
 
-/// The servo takes what it is told.
+/// The servo takes its commands.
 void ask(AskedParameters& parameters, const HapticParameters& asked, const BuiltScene& scene)
 {
   parameters.taken(asked, parameters.told(asked, scene));

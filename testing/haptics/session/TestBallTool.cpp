@@ -49,7 +49,7 @@ Pose wayIntoGroove(int i)
 
 constexpr int lengthOfWay = 300;
 
-/// Seconds of this process for the way, a tick each pose.
+/// Seconds of this process for the path, a tick each pose.
 double secondsOf(BallHand& hand)
 {
   const ProcessorClock clock;
@@ -67,7 +67,7 @@ TEST(BallTool, IsWhereItsMeshIsAndPushesAsItToWithinTheBoundRow63)
   const ToolMesh tool = ballTool();
   ASSERT_GT(tool.ball_u(), 0.0);
   BallHand ball(groove, tool), mesh(groove, asMesh(tool));
-  constexpr int settles = 400; // ticks: what a step of the force left is gone by then
+  constexpr int settles = 400; // ticks: the rest of a step of the force is gone by then
   // In the corner of both walls, each of which holds either middle at its own distance.
   const double off_m = (tool.simple->bound_u + 2.0 * tool.restGap_u()) / std::sin(slant_rad) + 1e-7;
   double pressed_N = 0.0;

@@ -107,7 +107,7 @@ TEST_F(CameAroundTest, AClosedSurfaceThatAppearsAroundAPressingHandHasItOutside)
   this->session_.step(100);
   EXPECT_NEAR(this->proxy().norm(), large_u, sagitta(large_u));
   this->goTo(Vec3(0.0, 0.0, large_u + 5.0)); // free air is free
-  this->session_.step(500);                  // what was blended has faded
+  this->session_.step(500);                  // the blended step has faded
   EXPECT_EQ(this->session_.state().contacts, 0);
   EXPECT_LT(this->session_.state().force_W.norm(), 1e-9);
   this->goTo(Vec3(0.0, 0.0, large_u - 2.0)); // and it is felt from outside: K d
@@ -125,7 +125,7 @@ TEST_F(CameAroundTest, AHandInFreeAirIsOutsideOfWhatAppearsAroundIt)
   EXPECT_GT(this->proxy().norm(), 60.0 - sagitta(60.0));
 }
 
-// With nothing shown the hand is free to be where the surface was; what appears again finds it there.
+// With nothing shown the hand is free to be where the surface was; a surface that appears again finds it there.
 TEST_F(CameAroundTest, ASurfaceThatWasGoneAndComesBackHasTheHandOutside)
 {
   const double radius_u = 60.0;
@@ -273,7 +273,7 @@ TEST_F(CameAroundTest, ABallThatIsSqueezedInARoomComesOutIntoTheRoom)
   EXPECT_GT(depthIn(room, this->proxy()), -1e-6);
 }
 
-// A wall is around nothing; it hides what an eye saw.
+// A wall is around nothing; it hides a ball that an eye saw.
 TEST_F(CameAroundTest, WhatComesBetweenTheEyeAndTheHandThatItSawStaysBehindTheHand)
 {
   const auto wall = std::make_shared<const TriangleMesh>(makeBox(Vec3(-50, -50, 79), Vec3(50, 50, 80)));
@@ -322,7 +322,7 @@ protected:
   CameAroundABallTest() { this->radius_u_ = 3.0; }
 };
 
-// A ball that grows where it has no room stays as it was, on its side, and grows once it has.
+// A ball that does not fit as it grows stays as it was, on its side, and grows once it fits.
 TEST_F(CameAroundABallTest, ABallThatHasNoRoomToGrowDoesSoOnceItHas)
 {
   const auto box = [](double low_z, double high_z)

@@ -47,7 +47,7 @@ TEST(ComparedField, IsComparedAtThePointsOfTheFieldAndOnlyWhereBothAre)
   const MadeFieldBlock made = comparedWith(one, other)->brickAround({ Vec3(4, 4, 4), 4.0, 7 });
   ASSERT_TRUE(made.brick);
   EXPECT_EQ(made.brick->revision(), 7U);
-  for (double x = 1.0; x < 5.0; x += 0.5) // of what is linear, trilinear values are itself
+  for (double x = 1.0; x < 5.0; x += 0.5) // trilinear values of a linear field are exact
   {
     const auto sample = made.brick->sample(FieldBlockRole::Other, { x, 2.5, 3.25 });
     ASSERT_TRUE(sample) << x;
@@ -72,8 +72,8 @@ TEST(ComparedField, IsSnappedToAtTheGivenPlacesNearestToTheHandAndARecordingKeep
   ASSERT_TRUE(made.brick);
   ASSERT_EQ(made.brick->places_W().size(), FieldBlock::mostPlaces);
   ASSERT_EQ(made.brick->lines_W().size(), FieldBlock::mostPlaces);
-  // The first that is left out is 128 from the hand along x, beside what it is off that line. Another brick comes in
-  // time.
+  // The first place that is left out is 128 from the hand along x, beside the hand's distance from that line. Another
+  // block comes in time.
   EXPECT_NEAR(made.reach_u, 0.5 * std::sqrt(128.0 * 128.0 + 300.0 * 300.0 + 3.0 * 3.0), 1e-9);
   for (std::size_t i = 0; i < FieldBlock::mostPlaces; ++i)
   {
@@ -118,7 +118,7 @@ TEST(ComparedField, OfAFinerBrickIsWhatItIsOfTheOther)
   places.points_W = { Vec3(1, 2, 3) };
   const MadeFieldBlock made = snappingTo(comparedWith(one, other), places)->brickAround({ Vec3(4, 4, 4), 4.0, 7 });
   ASSERT_TRUE(made.brick && made.brick->finer());
-  const Vec3 p(3.25, 2.5, 3.25); // of what is linear, trilinear values are itself
+  const Vec3 p(3.25, 2.5, 3.25); // trilinear values of a linear field are exact
   EXPECT_EQ(&made.brick->finestAt(p), made.brick->finer().get());
   EXPECT_NEAR(made.brick->finestAt(p).sample(FieldBlockRole::Other, p)->value, 3.25 + 0.25 * 3.25, 1e-5);
   EXPECT_EQ(made.brick->finer()->places_W(), places.points_W);

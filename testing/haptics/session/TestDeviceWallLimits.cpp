@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What protects a hand that a device pushes by itself: how hard walls and leads may push, and how fast that may grow.
+// Protection of a hand that a device pushes by itself: how hard walls and leads may push, and how fast that may grow.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -55,7 +55,7 @@ TEST(DeviceWallLimits, ALeadPushesNoHarderThanAnythingMay)
   EXPECT_LE(strongest_N, tick.parameters.safety.maxForce_N);
 }
 
-// K times the reach of the draw is the largest force of the plan, whichever way the start lies.
+// K times the reach of the draw is the largest force of the plan, in any direction of the start.
 TEST(DeviceWallLimits, AlongAnAxisAndBetweenAxesALeadPushesWithAllThatItsPlanSays)
 {
   for (const double angle : { 0.0, 0.3, std::numbers::pi / 4, std::numbers::pi / 2 })
@@ -92,7 +92,7 @@ TEST(DeviceWallLimits, WhatIsToldOfALeadIsNoMoreThanAnythingMayPush)
 }
 
 // A floor under a hand that is pressed to its limit F, and a wall beside it: each of two may push with F / sqrt(2), one
-// alone with F. Past the end of the reach of the wall beside it the force goes up by what it may rise in a tick.
+// alone with F. Past the end of the reach of the wall beside it the force goes up by the largest rise of a tick.
 TEST(DeviceWallLimits, AWallThatIsPressedToItsLimitGetsTheShareOfAnotherNoFasterThanAForceMayRise)
 {
   constexpr double most_N = 3.0, rise_N_per_s = 150.0, dt_s = 1e-3, deep_m = 0.02;
@@ -114,7 +114,7 @@ TEST(DeviceWallLimits, AWallThatIsPressedToItsLimitGetsTheShareOfAnotherNoFaster
   EXPECT_NEAR(force_N, most_N, 1e-12);
 }
 
-// What such a device gives beyond what it was told cannot be metered; the hand that it throws is seen by its speed.
+// Energy that such a device gives beyond its commands cannot be metered; the hand that it throws is seen by its speed.
 TEST(DeviceWallLimits, AHandThatIsThrownFromHeldWallsFasterThanAHandCanBeIsLetGo)
 {
   constexpr double fastest_m_per_s = 2.0, p_m = 0.02, dt_s = 1e-3;

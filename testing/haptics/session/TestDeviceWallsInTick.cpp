@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A plane world on a device that holds walls: what the tick asks it to hold, when, and how fast. K = 200 N/m.
+// A plane world on a device that holds walls: the walls that the tick sends, when, and how fast. K = 200 N/m.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -202,7 +202,7 @@ TEST(DeviceWallsInTick, WallsGoWithTheGainAndAreGoneWhenNoForceMayBeGiven)
   EXPECT_EQ(tick.at(0, 0).command.wallCount, 0);
 }
 
-/// A corridor of 4 mm that goes along y by that way, in that time.
+/// A corridor of 4 mm that goes along y by that displacement, in that time.
 std::shared_ptr<const Scene> movingCorridor(double way_m, double time_s)
 {
   std::vector<Surface> surfaces = sceneOf(corridor(0.002))->surfaces();
@@ -309,8 +309,8 @@ TEST(DeviceWallsInTick, AtTwentyToAThousandHertzAPushedHandleRestsAtForceOverSti
   }
 }
 
-// The device holds 100 N/m and is asked for 1000: a handle pushed with f rests f / 100 behind the wall, and what the
-// session reports is f, not ten times as much.
+// The device holds 100 N/m and is asked for 1000: a handle pushed with f rests f / 100 behind the wall, and the session
+// reports f, not ten times as much.
 TEST(DeviceWallsInTick, NoStifferWallsAreAskedForThanTheDeviceHoldsAndWhatItHoldsIsReported)
 {
   constexpr double held_N_per_m = 100.0, push_N = 1.2;
@@ -321,7 +321,7 @@ TEST(DeviceWallsInTick, NoStifferWallsAreAskedForThanTheDeviceHoldsAndWhatItHold
   heavy.maxStiffness_N_per_m = held_N_per_m;
   HapticParameters parameters = holding();
   parameters.stiffness_N_per_m = 1000.0;
-  parameters.limitStiffness = false; // what the loop of the host can hold does not matter here
+  parameters.limitStiffness = false; // the stability limit of the host's loop does not matter here
   Played played;
   play(played, heavy, simulation, corridor(0.002), parameters);
   static_cast<void>(played.session.step(4000));
@@ -369,7 +369,7 @@ TEST(DeviceWallsInTick, WallsThatAreNotNumbersAreNotSentAndLatch)
 }
 
 // Half width 2 mm, K 2000 N/m, 50 g, 0.05 N s/m, thrown at 0.1 m/s: without viscosity the device shakes harder and
-// harder, with what the session finds by itself it is at rest within 2 s.
+// harder, with the session's own viscosity it is at rest within 2 s.
 TEST(DeviceWallsInTick, TheViscosityFoundForADeviceStopsACorridorThatShakesWithoutIt)
 {
   SimulationOptions simulation;

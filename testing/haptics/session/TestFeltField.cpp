@@ -12,7 +12,7 @@ namespace palpate
 namespace
 {
 
-/// A brick of 2 x 2 x 2 points wherever it is asked for; a place left of 0 has none. May be held until it is let go.
+/// A block of 2 x 2 x 2 points wherever it is asked for; a place left of 0 has none. May be held until it is let go.
 class FakeSource : public FieldSource
 {
 public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of built scenes a session feels: all of it at first, simpler surfaces when they are proven, and motions.
+// The part of built scenes that a session feels: all of it at first, simpler surfaces when they are proven, and
+// motions.
 #include <memory>
 
 #include <gmock/gmock.h>

@@ -33,7 +33,7 @@ std::shared_ptr<const FieldBlock> brickAround(const Vec3& hand_W, std::uint64_t 
       test::sampledValues(size, [&](const Vec3& i) { return grid.toWorld(i).norm(); }) } });
 }
 
-/// A hand that strokes the field and a surface in it from a tick to another, with a new brick every 40 ticks.
+/// A hand that strokes the field and a surface in it from a tick to another, with a new block every 40 ticks.
 void stroke(HapticSession& session, int ticks, int from = 0)
 {
   for (int tick = from; tick < ticks; ++tick)
@@ -111,7 +111,7 @@ TEST(FieldInLoop, EveryBitThatFlipsInARecordingOfItIsNamed)
   test::FlippedBits(folder.file("a")).expectEachIsNamed(33, "brick");
 }
 
-// The recording begins between two bricks, or in the tick that takes one or none any more (two of three).
+// The recording begins between two blocks, or in the tick that takes one or none any more (two of three).
 TEST(FieldInLoop, ARecordingBegunWhileAFieldIsFeltReplaysBitForBitAndIsNotFelt)
 {
   const test::TemporaryFolder folder;

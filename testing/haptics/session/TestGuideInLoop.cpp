@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The guide to a plane in a closed loop: every simulated device that moves in space, in every hand, in planes turned
-// any way, at 1 kHz and 125 Hz. K = 200 N/m or what the device and the rate hold, at most 2 N.
+// The guide to a plane in a closed loop: every simulated device that moves in space, in every hand, in planes of any
+// direction, at 1 kHz and 125 Hz. K = 200 N/m or the stable stiffness of device and rate, at most 2 N.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -128,8 +128,8 @@ void everyDeviceHandAndPlane(const Check& check)
 }
 
 // A hand of stiffness k led to a place at height h, pushed with f, rests where k (h - x) + f = K x. Friction may hold
-// it by c along each axis, c |n|_1 along the normal, and the encoder hides a step D along each, K D |n|_1. What nobody
-// holds is only slowed by K T / 2: 2 m / (K T / 2) to lose all but 1 / e.
+// it by c along each axis, c |n|_1 along the normal, and the encoder hides a step D along each, K D |n|_1. A free
+// handle is only slowed by K T / 2: 2 m / (K T / 2) to lose all but 1 / e.
 TEST(GuideInLoop, EveryHandComesToRestWhereItBalancesTheGuideAndIsNeverPulledHarderThanTheLimit)
 {
   for (const double T : { 1e-3, 8e-3 })

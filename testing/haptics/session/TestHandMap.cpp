@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What becomes of a map that a person turns, scales or shifts: the hand stays where it is.
+// A map that a person turns, scales or shifts: the hand stays where it is.
 #include <cmath>
 #include <limits>
 
@@ -77,7 +77,7 @@ TEST(HandMap, OfACameraHasRightUpAndTowardsWhereTheViewHasThem)
   for (std::size_t i = 0; i < test::testCount(1000); ++i)
   {
     const Mat3 axes = randomTurn(random).toRotationMatrix();
-    // what a view says of up need not be square to right, and neither is as long as one
+    // the view's up need not be square to right, and neither is as long as one
     const auto q_WD =
       viewRotation(random.uniform(0.1, 9.0) * axes.col(0), axes.col(1) + random.uniform(-1.0, 1.0) * axes.col(0));
     ASSERT_TRUE(q_WD);

@@ -65,7 +65,7 @@ MechanismChoice chosen(const MechanismInputs& inputs)
   return { std::make_shared<const MechanismInputs>(inputs), "scene", 25.0 };
 }
 
-/// What a hand there feels of the block once it is at rest: no snapshots, a solve of the whole body in each tick.
+/// Force of the block on a hand there once it is at rest: no snapshots, a solve of the whole body in each tick.
 double restingForce_N(double depth)
 {
   MechanismHold hold;
@@ -299,7 +299,7 @@ TEST_F(MechanismInLoop, ABodyThatFindsNoPlaceToRestIsSaidInEachTickAndTheHandFee
   MechanismInputs inputs = tipHeld();
   MechanismBody& sledge = inputs.mechanism.bodies.emplace_back(bodyOf("sledge", MechanismBodyKind::Rigid));
   sledge.halfSize_u = Vec3::Constant(0.01);
-  sledge.load_W = Vec3(0.1, 0, -1); // down, and along what it would glide on
+  sledge.load_W = Vec3(0.1, 0, -1); // down, and along the plane that it would glide on
   for (const auto& [name, at] : { std::pair("front", Vec3(0.01, 0, -0.01)), std::pair("left", Vec3(-0.01, 0.01, -0.01)),
          std::pair("right", Vec3(-0.01, -0.01, -0.01)) })
   {

@@ -49,7 +49,7 @@ TEST(MechanismTick, AWorkerThatDoesNotComeBackForASecondEndsTheForceAndNothingIs
   EXPECT_EQ(last_N, 0.0);
 }
 
-/// What a tick says of a mechanism whose hand is there, or nowhere.
+/// The tick's report of a mechanism whose hand is there, or nowhere.
 class TickOfMechanism
 {
 public:

@@ -21,7 +21,7 @@ namespace
 
 constexpr double spring = 500.0, beyond_m = 0.04, before_m = -0.006, speed_m_per_s = 0.25;
 
-/// What nobody holds would fall over like a strut that stands on its tip: a guide leads it.
+/// A needle that nobody holds would fall over like a strut that stands on its tip: a guide leads it.
 MechanismInputs guided(MechanismInputs inputs)
 {
   inputs.mechanism.bodies.push_back(bodyCalled("world", MechanismBodyKind::World));
@@ -53,14 +53,14 @@ public:
   }
 
   double given_J = 0.0;
-  double offMeter_J = 0.0; ///< from what the session's own meter says
+  double offMeter_J = 0.0; ///< from the session's own meter
   double leastInContact_J =
     0.0; ///< given since a contact began, at any time in it, against the most that it had stored
   double leastExcess_J = 0.0;
   double mostStored_J = 0.0;
   double mostExcess_J = 0.0; ///< by the session's own meter
   double mostRise_N = 0.0;   ///< beyond the limit of the session
-  double mostFall_N = 0.0;   ///< beyond what a law's change and the hand's own way may make at once
+  double mostFall_N = 0.0;   ///< beyond the fall that a change of a constraint and the hand's motion may make at once
 
 private:
   void lookAtContact(const TickRecord& tick)
@@ -180,8 +180,8 @@ protected:
   std::uint64_t changes = 0;
   std::array<int, 2> punctured{};
   int withdrawn = 0;
-  double leastPuncture = 10.0; ///< of what was asked
-  double mostBeyond_N = -1.0;  ///< of what was asked and what the hand's way in that tick may add
+  double leastPuncture = 10.0; ///< of the strength that was set
+  double mostBeyond_N = -1.0;  ///< of that strength and the rise by the hand's motion in that tick
   double way_m = 0.0;
   bool isMet = true;
 };

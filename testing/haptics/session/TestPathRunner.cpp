@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A hand along a path that is known before: what is felt, what is refused and what is said, for the filter and the
-// program alike. Judge: F = K (proxy - hand) / scale.
+// A hand along a path that is known before: forces, refusals and messages, for the filter and the program alike. Judge:
+// F = K (proxy - hand) / scale.
 #include <cmath>
 #include <limits>
 

@@ -200,7 +200,7 @@ std::vector<SurfaceInput> surfacesAndCurves()
   return inputs;
 }
 
-// A texture is left out on curves, and with it nothing is left of what their arrays say.
+// A texture is left out on curves, and with it all effect of their arrays.
 TEST(Recording, OfCurvesWithATextureReplaysBitForBit)
 {
   std::vector<SurfaceInput> inputs = surfacesAndCurves();

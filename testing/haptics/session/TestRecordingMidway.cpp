@@ -167,7 +167,7 @@ TEST(RecordingMidway, TheHandFeelsNothingOfABeginningOrAnEnd)
     recorded.run(1);
     other.run(1);
     // The ball is sought anew from the place where it was, under the same hand: the same to rounding of metres and
-    // newtons, thousands of times below what an encoder or a hand resolves.
+    // newtons, thousands of times below the resolution of an encoder or a hand.
     ASSERT_LT((recorded.session.state().force_D - other.session.state().force_D).norm(), 1e-6) << tick;
   }
 }
@@ -191,7 +191,7 @@ TEST(RecordingMidway, OfAServoThreadIsWholeOnceItsLastTickIsWritten)
   EXPECT_EQ(stroke.session.stop(), "");
 }
 
-/// The most ticks that fit: what stands before the first of them, then whole ticks, then the closing mark.
+/// The most ticks that fit: the bytes before the first of them, then whole ticks, then the closing mark.
 TEST(RecordingMidway, ADiskThatIsFullEndsItAndEveryTickThatFitsIsKept)
 {
   constexpr rlim_t room = 300000;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes are built on another thread: only what was committed last waits, and each scene arrives once.
+// Scenes are built on another thread: only the last commit waits, and each scene arrives once.
 #include <memory>
 
 #include <gmock/gmock.h>
@@ -97,7 +97,7 @@ TEST(SceneWorker, WhatIsCancelledGivesNothingAndTheNextCommitIsBuilt)
   const auto built = worker.wait();
   ASSERT_TRUE(built && built->scene);
   EXPECT_EQ(built->stamp_s, 3.0);
-  EXPECT_LE(built->scene->revision(), 2u); // at most the first was done by then; never what waited
+  EXPECT_LE(built->scene->revision(), 2u); // at most the first was done by then; never one that waited
   worker.cancel();                         // nothing is being built: nothing happens
   EXPECT_FALSE(worker.building());
   worker.commit({ surfaceOf(makeIcosphere(fine, 3.0), "again") }, "", 4.0);

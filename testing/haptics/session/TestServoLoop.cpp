@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The servo loop in virtual time: lateness, faults, and what it must not do.
+// The servo loop in virtual time: lateness, faults, and forbidden actions.
 #include <algorithm>
 #include <functional>
 #include <optional>

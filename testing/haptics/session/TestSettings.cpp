@@ -105,7 +105,7 @@ TEST(Settings, ARefusalNamesTheSettingItsRangeWithTheUnitAndWhatItIs)
   EXPECT_THAT(said("Offset", { 0, 0, std::nan("") }), HasSubstr("must be a finite number of u, not 0, 0, nan"));
 }
 
-/// What the table allows the tick takes, and the other way round, where both say how large a number can be.
+/// The tick takes the numbers that the table allows, and the other way round, where both limit a number.
 TEST(Settings, TheTickTakesWhatTheTableAllows)
 {
   const auto taken = [](auto put)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Simpler surfaces are looked for on another thread: only what was asked for last arrives, once.
+// Simpler surfaces are looked for on another thread: only the last request arrives, once.
 
 #include <cstdint>
 #include <memory>

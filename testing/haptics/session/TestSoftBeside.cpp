@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What moves beside a body that gives way.
+// Moving surfaces beside a soft body.
 #include <gtest/gtest.h>
 
 #include "SoftInLoop.h"
@@ -88,7 +88,7 @@ TEST_F(SoftInLoop, WhatHasMovedBesideItRestsASecondLater)
   commit(1.001, SphereBeside::way_s);
   this->hold(Vec3(0, 0, 0.02), 1000);
   EXPECT_FALSE(felt.rests());
-  this->hold(Vec3(0, 0, 0.02), 200); // its way, and until the next snapshot brought it
+  this->hold(Vec3(0, 0, 0.02), 200); // its motion, and until the next snapshot brought it
   EXPECT_TRUE(felt.rests());
 }
 
@@ -104,7 +104,7 @@ TEST_F(SoftInLoop, OfABodyThatIsComputedMoreOftenWhatIsBesideItStaysWhereItWent)
   this->session.choose<SoftTask>(choice);
   for (int i = 0; i < 100; ++i)
   {
-    EXPECT_EQ(this->hold(Vec3(0, 0, 0.02)).motionLag_s, 0.0) << i; // of what is under way: the whole time of its way
+    EXPECT_EQ(this->hold(Vec3(0, 0, 0.02)).motionLag_s, 0.0) << i; // of a motion under way: its whole duration
   }
 }
 

@@ -63,7 +63,7 @@ private:
   std::size_t top_ = 0;
 };
 
-/// What a hand in front of a soft block came to.
+/// The outcome of a hand in front of a soft block.
 struct Played
 {
   double given_J = 0.0; ///< by the hand since contact began

@@ -210,7 +210,7 @@ TEST_F(SoftInLoop, ACoarserBodyInItsPlaceIsNotPressedAtTheVerticesOfTheOld)
 
 TEST_F(SoftInLoop, ABodyThatBeginsToGiveWayUnderAPressedHandDoesSoWithoutAStep)
 {
-  // Rigid, the body's own surface is pressed by K d; its surface is the same once it gives way.
+  // Rigid, the body's own surface is pressed by K d; its surface is the same once it is soft.
   const SoftBodyResult made = makeSoftBody(softBlock(ElasticModel::Linear));
   const SoftSurface surface = makeSoftSurface(*made.body, made.checked.mesh);
   SurfaceInput input;

@@ -66,7 +66,7 @@ TEST(SoftLoads, ABlockSagsUnderItsWeightByHalfOfWhatItsWholeWeightOnTopWouldMake
   ASSERT_TRUE(maker) << refusal;
   ASSERT_TRUE(maker->press({}, 0.04));
   EXPECT_NEAR(heightOfBlock_m - heightOfTop_m(*maker), sagOfTop_m(), 0.02 * sagOfTop_m());
-  // Small strains, 2.5 % here: a law of large ones differs by about as much.
+  // Small strains, 2.5 % here: a model of large ones differs by about as much.
   const auto curved = BodyMaker::make(weighingBlock(ElasticModel::NeoHookean), "block", 0, refusal);
   ASSERT_TRUE(curved) << refusal;
   EXPECT_NEAR(heightOfBlock_m - heightOfTop_m(*curved), sagOfTop_m(), 0.06 * sagOfTop_m());
@@ -158,8 +158,9 @@ TEST(SoftLoads, OfALinearBodyMoveItsSurfaceAndChangeNothingOfHowItYields)
     ASSERT_TRUE(pressed[bears]);
   }
   const ComplianceSnapshot &bare = *pressed[0]->snapshot, &loaded = *pressed[1]->snapshot;
-  // A snapshot has what the edges lead to within its reach. The weight strains no edge by more than the column's foot:
-  // so near less that share a vertex is in both, and what is in one of them is not further than that share beyond.
+  // A snapshot has the vertices that edges lead to within its reach. The weight strains no edge by more than the
+  // column's foot: vertices that are nearer by that share are in both snapshots, and a vertex of one of them is not
+  // further than that share beyond.
   const SoftBodyResult made = makeSoftBody(softBlock(ElasticModel::Linear));
   const SoftSurface surface = makeSoftSurface(*made.body, made.checked.mesh);
   const auto middle =

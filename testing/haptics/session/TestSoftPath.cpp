@@ -52,7 +52,7 @@ TEST(SoftPath, AtRestABodyGivesTheForceOfItsYieldAndTheSpringInSeries)
   constexpr double depth_m = 0.004;
   const HapticState state = pressed(touch, depth_m, 10);
   const double force_N = depth_m / (1.0 / spring_N_per_m + yieldOfTop());
-  // The surface gives way sideways too, by a hundredth: what is touched is beside the vertex.
+  // The surface yields sideways too, by a hundredth: the ball touches beside the vertex.
   EXPECT_NEAR(state.force_W.z(), force_N, 1e-3 * force_N);
   EXPECT_LE(state.force_W.head<2>().norm(), 1e-9 * force_N) << "the top is flat, and there is no friction";
   EXPECT_NEAR(state.soft.stored_J, 0.5 * force_N * depth_m, 1e-3 * force_N * depth_m) << "of a linear spring";
@@ -154,7 +154,7 @@ TEST(SoftPath, WhatIsHeldDoesNotKeepABallThatLeavesTheBody)
   EXPECT_EQ(last_N, 0.0) << "beside it";
 }
 
-/// Over the bumps of bumpyBlock() at 50 mm/s and, if asked for, down to what is held below them.
+/// Over the bumps of bumpyBlock() at 50 mm/s and, if asked for, down to the fixed nodes below them.
 Vec3 overBumps(int tick, double radius_u, double deep_m)
 {
   const double down = std::min(1.0, tick / 100.0);

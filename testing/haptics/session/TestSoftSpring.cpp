@@ -13,7 +13,7 @@ namespace
 
 TEST_F(SoftInLoop, WithoutTheEnergyBalanceEveryTicksForceIsTheSpringsThoughPacketsChangeUnderIt)
 {
-  for (const double young_Pa : { 20e3, 10.0 }) // through the second the ball comes down to what is held
+  for (const double young_Pa : { 20e3, 10.0 }) // through the second the ball comes down to the fixed nodes
   {
     SoftBodyInput input = bumpyBlock(ElasticModel::NeoHookean);
     input.young_Pa = { young_Pa };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One line says how it is, why, and what to do.
+// One line with status, reason and remedy.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the tick does when something around it changes while the hand presses.
+// Changes around the tick while the hand presses.
 #include <cmath>
 #include <limits>
 

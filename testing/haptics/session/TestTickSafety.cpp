@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What ends the force in the tick: the dead-man, the speed cut, the energy latch; and what is only said.
+// Events that end the force in the tick: the dead-man, the speed cut, the energy latch; and those that are only
+// reported.
 #include <gtest/gtest.h>
 
 #include "haptics/tick/ForceRenderer.h"

@@ -36,7 +36,7 @@ TriangleMesh sheetAt(double z)
   return shifted(makeSheet({ 0.4, 0.4, 6, 6, 0.3 }, random), Vec3(0, 0, z));
 }
 
-/// The same surfaces, at the end of a way to `place`.
+/// The same surfaces, at the end of a motion to `place`.
 std::shared_ptr<const Scene> movedTo(const Scene& scene, const Pose& place, std::uint64_t revision)
 {
   std::vector<Surface> surfaces = scene.surfaces();
@@ -370,7 +370,7 @@ TEST_F(ToolInLoop, LaidDownOrExchangedWhileItPressesNeverPushesHarder)
     EXPECT_LE(state.force_W.norm(), pressed_N * (1.0 + 1e-6));
   }
   EXPECT_FALSE(this->session.state().tool.held);
-  constexpr double blend_s = 0.03, tick_s = 0.001; // the ball is above the sheet: what is left fades
+  constexpr double blend_s = 0.03, tick_s = 0.001; // the ball is above the sheet: the rest of the force fades
   const double left_N = pressed_N * std::pow(blend_s / (blend_s + tick_s), 1000);
   EXPECT_LE(this->hold(halfTool - 0.003, 1000).force_W.norm(), left_N);
   this->session.choose<ToolTask>(cubeTool());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From data to a scene to the ball that touches it, and a hand's way along that.
+// From data to a scene to the ball that touches it, and a hand's path along that.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -24,7 +24,7 @@ namespace
 
 constexpr double tick_s = 1e-3;
 
-/// What a hand does with a tool. In m; it begins at the pose of the time 0 and holds still from restFrom_s on.
+/// A hand's task with a tool. In m; it begins at the pose of the time 0 and holds still from restFrom_s on.
 struct Deed
 {
   std::string name;
@@ -94,7 +94,7 @@ Deed onScrew()
     } };
 }
 
-/// What came of it.
+/// The outcome.
 struct Seen
 {
   double pressed_N = 0.0, turned_Nm = 0.0;
@@ -152,7 +152,8 @@ Seen play(const Deed& deed, const HandModel& hand)
 TEST(TurningHand, ComesToRestWithEveryDeedIsGivenNoEnergyAndFeelsNoStep)
 {
   const DeviceModel& device = *deviceModel("simulated-6d");
-  const double allowance_J = handLimits(0.1, 3.0).excess_J / 5.0; // a fifth of what ends the force of a device of 3 N
+  const double allowance_J = handLimits(0.1, 3.0).excess_J / 5.0; // a fifth of the excess that ends the force of a
+                                                                  // device of 3 N
   for (const Deed& deed : { pressedFlat(), tipped(), inSlot(), onScrew() })
   {
     for (const HandModel& hand : handModels())

@@ -18,13 +18,13 @@ public:
   virtual ~Backend() = default;
   /// Does the closed segment meet the surface anywhere?
   [[nodiscard]] virtual bool meets(const Vec3& from_W, const Vec3& to_W) = 0;
-  /// The fraction of the way, 0..1, at which the segment first meets the surface; nothing where it does not.
+  /// The fraction of the segment, 0..1, at which the segment first meets the surface; nothing where it does not.
   [[nodiscard]] virtual std::optional<double> firstHit(const Vec3& from_W, const Vec3& to_W) = 0;
   /// How far p is from the surface [u]; nothing where the library does not offer it.
   [[nodiscard]] virtual std::optional<double> distance_u(const Vec3& /*p_W*/) { return std::nullopt; }
 };
 
-/// In what arithmetic a library decides whether a segment meets a triangle.
+/// The arithmetic in which a library decides whether a segment meets a triangle.
 enum class Arithmetic
 {
   Exact,

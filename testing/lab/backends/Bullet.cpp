@@ -15,7 +15,7 @@ btVector3 point(const Vec3& v)
   return { static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z()) };
 }
 
-/// Keeps the first hit of a way.
+/// Keeps the first hit of a segment.
 class FirstHit final : public btTriangleRaycastCallback
 {
 public:

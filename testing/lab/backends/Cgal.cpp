@@ -43,7 +43,7 @@ std::vector<typename Kernel::Triangle_3> trianglesOf(const TriangleMesh& mesh)
   return triangles;
 }
 
-/// The fraction of the way from `from` that `p` of the segment stands for.
+/// The fraction of the segment from `from` that `p` of the segment stands for.
 double fractionOf(const Vec3& p_W, const Vec3& from_W, const Vec3& to_W)
 {
   return std::clamp((p_W - from_W).norm() / (to_W - from_W).norm(), 0.0, 1.0);

@@ -28,7 +28,7 @@ enum class ImageKind
   Drawing,
 };
 
-/// What the curves of an image of size * size pixels cost, and how the product said how far it was.
+/// The cost of the curves of an image of size * size pixels, and the product's reports of progress.
 struct ImageRun
 {
   Cost cost;                ///< of the whole image

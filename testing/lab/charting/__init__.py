@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What testing/lab/charts.py is made of: tables, figures, the page."""
+"""The parts of testing/lab/charts.py: tables, figures, the page."""

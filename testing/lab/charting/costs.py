@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""C1, C2, C9 and lines in a plane: what size costs, and what it brings."""
+"""C1, C2, C9 and lines in a plane: the cost of size, and its gain."""
 
 from matplotlib.ticker import LogFormatter, MaxNLocator
 
@@ -95,7 +95,7 @@ def draw_lines(rows):
 
 
 def draw_bricks(rows):
-    """Tetrahedra against the error of a brick and its cost, for three distances of its points."""
+    """Tetrahedra against the error of a block and its cost, for three distances of its points."""
     errors = [row for row in rows if row.quantity == "error" and "tetrahedra" in row.pairs]
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4))
     shares = sorted({row.pairs["share"] for row in errors})

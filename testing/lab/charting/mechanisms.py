@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies that laws join: a needle as a lever, its way in and out, what laws cost."""
+"""Bodies that constraints join: a needle as a lever, its path in and out, the cost of constraints."""
 
 from .style import COLOURS, line, looks, pyplot
 

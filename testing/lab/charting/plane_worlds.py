@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plane worlds on a joystick: what a slow host costs on slanted walls, how small a feature may be, blind hands in mazes."""
+"""Plane worlds on a joystick: the drag of a slow host on slanted walls, how small a feature may be, blind hands in mazes."""
 
 from .style import line, looks, pyplot
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What gives way: how stiff and how true it is felt at a low rate, what its elements and contacts cost."""
+"""Soft bodies: how stiff and how true they are felt at a low rate, the cost of their elements and contacts."""
 
 from .costs import limit, spread
 from .style import line, looks, pyplot
 
 
 def by_rate(axes, rows, style, key="rate"):
-    """Measured marks, and in the same colour what is exact."""
+    """Measured marks, and in the same colour the exact line."""
     for method, look in style.items():
         of = [row for row in rows if row.method == method and row.value is not None]
         line(axes, [(row.pairs[key], row.value) for row in of], method, look)

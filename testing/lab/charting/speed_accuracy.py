@@ -3,7 +3,7 @@
 
 from .style import is_ours, looks, pyplot
 
-LEAST = 1e-4  # below a ten-thousandth of what a hand can feel there is nothing to compare
+LEAST = 1e-4  # below a ten-thousandth of the least felt error there is nothing to compare
 FAILURES = {1: "through", 2: "stuck", 3: "unstable"}  # 4, a wrong force, has an error that says how wrong
 FLOOR, BAND, TOP = 3e6, 2e7, 2e8  # of the band of failures, above every error the lab tells
 
@@ -39,7 +39,7 @@ def draw_scene(axes, rows, failed, style, named=True):
 
 
 def frontier(axes, rows, failed):
-    """What the product reaches: nothing of it is both cheaper and closer to the truth."""
+    """The reach of the product: nothing of it is both cheaper and closer to the truth."""
     points = sorted((row.cost_us_p50, max(row.value, LEAST)) for row in rows
                     if is_ours(row.method) and row.value is not None and row.cost_us_p50 and
                     not failed.get((row.case, row.method), 0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How stiff a wall may be: against rate, delay, damping, encoder step, friction, and what that costs a hand."""
+"""How stiff a wall may be: against rate, delay, damping, encoder step, friction, and the cost for a hand."""
 
 from .style import line, looks, pyplot
 
@@ -11,7 +11,7 @@ AXES = {
     "friction": ("friction of the device [N]", "linear"),
 }
 NAMES = "m {mass:g}\nb {damping:g}\nB {virtual:g}\nd {delay:g}"
-LEAST = 10.0  # N/m: what is softer is drawn at the edge
+LEAST = 10.0  # N/m: softer walls are drawn at the edge
 
 
 def varied(rows, what, quantity):
@@ -63,7 +63,7 @@ def draw_atlas(rows, transparency):
 
 
 def draw_transparency(cells, rows, style):
-    """What each stabiliser costs: drag in free air, error of a spring's impedance, and the stiffness it buys."""
+    """The cost of each stabiliser: drag in free air, error of a spring's impedance, and the stiffness it buys."""
     first = [row for row in rows if row.pairs.get("device") == "D1"]
     titles = {"drag": ("drag in free air at 0.1 m/s [N]", 0.05), "impedance error": ("error of a spring's impedance", 0.08)}
     for axes, (quantity, (label, limit)) in zip(cells, titles.items()):
@@ -84,7 +84,7 @@ def draw_transparency(cells, rows, style):
 
 
 def draw_rates(rows):
-    """C3: rate against stiffness, and beside it what delay and damping do to both limits."""
+    """C3: rate against stiffness, and beside it the effect of delay and damping on both limits."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10.5, 4.5))
     limits = [[row for row in rows if row.quantity == quantity and row.value is not None] for quantity in ("K_crit", "K_passive")]
     draw_limits(left, *([(row.pairs["rate"], row) for row in of if set(row.pairs) == {"rate"}] for of in limits), "", "")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The labyrinth as a regression test: Tremaux's rules with a memory for places, a simulated hand on a simulated device.
-// A maze has a way (testing/scripts/test_gallery.py searches it among the walls), so whoever feels right arrives:
+// A maze has a path (testing/scripts/test_gallery.py searches it among the walls), so a hand that feels right arrives:
 // every device, in every hand that holds it.
 #include <array>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 27: what a hand gets out of a loop that ends where it began.
+// Row 27: the energy that a hand gets out of a closed loop.
 //
 // Where the free space is convex the god-object is the nearest free point, so the force of the spring is the negative
 // gradient of V = K d^2 / 2, convex and with a gradient that changes by at most K a metre. A force held over a step s
@@ -83,7 +83,7 @@ void judgeRoom(
     work_J[slower] = done.held_J;
     limit_J = slower ? limit_J : done.limit_J;
   }
-  // The leak goes with the speed: what is left at none, from two speeds, is nothing.
+  // The leak goes with the speed: its extrapolation to no speed, from two speeds, is zero.
   const double left_J = (10 * work_J[1] - work_J[0]) / 9;
   table.atMost({ name, ours, "work of a loop at no speed, share of the limit" }, std::abs(left_J) / limit_J, 1e-3);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 64: each law between two bodies against the statics of finite turns, in hands, turns and tissues at random.
+// Row 64: each constraint between two bodies against the statics of finite turns, in hands, turns and tissues at
+// random.
 #include <algorithm>
 #include <optional>
 
@@ -19,7 +20,7 @@ using Coordinates = ConstraintTrial::Coordinates;
 
 constexpr int ticks = 20; ///< of one trial
 
-/// A force that a law asks for is counted by what it bends the hand's spring, so that all coordinates are of one size.
+/// A constraint's force is counted by the stretch of the hand's spring, so that all coordinates are of one size.
 double couplingOf(const ConstraintTrial& trial)
 {
   return trial.rig.grip.coupling_N_per_u;
@@ -66,7 +67,7 @@ void attachment(ConstraintTrial& trial)
   }
 }
 
-/// Pulled from nothing to twice what it holds at first, and back.
+/// Pulled from nothing to twice its strength at first, and back.
 void breaks(ConstraintTrial& trial)
 {
   MechanismConstraint& law = trial.joinTip(ConstraintKind::Break, "world", Vec3::UnitZ());
@@ -128,8 +129,8 @@ void friction(ConstraintTrial& trial)
   law.friction = trial.random.uniform(0.1, 0.9);
   const double soft = trial.yield_u_per_N, k = couplingOf(trial);
   const double across = trial.yieldAlong(trial.rod_W.unitOrthogonal(), trial.arm_W) + soft;
-  // A rod that leans is pushed up as it is rubbed aside. Where that is more than what the push gives way by, friction
-  // has several answers (it jams); it leans by what it rubs and by half of the most that the hand is turned.
+  // A rod that leans is pushed up by friction as it slides aside. Where that is more than the yield under the push,
+  // friction has several answers (it jams); it leans by the friction and by half of the largest turn of the hand.
   const double lever = trial.length_u * trial.length_u / trial.rig.grip.turning_Nu_per_rad;
   const double leans = std::min(0.1, 0.4 * (1.0 / k + soft) / (law.friction * lever));
   const double push_N = std::min(0.5 * trial.safe_N(), 0.5 * leans * trial.length_u / (law.friction * lever));
@@ -230,7 +231,7 @@ void limit(ConstraintTrial& trial)
   stretched(trial, law, law.least_u, law.most_u);
 }
 
-/// A shaft in a hole of the tissue: what gives way across it, and rubs along it.
+/// A shaft in a hole of the tissue: it yields across the shaft, and has friction along it.
 class InHole
 {
 public:
@@ -273,8 +274,8 @@ private:
   Vec3 rubs_N_ = Vec3::Zero(); ///< along the shaft, in x
 };
 
-/// In and out along the rod: the surface holds until it is punctured where it was met, then the hole rubs, and the rod
-/// is moved and turned aside in it, until the tip is out of it.
+/// In and out along the rod: the surface holds until it is punctured where it was met, then the hole has friction, and
+/// the rod is moved and turned aside in it, until the tip is out of it.
 void puncture(ConstraintTrial& trial)
 {
   trial.addTissue(trial.arm_W, -trial.rod_W);
@@ -315,7 +316,7 @@ void puncture(ConstraintTrial& trial)
   }
 }
 
-/// Through a hole: across the shaft as a lever that gets shorter, along it what the hole rubs.
+/// Through a hole: across the shaft as a lever that gets shorter, along it the friction of the hole.
 void insertion(ConstraintTrial& trial)
 {
   const Vec3 hole_W = trial.random.uniform(0.3, 0.7) * trial.arm_W;

@@ -16,7 +16,7 @@ namespace convex_edge_experiment
 
 constexpr double stiffness_N_per_m = 1000.0, edge_m = 0.05, depth_m = 1e-3;
 
-/// A way over the edge in equal steps, one of which ends `offset_m` behind it.
+/// A path over the edge in equal steps, one of which ends `offset_m` behind it.
 struct Way
 {
   std::string name;
@@ -24,8 +24,8 @@ struct Way
   int before, after; ///< steps on either side
 };
 
-/// The force of a wall of 1000 N/m: straight up above the top; past the edge none on a point, and on a ball what the
-/// side gives.
+/// The force of a wall of 1000 N/m: straight up above the top; past the edge none on a point, and on a ball the force
+/// of the side.
 Vec3 truth_N(double x_m, double radius_m)
 {
   return stiffness_N_per_m *

@@ -179,7 +179,7 @@ void runTremble(const Conditions& conditions, test::Random& random, Table& table
   table.atMost(subject, largest_m, 1e-12);
   const auto alternating = method("alternating").make(world);
   alternating->start(wedge.start_W());
-  // After 16 of the 97 steps a tenth of the way is left.
+  // After 16 of the 97 steps a tenth of the distance is left.
   table.atLeast({ "corner=S4", "alternating", "position error after one tick", "m" },
     (alternating->tick(wedge.p_W).proxy_W - wedge.x_W).norm(), 1e-4);
 }

@@ -48,7 +48,7 @@ private:
   GodObjectState state_;
 };
 
-/// What a distance field gives: out of the nearest piece, as far as the device is inside.
+/// The force of a distance field: out of the nearest piece, as far as the device is inside.
 class PenaltyTouch final : public Touch
 {
 public:
@@ -132,7 +132,7 @@ void judgeBend(Table& table)
       { "bend from inside", radius_m > 0.0 ? "god-object r=1mm" : "god-object r=0", "largest force step", "N" },
       largestStepInBend_N("god-object", radius_m, thick_m, R, step_m), along_N, 1e-9);
   }
-  // At the bisector, half a radius deep in both, the force K R / 2 turns from one cylinder's way to the other's.
+  // At the bisector, half a radius deep in both, the force K R / 2 turns from one cylinder's direction to the other's.
   const double R = 2e-3;
   table.within({ "bend from inside", "penalty", "largest force step", "N" },
     largestStepInBend_N("penalty", 1e-3, thick_m, R, step_m), stiffness_N_per_m * 0.5 * R * std::numbers::sqrt2,
@@ -208,7 +208,7 @@ void judgeNet(const Conditions& conditions, Table& table)
   }
 }
 
-/// Random dashes at 10 m/s through a spring: no piece of the way comes nearer to the wire than touching it.
+/// Random dashes at 10 m/s through a spring: no piece of the path comes nearer to the wire than touching it.
 void judgeSpring(const Conditions& conditions, Table& table)
 {
   constexpr double thick_m = 0.3e-3;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is felt of a surface between two snapshots, on its way or in steps, and what it costs to keep it felt: moving
-// the vertices of its tree against building it anew, and a tick on the way against one on a surface that stands.
+// The force of a surface between two snapshots, in motion or in steps, and the cost of keeping it felt: moving the
+// vertices of its tree against building it anew, and a tick in motion against one on a surface that stands.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -116,7 +116,7 @@ void compareCost(std::size_t triangles, int repetitions, Table& table)
     const double share = worker.times().quantile_us(0.0) / build.times().quantile_us(0.0);
     table.atLeast({ name, method, judged }, share <= most ? 1.0 : 0.0, 1.0).cost = Cost::of(worker.times());
   };
-  // A sixth alone; beside other work, which lengthens what waits for memory most, up to 0.28 was seen.
+  // A sixth alone; beside other work, which lengthens waits for memory most, up to 0.28 was seen.
   judge("refit", "refit costs at most a third of a build", move, 1.0 / 3.0);
   // Boxes and balls of three places, each read through the triangles: 0.46 alone, a half beside other work.
   judge("refit for a way", "refit costs at most 0.6 of a build", come, 0.6);
@@ -134,7 +134,7 @@ TriangleMesh sheet()
 
 struct Felt
 {
-  double wrong_N = 0.0; ///< against the straight way between the snapshots
+  double wrong_N = 0.0; ///< against the straight motion between the snapshots
   double step_N = 0.0;  ///< largest change from one tick to the next
 };
 
@@ -199,7 +199,7 @@ int passes(double speed, double depth_m, double ball_m)
   return through;
 }
 
-/// The same stroke over a noisy sphere that stands and one whose vertices are on their way.
+/// The same stroke over a noisy sphere that stands and one whose vertices are in motion.
 void compareTicks(std::size_t triangles, int ticks, Table& table)
 {
   const test::NoisySphere sphere(triangles, 1e-3);
@@ -237,7 +237,7 @@ void compareTicks(std::size_t triangles, int ticks, Table& table)
   const std::string name = caseName({ { "triangles", static_cast<double>(triangles) }, { "r", 1.0 } });
   table.info({ name, "standing", "ticks" }, ticks).cost = still;
   // A triangle that is met is computed again each time it is asked for: that costs most where most are near, in the
-  // slowest ticks. What counts is that these stay in step.
+  // slowest ticks. These must stay in step.
   const bool bounded = onWay.p99_us <= mostTickRatio * still.p99_us;
   table
     .atLeast(
@@ -245,7 +245,7 @@ void compareTicks(std::size_t triangles, int ticks, Table& table)
     .cost = onWay;
 }
 
-/// What a hand feels on a smooth sphere that breathes when a method answers for new vertices.
+/// The force on a hand on a smooth sphere that breathes when a method answers for new vertices.
 struct Breath
 {
   double radius_m = 0.05;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 3: what a held spring gives to a hand that presses and lets go at constant speed.
+// Row 3: energy from a held spring to a hand that presses and lets go at constant speed.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -20,7 +20,7 @@ struct Press
 
 struct Energies
 {
-  double meter_J = 0.0;    ///< the product's: force of the last period times the way in it
+  double meter_J = 0.0;    ///< the product's: force of the last period times the displacement in it
   double textbook_J = 0.0; ///< force of now times speed of now times the period
 };
 

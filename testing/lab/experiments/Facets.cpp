@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 17, chart C1: what the facets of an inscribed sphere do to the force on it, and what a tick on it costs.
+// Row 17, chart C1: the effect of the facets of an inscribed sphere on the force, and the cost of a tick.
 #include "testing/support/Facets.h"
 
 #include <algorithm>

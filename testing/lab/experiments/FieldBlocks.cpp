@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// FieldBlocks of tetrahedra and of images: how far their numbers are from the data's, what they cost, and how fast a
-// hand may go before it is at the rim of one that is made anew every so often.
+// FieldBlocks of tetrahedra and of images: how far their numbers are from the data's, their cost, and how fast a hand
+// may go before it is at the rim of one that is made anew every so often.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -66,7 +66,7 @@ Mesh meshOf(int cells)
   return mesh;
 }
 
-/// The largest error of a brick at places between its points, as far as its data reaches.
+/// The largest error of a block at places between its points, as far as its data reaches.
 double errorOf(const FieldBlock& brick, test::Random& random)
 {
   const double spacing = brick.grid().spacing_u.x();
@@ -108,7 +108,7 @@ void judgeTetrahedra(const Mesh& mesh, int rounds, test::Random& random, Table& 
     const FieldBlock brick(1, grid, { { FieldBlockRole::Scalar, "f", values } });
     const std::string name = caseName({ { "tetrahedra", 1.0 * mesh.tetrahedra.size() }, { "share", share } });
     // Linear in a tetrahedron: an eighth of its longest edge squared, the cube's diagonal, times the largest second
-    // derivative; between points of the brick once more of theirs.
+    // derivative; between points of the block once more of theirs.
     const double cells = 3.0 * mesh.edge * mesh.edge / 8.0 * curvature, points = spacing * spacing / 8.0 * curvature;
     table.atMost({ name, "ours: tetrahedra", "error" }, errorOf(brick, random), cells + points + 1e-6).cost =
       Cost::of(cost);
@@ -125,8 +125,8 @@ void judgeImage(double spacing, test::Random& random, Table& table)
     spacing * spacing / 8.0 * curvature + 1e-6);
 }
 
-/// Ticks of a millisecond in which a hand that goes straight on is outside of the brick it has: the owner looks every
-/// so often whether half of the room is used up, and the next brick, around where the hand was then, comes a while
+/// Ticks of a millisecond in which a hand that goes straight on is outside of the block it has: the owner looks every
+/// so often whether half of the margin is used up, and the next block, around where the hand was then, comes a while
 /// later.
 int ticksOutside(double speed_m_per_s, double room_m, int look_ms, int build_ms, int begin_ms)
 {
@@ -150,7 +150,7 @@ int ticksOutside(double speed_m_per_s, double room_m, int look_ms, int build_ms,
   return outside;
 }
 
-/// Half of the room is left for the look and the work: v = room / 2 / (look + build).
+/// Half of the margin is left for the look and the work: v = room / 2 / (look + build).
 void judgeSpeed(double room_m, int look_ms, int build_ms, Table& table)
 {
   const double fastest_m_per_s = 0.5 * room_m / (1e-3 * (look_ms + build_ms));
@@ -185,7 +185,7 @@ void runFieldBlocks(const Conditions& conditions, Table& table)
   {
     judgeImage(spacing, random, table);
   }
-  judgeSpeed(0.030, 40, 31, table); // a brick of 48^3 of tetrahedra as large as 1.3 mm, looked after at 25 Hz
+  judgeSpeed(0.030, 40, 31, table); // a block of 48^3 of tetrahedra as large as 1.3 mm, looked after at 25 Hz
   judgeSpeed(0.060, 16, 100, table);
   judgeSpeed(0.120, 16, 5, table);
 }

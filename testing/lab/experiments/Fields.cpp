@@ -27,7 +27,7 @@ constexpr int points = 64;
 constexpr double radius = 20.0;
 const Vec3 middle = Vec3::Constant(0.5 * (points - 1) + 0.123);
 
-/// What draws a hand at p, times k [N].
+/// The pull on a hand at p, times k [N].
 using Method = std::function<Vec3(const Vec3& p)>;
 using Scalar = std::function<double(const Vec3& p)>;
 
@@ -127,7 +127,7 @@ struct Play
   std::function<Vec3(const Vec3& p)> truth;
 };
 
-/// What the error of a method may be at most, and of a textbook method must be at least; neither: it is told.
+/// Bounds of the error of a method, the least for a textbook method; neither: the error is told.
 struct Limits
 {
   std::optional<double> most = {}, least = {};
@@ -197,7 +197,7 @@ Play ballPlay(int ticks)
   return play;
 }
 
-/// -1 in one layer of points and 0 in all others: what is below a level is a sheet around that layer.
+/// -1 in one layer of points and 0 in all others: the part below a level is a sheet around that layer.
 double layer(const Vec3& i)
 {
   return i.z() == 24.0 ? -1.0 : 0.0;

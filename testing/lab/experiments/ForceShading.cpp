@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 18: the direction of the force on a faceted sphere with and without force shading, what it costs, and the work
-// that a shaded force, which has no potential, does over a closed way.
+// Row 18: the direction of the force on a faceted sphere with and without force shading, its cost, and the work that a
+// shaded force, which has no potential, does over a closed path.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,7 +22,7 @@ struct Loop
 {
   double off_deg = 0.0;  ///< largest angle between force and radius
   double jump_deg = 0.0; ///< largest turn of the force in a tick beyond that of the radius
-  double work_mJ = 0.0;  ///< on the hand over the closed way, at 1 N/mm
+  double work_mJ = 0.0;  ///< on the hand over the closed path, at 1 N/mm
   Cost cost;
 };
 

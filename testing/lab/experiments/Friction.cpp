@@ -79,7 +79,7 @@ void breakAway(const std::shared_ptr<const Scene>& floor, const Ours& ours, Tabl
   table.atMost({ name, ours.name, "error of the force, sticking and sliding", "N" }, wrong_N, 1e-9);
 }
 
-/// A triangle wave of amplitude 1 that begins at 0: the device's way there and back.
+/// A triangle wave of amplitude 1 that begins at 0: the device's path there and back.
 double wave(double phase)
 {
   return phase <= 1 ? phase : phase <= 3 ? 2 - phase : phase - 4;
@@ -131,7 +131,7 @@ void hysteresis(const std::shared_ptr<const Scene>& floor, int quarter, Table& t
 
 constexpr double count_m = 50e-6, pull_m = 5e-3, inclineMu = 0.5;
 
-/// A hand that pulls straight down on what lies on an incline; how far that slides, and how far it has to [m].
+/// A hand that pulls straight down on an object on an incline; how far that slides, and how far it has to [m].
 struct Slide
 {
   double moved_m = 0.0;
@@ -150,7 +150,7 @@ Slide slideDown(double angle_rad, double radius_m, int ticks, std::uint64_t seed
   Slide slide;
   for (int i = 0; i < ticks; ++i)
   {
-    // One count along the pull: the direction of the pull is what the cone is about.
+    // One count along the pull: the cone is about the direction of the pull.
     const double pulled_m = pull_m + (random.uniform() < 0.5 ? 0.0 : count_m);
     probe.to(probe.x_W() - Vec3(0, 0, pulled_m));
     slide.truth_m += pulled_m * std::max(0.0, std::sin(angle_rad) - inclineMu * std::cos(angle_rad));
@@ -251,7 +251,7 @@ void corner(Table& table)
   table.atLeast({ name, "averaged-normal", "error of the threshold" }, std::abs(found_m / truth_m - 1), 0.25);
 }
 
-/// Plain and rubbing ticks in turn over the same way, so that a change of the machine's pace meets both.
+/// Ticks without and with friction in turn over the same path, so that a change of the machine's pace meets both.
 void cost(int ticks, Table& table)
 {
   const test::NoisySphere sphere(100000, 1.0);

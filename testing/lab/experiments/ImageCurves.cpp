@@ -149,7 +149,7 @@ Field strokes()
   return [](double x, double y) { return std::fmod(x, 32) < 6 || std::fmod(y, 32) < 6 ? 0.0 : 1.0; };
 }
 
-/// A row for what one run costs, judged by another of the same machine and minute.
+/// A row for the cost of one run, judged by another of the same machine and minute.
 void judgeCost(
   const std::string& name, const char* limit, double allowed, const Cost& cost, const Cost& other, Table& table)
 {

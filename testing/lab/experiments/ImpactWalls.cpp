@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 89: a pulse that brakes in the tick of an impact, and a transient that is added to the spring. What each costs. A
-// mass of 0.1 kg without damping, T = 1 ms.
+// Row 89: a pulse that brakes in the tick of an impact, and a transient that is added to the spring. The cost of each.
+// A mass of 0.1 kg without damping, T = 1 ms.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -102,7 +102,7 @@ void judgePulse(double speed_m_per_s, double share, Table& table)
     without.leaves_m_per_s / speed_m_per_s, relative);
   table.within({ name, "braking pulse", "speed of leaving over that of coming" },
     -ticks.speed_m_per_s() / speed_m_per_s, with.leaves_m_per_s / speed_m_per_s, relative);
-  // What it costs: a click ten times as hard as the spring it belongs to, for a millisecond.
+  // Its cost: a click ten times as hard as the spring it belongs to, for a millisecond.
   const double own_N = K * without.deepest_m;
   table.within({ name, "braking pulse", "largest force over that of the spring" }, felt_N / (K * plain_m),
     (spring_N + pulse_N) / own_N, relative * (spring_N + pulse_N) / own_N);
@@ -122,7 +122,7 @@ void judgeMass(Table& table)
   }
 }
 
-/// No harder than the device can: what is left of the speed.
+/// No harder than the device can: the rest of the speed.
 void judgeWeakPulse(Table& table)
 {
   constexpr double share = 0.5, most_N = 5.0;

@@ -31,7 +31,8 @@ bool onTheEdge(double damping, double friction)
   return damping == 0.25 && friction == 0.5;
 }
 
-/// Peak to peak of the true position over the last 30 % of the time, in encoder steps; what leaves +-1 m counts as 2 m.
+/// Peak to peak of the true position over the last 30 % of the time, in encoder steps; a device that leaves +-1 m
+/// counts as 2 m.
 double tail(double damping, double friction, const HapticParameters& parameters)
 {
   FreeDevice pushed;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 90: what a link of 31,250 baud and 10 bits a byte carries to a joystick, where a force is two parameters and four
-// wall places are four, of six bytes each.
+// Row 90: load of a link of 31,250 baud and 10 bits a byte to a joystick, where a force is two parameters and four wall
+// places are four, of six bytes each.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -46,7 +46,7 @@ DeviceCommand wallsAt(int update)
 
 constexpr Message messages[] = { { "a force", 12.0, forceAt }, { "four wall places", 24.0, wallsAt } };
 
-/// What a host got through in that time.
+/// Commands that a host got through in that time.
 struct Carried
 {
   int updates = 0;
@@ -110,7 +110,7 @@ void judgeDevice(Table& table)
     0.01 * truth_per_s);
 }
 
-/// What the session makes of it: walls no more often than they are carried, stiffness for the rate of the link.
+/// The session's adaptation to it: walls no more often than they are carried, stiffness for the rate of the link.
 void judgeSession(Table& table)
 {
   DeviceInfo info = infoOf(*deviceModel("simulated-serial-joystick"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 36: a bar that bends, of tetrahedra: how far each element is from the clamped bar, and what its factor costs.
+// Row 36: a bar that bends, of tetrahedra: how far each element is from the clamped bar, and the cost of its factor.
 #include <algorithm>
 
 #include "haptics/compliance/body/SoftBody.h"

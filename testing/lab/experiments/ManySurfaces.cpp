@@ -65,8 +65,8 @@ TriangleMesh merged(const std::vector<TriangleMesh>& meshes)
 
 const Vec3 start_W(0, 0, 0.2), landing_W(0, 0, 0.039);
 
-/// A hand that pulls the proxy over whatever stands out, at up to 0.3 m/s round and round, and presses it to the middle
-/// a sixth as much: slopes of up to 80 degrees do not stop it. From what does, it hops a millimetre outwards.
+/// A hand that pulls the proxy over all bumps, at up to 0.3 m/s round and round, and presses it to the middle a sixth
+/// as much: slopes of up to 80 degrees do not stop it. From steeper ones it hops a millimetre outwards.
 Vec3 pull_W(const Vec3& x_W, int tick, bool stopped)
 {
   const double a = 2.8e-3 * tick, b = 0.3 * a;
@@ -78,13 +78,13 @@ Vec3 pull_W(const Vec3& x_W, int tick, bool stopped)
 struct Comparison
 {
   double apart_m = 0.0;  ///< largest distance between the two proxies
-  double contacts = 0.0; ///< ticks in contact: what makes it a comparison
-  double way_m = 0.0;    ///< of the proxy: what makes it a slide
+  double contacts = 0.0; ///< ticks in contact, without which nothing is compared
+  double way_m = 0.0;    ///< of the proxy, without which it is no slide
   Cost many, one;
   std::vector<Vec3> path_W; ///< of the device
 };
 
-/// The same way in both scenes, tick by tick in turn, so that a change of the machine's pace meets both.
+/// The same path in both scenes, tick by tick in turn, so that a change of the machine's pace meets both.
 Comparison compare(
   const std::shared_ptr<const Scene>& many, const std::shared_ptr<const Scene>& one, double radius_m, int ticks)
 {

@@ -14,7 +14,7 @@ namespace palpate::lab
 namespace mapping_experiment
 {
 
-/// What a point's force is on four corners, against the point itself: the worst of many points and motions.
+/// Errors of a point's force on four corners, against the point itself: the worst of many points and motions.
 struct Lost
 {
   double force_N = 0.0;
@@ -89,7 +89,7 @@ Lost lost(const TetraMesh& tetra, Weights (*back)(const TetraMesh&, const Vec3&)
   return most;
 }
 
-/// Points that several frames carry: what their forces and moments miss of the points', and the power.
+/// Points that several frames carry: errors of their forces and moments against the points', and of the power.
 Lost lostOnFrames(int frames, std::uint64_t seed)
 {
   test::Random random(seed);

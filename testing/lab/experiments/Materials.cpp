@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 27 for surfaces that change along the way, and what is felt of data at all: stiffness and texture given at the
+// Row 27 for surfaces that change along the path, and the felt share of data: stiffness and texture given at the
 // vertices, beside a wall in series with the coupling, a stiffness cut off at the vertices, one without a slope, a
-// turned normal, a texture that stands out of the surface that is met, and three other limits of a texture's speed.
+// turned normal, a texture that stands out of the contact surface, and three other limits of a texture's speed.
 //
 // The truth is the energy V = k(x) max(0, d - c(x))^2 / 2 of a wall that is pressed d deep over hollows c: its force is
-// -grad V, and no closed way does work. K = 1000 N/m; scenes in metres.
+// -grad V, and no closed path does work. K = 1000 N/m; scenes in metres.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -244,7 +244,7 @@ void slowInFastAlong(const Conditions& conditions, Table& table)
   table.atLeast({ name, "share by speed alone", "energy a hand is given in a loop", "J" }, alone_J, 0.5 * gain_J);
 }
 
-/// What is felt of a texture over what there is, by least squares, on a way of so many ticks a wave.
+/// The felt share of a texture, by least squares, on a slide of so many ticks a wave.
 double shareFelt(const std::shared_ptr<const Scene>& scene, double ticksAWave)
 {
   constexpr double d = 1e-3;

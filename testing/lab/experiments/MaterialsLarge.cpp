@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows 70 to 72: laws of elasticity far from rest: turned, pulled and pressed.
+// Rows 70 to 72: constitutive models far from rest: turned, pulled and pressed.
 #include <cmath>
 #include <numbers>
 

@@ -129,7 +129,7 @@ void judgeStroke(const Conditions& conditions, Table& table)
   };
   judge("where it punctures", "mm", 1e3 * stroke.puncture_m, 1e3 * punctured_N * yield_m_per_N);
   judge("way of the reversal", "mm", 1e3 * stroke.reversal_m, 2e3 * rubs_N * yield_m_per_N);
-  // The surface's spring until it gives way, then what the hole rubs, in and out, but for the reversal.
+  // The surface's spring until it breaks, then the friction of the hole, in and out, but for the reversal.
   const double work_J = 0.5 * punctured_N * punctured_N * yield_m_per_N +
                         rubs_N * (stroke_m - punctured_N * yield_m_per_N) +
                         rubs_N * (stroke_m - 2.0 * rubs_N * yield_m_per_N);

@@ -117,9 +117,9 @@ void platforms(const TriangleMesh& plate, Table& table)
       ridesOfOurs(plate, platform, speed, table);
     }
   }
-  // One that rests at the device looks at no way at all: any plate passes it.
+  // One that rests at the device looks at no segment at all: any plate passes it.
   table.within({ nameOf(comes, 0.01), staticName, "falls" }, staticRide(plate, comes, 0.01).falls, 1.0, 0.0);
-  // One that is pressed has its gap, 0.1 mm: what is faster than that in a tick has passed it.
+  // One that is pressed has its gap, 0.1 mm: a plate faster than that in a tick has passed it.
   const double limit = StaticFrameProxy::gap_u / T;
   table.within(
     { nameOf(lifts, 0.9 * limit), staticName, "falls" }, staticRide(plate, lifts, 0.9 * limit).falls, 0.0, 0.0);
@@ -209,7 +209,7 @@ void scissors(const TriangleMesh& plate, Table& table)
 
 constexpr double depth_m = 2e-3, mu_s = 0.5, mu_k = 0.3;
 
-/// What a plate that is drawn or turned under a pressed hand does to it.
+/// Effect on a pressed hand of a plate that is drawn or turned under it.
 struct Rubbing
 {
   double wrong_N = 0.0; ///< largest error of the force once the plate slips
@@ -226,7 +226,7 @@ Rubbing rub(test::Actor& actor, const Vec3& hand_W, int ticks)
     const Vec3 before_S = actor.inSurface(0);
     const bool slips = actor.tick(hand_W).friction == FrictionState::Slips;
     const Vec3 force_N = K * (actor.state.x_W - hand_W);
-    // The contact's way over the plate, in W: friction on the hand is against it.
+    // The contact's displacement over the plate, in W: friction on the hand is against it.
     const Vec3 way_W = actor.pose(0).q * (actor.inSurface(0) - before_S);
     if (slips && slipped)
     {
@@ -261,7 +261,7 @@ void rubbed(const TriangleMesh& plate, const Turning& turning, Table& table)
     table.atMost({ turning.name, ours.name, "error of the force", "N" }, seen.wrong_N, 1e-6);
     table.within({ turning.name, ours.name, "ticks in which friction gives work" }, seen.gains, 0.0, 0.0);
   }
-  // What only sees a plane that is the same plane in every tick feels no rubbing at all.
+  // Friction that only sees a plane which is the same in every tick feels no slip at all.
   test::Stage stage;
   stage.add(plate, turning.path);
   const Vec3 hand_W(turning.hand_m, 0, -depth_m);

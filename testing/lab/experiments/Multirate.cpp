@@ -49,7 +49,7 @@ struct Pad
   }
 };
 
-/// What a hand that is `at_m` along z feels of it, from the contact that is solved in every tick.
+/// The body's force on a hand that is `at_m` along z, from the contact that is solved in every tick.
 class Felt
 {
 public:
@@ -93,7 +93,8 @@ struct Link
   double lost = 0.0;
 };
 
-/// By what power of e a second a device swings more that 1 N presses on the pad, and that was pushed at rest.
+/// Growth rate of the swings of a device that 1 N presses on the pad, and that was pushed at rest, as a power of e a
+/// second.
 double growth_per_s(Pad& pad, Feel feel, const Link& link, double coupling_N_per_m, std::uint64_t seed)
 {
   test::Random random(seed);
@@ -101,7 +102,7 @@ double growth_per_s(Pad& pad, Feel feel, const Link& link, double coupling_N_per
   plan.radius_u = 0.005;
   plan.coupling_N_per_m = coupling_N_per_m;
   pad.body->place(Eigen::VectorXd::Zero(pad.body->displacement().size()));
-  // What is not shared is not computed from snapshots: they only say how the body lies.
+  // Forces without shared compliance are not computed from snapshots: those only say how the body lies.
   const int packets_ticks = feel == Feel::SharedCompliance ? link.period_ticks : 1000;
   test::SoftLoop loop(*pad.body, pad.surface, packets_ticks, plan, link.periodsLate);
   Felt felt(feel, link.period_ticks, coupling_N_per_m);
@@ -234,7 +235,7 @@ private:
   Cost cost_;
 };
 
-/// Forces of every tick along z, and what a tick of the servo took.
+/// Forces of every tick along z, and the time of a tick of the servo.
 struct Trace
 {
   std::vector<double> force_N;
@@ -267,7 +268,7 @@ Trace traceOf(const Press& press, Feel feel, int period_ticks)
   return trace;
 }
 
-/// What a hand can feel of a force, as a share of it.
+/// The least felt change of a force, as a share of it.
 constexpr double forceJnd = 0.07;
 
 std::string pressName(int period_ticks)

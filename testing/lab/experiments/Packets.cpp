@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 40: a hand outruns the vertices that a snapshot has compliance of: what the servo takes for those outside.
+// Row 40: a hand outruns the vertices that a snapshot has compliance of: the servo's compliance for those outside.
 #include <algorithm>
 #include <cmath>
 

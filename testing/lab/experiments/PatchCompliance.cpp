@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 37: what gives way under a fixed patch and under one node as a mesh gets finer: the node's compliance has no
-// limit.
+// Row 37: yield under a fixed patch and under one node as a mesh gets finer: the node's compliance has no limit.
 #include <algorithm>
 
 #include "haptics/compliance/body/SoftBody.h"

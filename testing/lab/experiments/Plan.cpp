@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a plan chooses: how large a ball may be, a tree or a flat list of triangles, all triangles or proven fewer.
+// Choices of a plan: how large a ball may be, a tree or a flat list of triangles, all triangles or proven fewer.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -78,7 +78,7 @@ void radiusAgainstWork(const Conditions& conditions, Table& table)
 }
 
 /// The leaves of a surface as surfaces of their own: walked one after the other they are a flat list of boxes with up
-/// to eight triangles each. It tests edges between leaves twice, which the tree does not.
+/// to eight triangles each. The list tests edges between leaves twice, which the tree does not.
 using Leaves = std::vector<std::unique_ptr<SurfaceTree>>;
 
 Leaves flatList(const SurfaceData& data)
@@ -95,7 +95,7 @@ Leaves flatList(const SurfaceData& data)
   return leaves;
 }
 
-/// Ways as a tick of sliding contact asks for: from where a ball touches, mostly along, a little down.
+/// Segments as a tick of sliding contact asks for: from where a ball touches, mostly along, a little down.
 std::vector<SweepQuery> slides(double radius_u, double size_u, std::size_t count, test::Random& random)
 {
   std::vector<SweepQuery> queries(count);
@@ -162,7 +162,7 @@ QueryCosts askBoth(
 /// Up to eight triangles stand in one leaf: there the tree is the list.
 void treeAgainstList(const Conditions& conditions, Table& table)
 {
-  constexpr double busy = 1.25; // what other work on the machine may shift a ratio of medians by
+  constexpr double busy = 1.25; // shift of a ratio of medians by other work on the machine
   test::Random random(conditions.seed);
   for (int columns = 1, rows = 2; columns * rows <= 1024; columns < rows ? columns *= 2 : rows *= 2)
   {
@@ -182,7 +182,7 @@ void treeAgainstList(const Conditions& conditions, Table& table)
 struct Comparison
 {
   double worst_mm = 0.0;   ///< largest difference of their magnitudes
-  double noticeable = 0.0; ///< share of ticks with more than what is just noticed
+  double noticeable = 0.0; ///< share of ticks beyond the just noticeable difference
   Cost full, fewer;
 };
 

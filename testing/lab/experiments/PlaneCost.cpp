@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows 49 and 54: what a tick among lines costs, by a tree and by asking every line, and what coarser lines would save.
+// Rows 49 and 54: the cost of a tick among lines, by a tree and by asking every line, and the saving by coarser lines.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,7 +56,7 @@ CurveSet maze(std::size_t segments, test::Random& random)
   return curves;
 }
 
-/// Where the way from a to b first meets a line, as a share of it, 1 if nowhere: all lines in turn.
+/// Where the segment from a to b first meets a line, as a share of it, 1 if nowhere: all lines in turn.
 double firstCrossing(const CurveSet& curves, const Vec2& a, const Vec2& b)
 {
   const auto cross = [](const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); };
@@ -121,7 +121,7 @@ void judgeStroke(const World& world, const std::vector<Vec3>& path_W, Table& tab
   table.info({ name, ours, "nodes in a tick, most" }, nodes);
 }
 
-/// The question of which a tick asks several: where a way, 20 ticks long here, first meets a line.
+/// The question of which a tick asks several: where a segment, 20 ticks long here, first meets a line.
 void judgeQuestion(const World& world, const std::vector<Vec3>& path_W, Table& table)
 {
   const std::string name = world.name();
@@ -158,7 +158,7 @@ Cost tickCost(const std::shared_ptr<const Scene>& scene, const std::vector<Vec3>
   return Cost::of(sample);
 }
 
-/// A tick among very many lines against one among two thousand: the way down a tree grows with their logarithm.
+/// A tick among very many lines against one among two thousand: the path down a tree grows with their logarithm.
 void judgeGrowth(const World& few, const World& many, const std::vector<Vec3>& path_W, Table& table)
 {
   constexpr int allowed = 2;
@@ -232,8 +232,8 @@ double stroked(const std::vector<Vec3>& ring_W, std::size_t ticks, Cost& cost)
   return stroked([&](std::size_t) { return level; }, 0.2 * ring_W.front(), ticks, cost);
 }
 
-/// What a level that follows the hand could save: a choice every 16 ms that is fine where the hand may come meanwhile
-/// and coarser beyond.
+/// Saving by a level that follows the hand: a choice every 16 ms that is fine where the hand may come meanwhile and
+/// coarser beyond.
 void judgeFollowing(const MultiresolutionCurve& curve, double limit_u, std::size_t ticks, Table& table)
 {
   constexpr std::size_t every_ticks = 16;
@@ -254,8 +254,8 @@ void judgeFollowing(const MultiresolutionCurve& curve, double limit_u, std::size
 }
 
 /// A curve far finer than a hand feels: a tick passes one facet after the other, and a stroke passes more of them than
-/// a tick has passes. Not the tree but that is what coarser lines are for; once they are within what is felt, all at
-/// once.
+/// a tick has passes. Coarser lines are for that, not for the tree; once they are within the threshold of a hand, all
+/// at once.
 void judgeLevels(const Conditions& conditions, Table& table)
 {
   constexpr double stiffness_N_per_u = 500.0 / 40.0, felt_N = 0.07; // 500 N/m where the world is 10 cm wide

@@ -62,7 +62,7 @@ CurveSet crowded(double angle_rad, test::Random& random)
 
 const Vec3 pushed_W(-1.0, 0.2, 0.0);
 
-/// The nearest point of the wedge to what is pushed in, in exact arithmetic.
+/// The point of the wedge nearest to the pushed place, in exact arithmetic.
 Vec3 nearestInWedge(double angle_rad)
 {
   const Vec2 below = unit(angle_rad / 2 - std::numbers::pi / 2), above = unit(std::numbers::pi / 2 - angle_rad / 2);
@@ -89,7 +89,7 @@ void judgeOrder(const std::string& name, double angle_rad, const Conditions& con
   table.atMost({ name, ours, "spread over orders of the lines", "u" }, spread_u, 0.0);
 }
 
-/// Every projection on the other line shortens the way to the tip by the cosine of the angle.
+/// Every projection on the other line shortens the distance to the tip by the cosine of the angle.
 void judgeSteps(const std::string& name, double angle_rad, Table& table)
 {
   constexpr double near = 1e-6;
@@ -164,7 +164,7 @@ void judgeCrossings(const Conditions& conditions, Table& table)
   table.atLeast({ name, zeroSize, "outcome", outcomeUnit }, firstOutside > 0 ? 1 : 0, 1);
 }
 
-/// Adds up the way.
+/// Adds up the length of the path.
 class Length final : public PathSink
 {
 public:
@@ -207,7 +207,7 @@ void judgeCorner(const Conditions& conditions, Table& table)
   table.atMost({ "inside corner", ours, "distance from the corner", "u" }, worst_u, 1e-9);
 }
 
-/// The whole way twice, once to warm up; `proxies_W` receives where the proxy was before each tick.
+/// The whole path twice, once to warm up; `proxies_W` receives where the proxy was before each tick.
 Cost tickCost(const std::shared_ptr<const Scene>& scene, const std::vector<Vec3>& path_W, std::vector<Vec3>& proxies_W)
 {
   test::CostSample cost(path_W.size());

@@ -140,7 +140,7 @@ double guideWork_J(double damped, double speed_Hz)
   return work_J;
 }
 
-/// Held forces of an undamped spring leak K w^2 T / 2 a step of the way w: K A^2 (2 pi f)^2 T t / 4 for a swing. The
+/// Held forces of an undamped spring leak K w^2 T / 2 a step of length w: K A^2 (2 pi f)^2 T t / 4 for a swing. The
 /// guide's damping K T takes that back and as much again.
 void judgeGuide(Table& table)
 {

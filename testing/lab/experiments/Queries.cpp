@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts C9: which libraries answer a collision query rightly, and what an answer costs.
+// Charts C9: which libraries answer a collision query rightly, and the cost of an answer.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -25,7 +25,7 @@ struct Segment
 
 using Segments = std::vector<Segment>;
 
-/// Short ways near the surface in any direction, as between two ticks: about half of them meet it.
+/// Short segments near the surface in any direction, as between two ticks: about half of them meet it.
 Segments nearSurface(const test::NoisySphere& sphere, std::size_t count, test::Random& random)
 {
   Segments segments;
@@ -55,8 +55,8 @@ Segments throughSeams(const test::NoisySphere& sphere, std::size_t count, test::
   return segments;
 }
 
-/// Ways from outside that end `short_u` before a vertex. With 0 the closed segment meets the surface in its last point
-/// and nowhere else; with more it is free.
+/// Segments from outside that end `short_u` before a vertex. With 0 the closed segment meets the surface in its last
+/// point and nowhere else; with more it is free.
 Segments ontoVertices(const test::NoisySphere& sphere, double short_u, std::size_t count, test::Random& random)
 {
   const TriangleMesh& mesh = sphere.mesh();
@@ -142,8 +142,8 @@ double countUndecided(Backend& exact, const Segments& segments, const std::vecto
   return countDifferent(changes, same);
 }
 
-/// What a few operations in the arithmetic a library answers in lose of a coordinate of size 1. (Times are doubles
-/// also where the decision is exact.)
+/// Rounding error of a few operations in a library's arithmetic on a coordinate of size 1. (Times are doubles also
+/// where the decision is exact.)
 double rounding(Arithmetic arithmetic)
 {
   return 32.0 * std::ldexp(1.0, arithmetic == Arithmetic::Single ? -24 : -53);
@@ -284,7 +284,7 @@ private:
   std::vector<std::unique_ptr<Backend>> backends_; ///< as backendKinds(); null: not there
 };
 
-/// What a short way, a way through a seam and one that just ends at a vertex ask.
+/// Queries of a short segment, of one through a seam and of one that just ends at a vertex.
 void judgeQueries(const test::NoisySphere& sphere, std::size_t count, std::uint64_t seed, Table& table)
 {
   test::Random random(seed);
@@ -305,8 +305,8 @@ void judgeQueries(const test::NoisySphere& sphere, std::size_t count, std::uint6
   }
 }
 
-/// The sphere far from the origin, as a survey in national coordinates is: 500 km, where single precision tells
-/// 32 mm apart, so that it can know nothing of ways of 2 mm, and double precision 6e-8 mm.
+/// The sphere far from the origin, as a survey in national coordinates is: 500 km, where single precision tells 32 mm
+/// apart, so that it can know nothing of segments of 2 mm, and double precision 6e-8 mm.
 void judgeFarAway(const test::NoisySphere& sphere, std::size_t count, std::uint64_t seed, Table& table)
 {
   const Vec3 far_W(5e8, -5e8, 0.0);

@@ -46,14 +46,14 @@ void judge(const AnalyticTouch& touch, int ticks, Table& table)
     const RenderedTouch rendered = render(touch, method(ours), ticks);
     const TouchError error = errorOf(rendered);
     table.atMost({ name, ours, "force vector error, RMS" }, error.rms, 0.01).cost = rendered.cost;
-    // Where facets are flat as the body is, what is left is rounding.
+    // Where facets are flat as the body is, the error is rounding.
     table.atMost({ name, ours, "direction error, largest", "deg" }, degree * error.direction_rad,
       degree * std::max(touch.tilt_rad, 1e-9));
   }
 }
 
-/// A rough body: exact where the way is straight on flat ground, elsewhere in the limit of small steps and of a depth
-/// that is small beside the bends of way and body.
+/// A rough body: exact where the path is straight on flat ground, elsewhere in the limit of small steps and of a depth
+/// that is small beside the bends of path and body.
 void judgeRubbed(const AnalyticTouch& smooth, int ticks, Table& table)
 {
   constexpr double mu = 0.3;

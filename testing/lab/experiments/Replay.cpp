@@ -94,7 +94,7 @@ Recording recorded(const std::string& path)
   return std::get<Recording>(std::move(read));
 }
 
-/// One bit of one force changed: what a comparison must see.
+/// One bit of one force changed: a comparison must see it.
 Recording tampered(Recording recording)
 {
   for (auto entry = recording.entries.rbegin(); entry != recording.entries.rend(); ++entry)

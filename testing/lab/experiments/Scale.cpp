@@ -85,7 +85,7 @@ void runScale(const Conditions& conditions, Table& table)
   }
   for (const int digits : { -6, -3, 0, 3, 6 })
   {
-    const double truth = gap_u / (2 * std::pow(10.0, digits)); // what a gap adds to a depth of two units
+    const double truth = gap_u / (2 * std::pow(10.0, digits)); // error by a gap at a depth of two units
     table.within({ "scale=1e" + std::to_string(digits), "point-no-side", "force error", "" },
       gapError(std::pow(10.0, digits)), truth, 1e-3 * truth + 1e-9);
   }

@@ -44,7 +44,7 @@ std::shared_ptr<const SurfaceTree> lifted(const SurfaceTree& tree)
   return std::move(moved.tree);
 }
 
-/// What takes turns under the hand.
+/// Two surfaces that take turns under the hand.
 struct Pair
 {
   const char* what;
@@ -64,7 +64,7 @@ std::vector<Pair> pairs()
   };
 }
 
-/// What a minute of swaps did.
+/// The outcome of a minute of swaps.
 struct Felt
 {
   int falls = 0;       ///< ticks in which the proxy was not held in front of the surface

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows 38 and 42: contacts that share compliance: what a solver leaves open, and what it costs a tick.
+// Rows 38 and 42: contacts that share compliance: the residual of a solver, and its cost in a tick.
 #include <algorithm>
 #include <memory>
 

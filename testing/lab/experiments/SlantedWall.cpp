@@ -109,7 +109,7 @@ void runSlantedWall(const Conditions&, Table& table)
       }
     }
   }
-  // A fast slide as a share of what the motors can do: the rate of the original is felt, the rate of a USB joystick
+  // A fast slide as a share of the motors' largest force: the rate of the original is felt, the rate of a USB joystick
   // not.
   constexpr double noticed = 0.07, fast = 0.2, deep_m = 0.02;
   const auto share = [](double rate_Hz) { return slideAlong({ fast, 1 / rate_Hz, deep_m }, 1.0).mean_N / maxForce_N; };

@@ -56,7 +56,7 @@ Rest press(const Press& how, double width_m, Edge edge)
   return { place_m, static_cast<int>(std::lround(place_m / (2 * width_m))) };
 }
 
-/// What looks at the handle alone pushes it out of the nearest side of the wall it is in.
+/// A rule that looks at the handle alone pushes it out of the nearest side of the wall it is in.
 DeviceWall nearestSide(double x_m, double width_m)
 {
   const double period_m = 2 * width_m, wall_m = (std::floor(x_m / period_m) + 0.5) * period_m;
@@ -64,7 +64,7 @@ DeviceWall nearestSide(double x_m, double width_m)
                       : DeviceWall{ { 1, 0, 0 }, wall_m + width_m / 2, 0.0 };
 }
 
-/// What remembers where the virtual location is holds the side it came from.
+/// A rule that remembers the virtual location holds the side it came from.
 DeviceWall sideItCameFrom(double, double width_m)
 {
   return { { -1, 0, 0 }, -width_m / 2, 0.0 };
@@ -91,7 +91,7 @@ void judge(const Press& how, Table& table)
     smallestFeature_m(how.force_N, how.stiffness_N_per_m), truth_m, 1e-12);
 }
 
-/// A scene whose corridors are a share of what can be felt, as it is and enlarged by what is offered.
+/// A scene whose corridors are a share of the least felt width, as it is and enlarged by the offered zoom.
 void judgeZoom(const Press& how, double share, Table& table)
 {
   const double width_m = share * 2 * how.force_N / how.stiffness_N_per_m;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 57, force: a hand that moves smoothly must not feel what is faster than its own motion.
+// Row 57, force: a hand that moves smoothly must not feel anything faster than its own motion.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -50,7 +50,8 @@ double lineEnergy(const std::vector<Vec3>& signal, std::size_t line)
   return (line == 0 ? 1.0 : 2.0) * (cosine.squaredNorm() + sine.squaredNorm()) / count;
 }
 
-/// Energy above 30 Hz, added up line by line: all less what is below would lose small shares in rounding.
+/// Energy above 30 Hz, added up line by line: the difference of all and the energy below would lose small shares in
+/// rounding.
 double fastEnergy(const std::vector<Vec3>& signal)
 {
   const std::size_t half = signal.size() / 2;

@@ -89,7 +89,7 @@ private:
   Vec2 location_m_ = Vec2::Zero();
 };
 
-/// A way to the handle's last place, from within the room.
+/// A path to the handle's last place, from within the room.
 struct Way
 {
   const char* name;
@@ -97,11 +97,11 @@ struct Way
   double softPeak_N; ///< truth
 };
 
-/// How deep the handle is in one line when a straight way takes its foot off the end of it.
+/// How deep the handle is in one line when a straight segment takes its foot off the end of it.
 double straightDepth_m(const Vec2& from_m, const Vec2& to_m)
 {
   const Vec2 way = to_m - from_m;
-  const Vec2 share(-from_m.x() / way.x(), -from_m.y() / way.y()); // of the way to x = 0 and to y = 0
+  const Vec2 share(-from_m.x() / way.x(), -from_m.y() / way.y()); // of the displacement to x = 0 and to y = 0
   return std::max(from_m.x() + share.y() * way.x(), from_m.y() + share.x() * way.y());
 }
 

@@ -157,7 +157,7 @@ Vec3 byNnls(const Rows& rows, const Vec3& q)
   return q - r.head<3>() / r[3];
 }
 
-/// What a tick knows that meets one new plane a tick: the deepest.
+/// The knowledge of a tick that meets one new plane a tick: the deepest.
 Vec3 byOnePerTick(const Rows& rows, const Vec3& q)
 {
   const auto deepest = std::max_element(

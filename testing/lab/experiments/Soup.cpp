@@ -21,7 +21,8 @@ std::string oursWith(double r)
   return r > 0 ? "god-object r=1mm" : "god-object r=0";
 }
 
-/// What cleaning must count: of every four damages one is five copies, one a flip, one has no area, one is not finite.
+/// The counts that cleaning must report: of every four damages one is five copies, one a flip, one has no area, one is
+/// not finite.
 void judgeReport(const TriangleMesh& good, const TriangleMesh& damaged, Table& table)
 {
   const CleanReport report = cleanMesh(damaged).report;
@@ -101,7 +102,7 @@ void runGaps(test::Random& random, Table& table)
     table.within({ caseName, oursWith(r), "falls", "" }, ball.fell, 0.0, 0.0);
     table.within({ caseName, oursWith(r), "sunk at the middle", "m" }, ball.middle_m, sagitta_m, 1e-9);
     table.within({ caseName, oursWith(r), "sunk, most", "m" }, ball.deepest_m, sagitta_m / 2, sagitta_m / 2 + 1e-12);
-    // A point that is led over the gap falls in: that is what the radius is for.
+    // A point that is led over the gap falls in: a ball does not, by its radius.
     test::Probe point(test::sceneOf(mesh), 0.0, { 0, 0.001, 0.005 });
     point.to({ 0, 0.001, -0.001 });
     table.within({ caseName, oursWith(0.0), "falls", "" }, point.x_W().z() < 0, 1.0, 0.0);
@@ -120,7 +121,7 @@ void runFin(Table& table)
   }
 }
 
-/// Random ways among triangles that cross each other, judged in exact arithmetic.
+/// Random segments among triangles that cross each other, judged in exact arithmetic.
 void runCrossing(const Conditions& conditions, test::Random& random, double r, Table& table)
 {
   const TriangleMesh mesh = test::makeSoup(r > 0 ? 150 : 400, 10.0, random);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every method on every scene: what a tick costs, and by how much its force is not the true one, in units of what a
-// hand just feels: 7 % of a force, 18 degrees of its direction.
+// Every method on every scene: the cost of a tick, and the error of its force, in units of the just noticeable
+// difference: 7 % of a force, 18 degrees of its direction.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -33,7 +33,7 @@ Way wayOf(const TouchScene& scene, double r_u, int ticks)
   return way;
 }
 
-/// What is seen of a method on a way.
+/// The figures of a method on a path.
 class Judge
 {
 public:
@@ -61,7 +61,7 @@ public:
 
   [[nodiscard]] Outcome outcome() const
   {
-    constexpr int frame = 16; // ticks: what lasts no longer than a picture is a wrong force, not another place
+    constexpr int frame = 16; // ticks: a fault no longer than a picture is a wrong force, not another place
     if (this->unstable_)
     {
       return Outcome::Unstable;

@@ -89,7 +89,7 @@ void judgeLinear(const std::string& name, const Chain& chain, FreeDevice device,
 /// Released 2 mm above the wall and pushed on with 1 N for 4 s: does it come to rest within three encoder steps?
 bool rests(const Chain& chain, FreeDevice released, double K)
 {
-  released.push_N = 1.0 + released.model.friction_N; // what moves it is 1 N whatever its friction
+  released.push_N = 1.0 + released.model.friction_N; // the net push is 1 N whatever its friction
   released.z_m = 2e-3;
   released.speed_m_per_s = -0.05;
   const auto device = makeFree(released, period_s);

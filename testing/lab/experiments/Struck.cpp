@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 69: a body with a mass whose snapshots know what it does in a period: right for a hand, not for an impact.
+// Row 69: a body with a mass whose snapshots have its motion over a period: right for a hand, not for an impact.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -19,8 +19,8 @@ namespace switched_springs_experiment
 
 constexpr double K = 200.0, speed_m_per_s = 0.1;
 constexpr double heavy_kg = 1e4; // a hand whose speed no spring changes
-constexpr double fine = 1e-4; // of the host's period: the device's loop; it leaks 18 times that share of what is given
-constexpr int behind = 3;     // updates of the host with the handle behind the wall
+constexpr double fine = 1e-4;    // of the host's period: the device's loop; it leaks 18 times that share of the energy
+constexpr int behind = 3;        // updates of the host with the handle behind the wall
 
 /// The wall x >= 0.
 DeviceCommand wall()

@@ -15,7 +15,7 @@ namespace thin_plate_experiment
 
 constexpr double stiffness_N_per_m = 1000.0, step_m = 1e-5;
 
-/// What a push of 5 mm in steps of 10 um showed.
+/// Figures of a push of 5 mm in steps of 10 um.
 struct Push
 {
   double worst_N = 0.0;       ///< largest |F - K p n|
@@ -62,7 +62,7 @@ void runThinPlate(const Conditions&, Table& table)
     const std::string caseName = "thickness=" + std::to_string(1e3 * thickness_m).substr(0, 3) + "mm";
     judgeHeld(world, caseName, "god-object r=0", 1e-9, table);
     judgeHeld(world, caseName, "god-object r=1mm", 1e-9, table);
-    // What keeps a gap errs by the stiffness times the gap: in the first step by twice that.
+    // A method that keeps a gap errs by the stiffness times the gap: in the first step by twice that.
     judgeHeld(world, caseName, "textbook-loop", 2 * stiffness_N_per_m * gap_u, table);
 
     // The nearest face of a plate is its back from half the thickness on: there the force turns from K t/2 to -K t/2.

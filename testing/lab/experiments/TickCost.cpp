@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 54: what an exact tick of sliding contact does, and what it costs beside one segment query of CGAL's tree.
+// Row 54: work of an exact tick of sliding contact, and its cost beside one segment query of CGAL's tree.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -19,7 +19,7 @@ namespace tick_cost_experiment
 
 constexpr const char* ours = "god-object";
 
-/// What the ticks of a slide did; the same on every run. Costs come apart.
+/// Work of the ticks of a slide; the same on every run. Costs come apart.
 struct Work
 {
   std::vector<double> nodes, sweeps, passes;

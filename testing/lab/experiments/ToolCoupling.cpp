@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 34: a tool with a mass on a virtual coupling in free air. What the product does, a tool without mass that goes to
+// Row 34: a tool with a mass on a virtual coupling in free air. The product's method, a tool without mass that goes to
 // where it is least stretched, is the column that has no limit.
 #include <cmath>
 #include <limits>
@@ -25,7 +25,7 @@ struct Coupling
   bool implicit;
 };
 
-/// What the coupling pulls the tool with, as a row: the device's speed is the difference of its last two places.
+/// The coupling's pull on the tool, as a row: the device's speed is the difference of its last two places.
 State pullOnTool(const Coupling& c, double K)
 {
   State pull = State::Zero();

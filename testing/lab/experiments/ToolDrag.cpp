@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a hand feels of a tool between two updates: by the contacts that touch, by a virtual coupling, and with features
-// that are nearer than the hand may come until the next update, at their true gaps.
+// The force of a tool on a hand between two updates: by the contacts that touch, by a virtual coupling, and with
+// features that are nearer than the hand may come until the next update, at their true gaps.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -35,7 +35,7 @@ struct LedTool
     static_cast<void>(move.place(start_W));
   }
 
-  /// What touches, and what is nearer than that.
+  /// Contacts that touch, and those nearer than that.
   [[nodiscard]] ToolContacts contactsWithin(double near_m) const
   {
     constexpr double touchesWithin = 4.0; // rest gaps
@@ -89,7 +89,7 @@ TriangleMesh cube()
   return test::makeBox(Vec3::Constant(-half_m), Vec3::Constant(half_m));
 }
 
-/// Row 30: what holds a tool back that slides without friction.
+/// Row 30: the force that holds a tool back that slides without friction.
 void slide(test::Random& random, Table& table)
 {
   const LedTool led(
@@ -120,7 +120,7 @@ void slide(test::Random& random, Table& table)
   }
 }
 
-/// What a contact that is met between two updates adds to the force in one tick: K v T where it is known beforehand.
+/// The rise of the force in one tick by a contact that is met between two updates: K v T where it is known beforehand.
 void land(test::Random& random, int ticksAnUpdate, Table& table)
 {
   const LedTool led(cube(), test::makeSheet({ 0.2, 0.2, 8, 8, 0.3 }, random), { Vec3(0, 0, 0.03), Quat::Identity() });
@@ -139,7 +139,7 @@ void land(test::Random& random, int ticksAnUpdate, Table& table)
   }
 }
 
-/// The largest difference from the force by what is known when every tick has its update.
+/// The largest difference from the force by the contacts that are known when every tick has its update.
 void compare(const std::string& name, const LedTool& led, const Hand& hand, int ticks, int ticksAnUpdate, Table& table)
 {
   const std::vector<Vec3> truth = forces_N(led, hand, ticks, 1, touching);
@@ -155,7 +155,7 @@ void compare(const std::string& name, const LedTool& led, const Hand& hand, int 
   }
 }
 
-/// Row 61: a peg in the mouth of a slot, at the widest tilt at which it goes in; the hand is free all the way.
+/// Row 61: a peg in the mouth of a slot, at the widest tilt at which it goes in; the hand is free on the whole path.
 LedTool pegAtMouth(double tilt_rad)
 {
   constexpr double wide = 0.01, room = 2.5e-5;

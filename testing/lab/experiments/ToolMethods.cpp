@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rigid tool by every method on every scene: how far it ends from the nearest free pose, how deep it was inside on
-// the way, and what an update costs.
+// A rigid tool by every method on every scene: how far it ends from the nearest free pose, how deep it was inside
+// meanwhile, and the cost of an update.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace palpate::lab
 namespace tool_methods_experiment
 {
 
-/// What the facets of a thread of 64 corners a turn and of 6 mm are off: r (1 - cos(pi / 64)).
+/// Error of the facets of a thread of 64 corners a turn and of 6 mm: r (1 - cos(pi / 64)).
 constexpr double facets_mm = 0.0075;
 
 /// No point of the tool is further from where it should be [mm].

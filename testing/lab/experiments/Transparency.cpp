@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 58: what each stabiliser costs a hand: drag in free air, error of a spring's impedance; and what it brings.
+// Row 58: the cost of each stabiliser for a hand: drag in free air, error of a spring's impedance; and its gain.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -26,7 +26,7 @@ double omegaOf(int ticks)
   return 2 * std::numbers::pi / (ticks * T);
 }
 
-/// What a hand that moves z = middle + amplitude sin(w t) gets: peak force and first harmonic.
+/// Response to a hand that moves z = middle + amplitude sin(w t): peak force and first harmonic.
 struct Response
 {
   double peak_N = 0.0;
@@ -100,7 +100,7 @@ void judgeImpedance(const Stabiliser& s, const DeviceModel& device, int ticks, T
   }
 }
 
-/// What it brings: the stiffest wall nobody holds, friction and encoder left out.
+/// Its gain: the stiffest wall nobody holds, friction and encoder left out.
 void judgeStiffness(const Stabiliser& s, const DeviceModel& device, double plain, Table& table)
 {
   FreeDevice pressed = FreeDevice{ device }.linear();

@@ -66,7 +66,7 @@ struct DiscreteTest
     return inside || (p_W - face.point_W).norm() <= this->radius_m;
   }
 
-  /// Of `phases` ways straight down at this speed, the share that is never seen.
+  /// Of `phases` segments straight down at this speed, the share that is never seen.
   [[nodiscard]] double missed(const FaceTree& faces, double speed_m_per_s, int phases) const
   {
     const double step_m = speed_m_per_s * period_s, top_m = 2 * this->radius_m + this->thickness_m + step_m;
@@ -84,7 +84,8 @@ struct DiscreteTest
   }
 };
 
-/// What is looked at once a tick is seen for certain up to (t + 2 r) / T and with that share of the speed beyond.
+/// A plate that is looked at once a tick is seen for certain up to (t + 2 r) / T and with that share of the speed
+/// beyond.
 void runDiscrete(const DiscreteTest& ball, Table& table)
 {
   constexpr int phases = 400;

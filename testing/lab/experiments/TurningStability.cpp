@@ -13,7 +13,7 @@ namespace palpate::lab
 namespace turning_stability_experiment
 {
 
-/// What linear theory speaks of: no friction, no steps of an encoder, no largest torque.
+/// The assumptions of linear theory: no friction, no steps of an encoder, no largest torque.
 TurningModel linearHandle()
 {
   TurningModel handle = deviceModel("simulated-6d")->turning;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 7: what an encoder lets one know of a velocity, how late, and how much damping that allows.
+// Row 7: the velocity that an encoder shows, how late, and how much damping that allows.
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -12,7 +12,7 @@
 namespace palpate::lab
 {
 
-/// What a method makes of one tick.
+/// A method's result of one tick.
 struct MethodTick
 {
   Vec3 proxy_W = Vec3::Zero();
@@ -29,7 +29,7 @@ public:
   [[nodiscard]] virtual MethodTick tick(const Vec3& p_W) = 0;
 };
 
-/// What is touched, as each method wants it.
+/// The mesh to touch, as each method wants it.
 struct World
 {
   explicit World(const TriangleMesh& mesh, double metre_u = 1.0);

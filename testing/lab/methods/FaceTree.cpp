@@ -53,7 +53,8 @@ Triangles usable(const TriangleMesh& mesh)
   return triangles;
 }
 
-/// Where the way from + t (to - from) crosses the triangle (Moeller & Trumbore 1997); a way along its plane never does.
+/// Where the segment from + t (to - from) crosses the triangle (Moeller & Trumbore 1997); one along its plane never
+/// does.
 std::optional<double> crossing(const Triangle& triangle, const Vec3& from, const Vec3& way)
 {
   const Vec3 a = toEigen(triangle[0]), e = toEigen(triangle[1]) - a, f = toEigen(triangle[2]) - a;
@@ -130,7 +131,7 @@ std::vector<Face> FaceTree::within(const Vec3& p_W, double reach_u, std::size_t 
 std::optional<Face> FaceTree::firstHit(const Vec3& from_W, const Vec3& to_W) const
 {
   const Vec3 way = to_W - from_W;
-  const double margin = 1e-3 * way.norm(); // a straight way has a box without width, which rounding may miss
+  const double margin = 1e-3 * way.norm(); // a straight segment has a box without width, which rounding may miss
   const Vec3 low = from_W.cwiseMin(to_W).array() - margin, high = from_W.cwiseMax(to_W).array() + margin;
   double first = 2.0;
   std::optional<Face> hit;

@@ -16,7 +16,7 @@ double cross(const Vec2& a, const Vec2& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Whether the way from x to p passes the segment strictly: what begins on the line does not.
+/// Whether the displacement from x to p passes the segment strictly: one that begins on the line does not.
 bool crosses(const Vec2& x, const Vec2& p, const Vec2& a, const Vec2& b)
 {
   return cross(b - a, x - a) * cross(b - a, p - a) < 0.0 && cross(p - x, a - x) * cross(p - x, b - x) <= 0.0;

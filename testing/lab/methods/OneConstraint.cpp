@@ -28,7 +28,7 @@ public:
     if (const auto hit = this->faces_->firstHit(this->x_W_, goal_W))
     {
       const Plane plane = planeTowards(*hit, this->x_W_, gap_u);
-      this->x_W_ = hit->point_W + gap_u * plane.n; // the rest of the way is left to the next call
+      this->x_W_ = hit->point_W + gap_u * plane.n; // the rest of the displacement is left to the next call
       this->planes_.push_back(plane);
     }
     else

@@ -10,9 +10,9 @@
 namespace palpate::lab
 {
 
-/// A textbook proxy to which surfaces that move are a new scene each tick: where it was in W stays where it was, and
-/// the way to the device is looked at as if the surfaces had always been where they are now. It rests `gap` above what
-/// it touches, so a surface that comes at it by more than that in a tick leaves it behind.
+/// A textbook proxy to which surfaces that move are a new scene each tick: its place in W stays, and the segment to the
+/// device is looked at as if the surfaces had always been where they are now. The proxy rests `gap` above a touched
+/// surface, so a surface that comes at it by more than that in a tick leaves it behind.
 class StaticFrameProxy
 {
 public:

@@ -60,8 +60,8 @@ TouchScene thinPlate()
     aboveThePlane, { penalty, held } };
 }
 
-/// The force of a box whose top is z = 0 and whose edge is x = z = 0, on what came from above: the top's while the
-/// device is before the edge, past it the round edge's or the side's.
+/// The force of a box whose top is z = 0 and whose edge is x = z = 0, on a ball that came from above: the top's while
+/// the device is before the edge, past it the round edge's or the side's.
 Vec3 overTheEdge(const Vec3& p_W, double r_u)
 {
   if (p_W.x() < 0)
@@ -129,7 +129,7 @@ TouchScene groove()
     forceInCone({ { slope, 0, slope }, { -slope, 0, slope } }), { penalty, oneConstraint, pointWithoutSide, held } };
 }
 
-/// Tapped at 2 m/s and rubbed along a great circle 1 mm deep; at less depth the facets themselves are felt. Every edge
+/// Tapped at 2 m/s and stroked along a great circle 1 mm deep; at less depth the facets themselves are felt. Every edge
 /// of it is convex.
 TouchScene sphere(test::Random& random)
 {

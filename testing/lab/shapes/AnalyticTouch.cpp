@@ -62,7 +62,7 @@ struct Lap
     this->up_m = bend_m * (1.0 - std::cos(pi * bend));
   }
   static constexpr double length_m() { return 2 * straight_m + 2 * pi * bend_m; }
-  /// High on a wall, where there is room before it to come from.
+  /// High on a wall, with space before it to come from.
   static constexpr double begin_m() { return 1.5 * straight_m + pi * bend_m; }
 };
 

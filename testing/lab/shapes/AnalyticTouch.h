@@ -13,7 +13,7 @@
 namespace palpate::lab
 {
 
-/// A moment of a touch recorded on a smooth body: where the ball's centre was and what it was pushed with.
+/// A moment of a touch recorded on a smooth body: the ball's centre and its force.
 struct TouchMoment
 {
   Vec3 centre_W = Vec3::Zero(); ///< [m]
@@ -21,7 +21,7 @@ struct TouchMoment
   double pressed_N = 0.0;       ///< sum of the reactions of the surfaces that are touched
 };
 
-/// A touch of a body known by a formula, frictionless unless rubbed, and the body as a mesh. In metres, 20 to 150
+/// A touch of a body known by a formula, frictionless unless stroked, and the body as a mesh. In metres, 20 to 150
 /// mm/s, 0.6 to 1.4 N.
 struct AnalyticTouch
 {
@@ -36,13 +36,13 @@ struct AnalyticTouch
 [[nodiscard]] AnalyticTouch touchSphere(int levels);
 /// The inside of a wedge of 60 degrees, over and over: along the crease with the force turning from wall to wall, a
 /// loop over that wall back to where the crease began, along it again with the force turning back, a loop over the
-/// first wall. The way has no corner and no reversal: there the friction of a spring needs a way of its own to turn
-/// round.
+/// first wall. The path has no corner and no reversal: there the friction of a spring needs a displacement of its own
+/// to turn round.
 [[nodiscard]] AnalyticTouch touchWedge();
 /// Radii 40 and 15 mm, `around` times `across` cells of two triangles.
 [[nodiscard]] AnalyticTouch touchTorus(std::uint32_t around, std::uint32_t across);
 
-/// The same way on a rough body: with Coulomb friction mu times the reactions, against the motion.
+/// The same path on a rough body: with Coulomb friction mu times the reactions, against the motion.
 [[nodiscard]] AnalyticTouch rubbed(const AnalyticTouch& smooth, double mu);
 
 /// A touch as a method renders it.
@@ -52,8 +52,8 @@ struct RenderedTouch
   Cost cost;
 };
 
-/// The protocol of Ruffaldi, Morris, Edmunds, Barbagli & Pai 2006: the recorded way, pushed in by force / stiffness, is
-/// where a device would have been; rendered, it must give the recorded force back.
+/// The protocol of Ruffaldi, Morris, Edmunds, Barbagli & Pai 2006: the recorded path, pushed in by force / stiffness,
+/// is where a device would have been; rendered, it must give the recorded force back.
 [[nodiscard]] RenderedTouch render(const AnalyticTouch& touch, const MethodKind& method, int ticks);
 
 } // namespace palpate::lab

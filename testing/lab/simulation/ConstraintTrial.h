@@ -13,7 +13,7 @@
 namespace palpate::lab
 {
 
-/// By how much a law missed the statics of finite turns, over all trials.
+/// By how much a constraint missed the statics of finite turns, over all trials.
 struct ConstraintMisses
 {
   double force_N = 0.0; ///< of the force, and of the moment at the end of the rod
@@ -22,7 +22,7 @@ struct ConstraintMisses
 };
 
 /// A rod in a hand: stiff, long and turned at random, and maybe a tissue at random before its tip. The truth is where
-/// the energy of the hand's springs, of the tissue and of the law is stationary, for turns of any size.
+/// the energy of the hand's springs, of the tissue and of the constraint is stationary, for turns of any size.
 class ConstraintTrial
 {
 public:
@@ -42,7 +42,7 @@ public:
     this->rig.grip = { this->random.uniform(300.0, 3000.0), this->random.uniform(0.5, 5.0) };
   }
 
-  /// The tip's law with another body, which holds where the hand is in the origin.
+  /// The tip's constraint with another body, which holds where the hand is in the origin.
   MechanismConstraint& joinTip(ConstraintKind kind, const std::string& b, const Vec3& axis_W)
   {
     MechanismConstraint& law = this->rig.join(kind, b, this->tip_A, this->arm_W);
@@ -93,7 +93,7 @@ public:
     return { hand_W.p, hand_W.q, this->rig.grip.coupling_N_per_u, this->rig.grip.turning_Nu_per_rad };
   }
 
-  /// Coordinates of rest with `law` added to the energy of the rod: the rod's six, then `more` of the law's own.
+  /// Coordinates of rest with `law` added to the energy of the rod: the rod's six, then `more` of the constraint's own.
   /// Goes on from those that it found before.
   template<class Constraint>
   const Eigen::VectorXd& rest(const Pose& hand_W, int more, const Constraint& law)
@@ -110,14 +110,14 @@ public:
     }
     return this->z_;
   }
-  /// Where the law's own coordinates begin anew.
+  /// Where the constraint's own coordinates begin anew.
   void beginAt(const Eigen::VectorXd& own)
   {
     this->z_.setZero(6 + own.size());
     this->z_.tail(own.size()) = own;
   }
 
-  /// A tick with the hand there, and what it should feel: what the rod at these coordinates presses the hand with.
+  /// A tick with the hand there, and the expected force: that of the rod at these coordinates on the hand.
   void expect(const Pose& hand_W, const Eigen::VectorXd& z)
   {
     const test::HeldRod rod = this->rodIn(hand_W);

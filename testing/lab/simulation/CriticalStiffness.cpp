@@ -10,7 +10,7 @@ namespace palpate::lab
 namespace
 {
 
-/// How long to watch: cycles of the mass on the wall's spring, and no less than what slow growth needs.
+/// How long to watch: cycles of the mass on the wall's spring, and no less than slow growth needs.
 struct Watch
 {
   int settle = 0; ///< ticks before the first stretch

@@ -20,7 +20,7 @@ struct FreeDevice
   double z_m = 0.0;           ///< start
   double speed_m_per_s = 0.0; ///< start, upwards
 
-  /// The same without friction, encoder steps and force limit: what linear theory speaks of.
+  /// The same without friction, encoder steps and force limit: the assumptions of linear theory.
   [[nodiscard]] FreeDevice linear() const;
 };
 

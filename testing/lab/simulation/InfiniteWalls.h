@@ -12,8 +12,8 @@ namespace palpate::lab
 /// Force [N] that pushes a handle out of a wall, from how deep it is [m], once a tick; negative depth: before the wall.
 using WallLaw = std::function<double(double depth_m)>;
 
-/// K depth and an integral of it, so that a hand is walked back to the surface (Massie 1996: "infinitely stiff"). It
-/// leaks in 50 ms where nothing touches, and is never below zero nor above `most_N`.
+/// K depth and an integral of it, so that a hand is walked back to the surface (Massie 1996: "infinitely stiff"). The
+/// integral leaks in 50 ms where nothing touches, and is never below zero nor above `most_N`.
 struct IntegralWall
 {
   double stiffness_N_per_m = 1000.0;
@@ -65,13 +65,13 @@ struct AtWall
   double push_N = 0.0;        ///< along x
 };
 
-/// Ticks of a law on a simulated device.
+/// Ticks of a wall on a simulated device.
 class WallTicks
 {
 public:
   WallTicks(const AtWall& start, WallLaw law);
 
-  /// One period; what the law gave for it [N].
+  /// One period; the wall's force for it [N].
   double tick();
   [[nodiscard]] double x_m() const { return this->device_.position_D().x(); }
   [[nodiscard]] double speed_m_per_s() const { return this->device_.speed_D().x(); }

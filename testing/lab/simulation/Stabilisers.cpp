@@ -57,7 +57,7 @@ Stabiliser viscosity()
   return s;
 }
 
-/// One pole on the force: what a person tries against buzzing.
+/// One pole on the force: a usual remedy against buzzing.
 Stabiliser filteredForce()
 {
   return { "filtered force",

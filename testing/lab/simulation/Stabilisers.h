@@ -11,7 +11,7 @@
 namespace palpate::lab
 {
 
-/// A way to keep a held wall from shaking, with its linear theory.
+/// A method to keep a held wall from shaking, with its linear theory.
 struct Stabiliser
 {
   std::string name;

@@ -66,7 +66,7 @@ void WallRig::placeAbove()
   static_cast<void>(renderTick(input, this->setup_.parameters, this->state_));
   this->state_.velocity = {};
   this->state_.tracked = false;
-  this->state_.ownForce = false; // nor is it known what the hand felt before
+  this->state_.ownForce = false; // nor is the hand's force of before known
 }
 
 const HapticState& WallRig::tick()

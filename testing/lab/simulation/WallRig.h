@@ -16,7 +16,7 @@ struct WallSetup
 {
   double period_s = 1e-3;
   HapticParameters parameters; ///< a rig has no safety limits and is engaged at once
-  /// What a method that the product does not have makes of the force of a tick [N]; null: nothing.
+  /// The force that a method outside of the product makes of the force of a tick [N]; null: none.
   std::function<Vec3(const HapticState&)> afterwards = {};
 };
 

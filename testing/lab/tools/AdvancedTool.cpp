@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Constraint-based motion by conservative advancement: the tool goes on by distance over largest speed, whatever the
-// direction, and what it then touches becomes a constraint. In contact the distance is small, and so is every step.
+// direction, and the features that it then touches become constraints. In contact the distance is small, and so is
+// every step.
 #include <algorithm>
 #include <limits>
 
@@ -75,7 +76,7 @@ private:
     }
   }
 
-  /// The distance to the scene, at most that far; what is nearer becomes a row each.
+  /// The distance to the scene, at most that far; each nearer feature becomes a row.
   double nearest(double within_mm, std::vector<MotionRow>* rows) const
   {
     PairFront front(*this->tool_.shape_B, *this->scene_W_, this->tool_.restGap_u());

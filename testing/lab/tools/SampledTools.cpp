@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A tool as points that push back as deep as they are inside, against a spring to the hand. The pose is where both
-// balance, by a few steps of Newton's method an update: coupled statically, so that what is seen is the method's error
+// balance, by a few steps of Newton's method an update: coupled statically, so that the result shows the method's error
 // and not its oscillation.
 #include <algorithm>
 #include <cmath>

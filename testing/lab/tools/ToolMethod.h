@@ -8,7 +8,7 @@
 namespace palpate::lab
 {
 
-/// A way to keep a tool out of a scene. Textbook ones are to compare with and are never shipped.
+/// A method to keep a tool out of a scene. Textbook ones are to compare with and are never shipped.
 class ToolMethod
 {
 public:
@@ -29,7 +29,7 @@ struct ToolMethodKind
 /// long as distance over largest speed allows, with the contacts that they meet as constraints; and ours.
 [[nodiscard]] std::vector<ToolMethodKind> toolMethods();
 
-/// What toolMethods() is made of: one file each.
+/// The methods of toolMethods(): one file each.
 [[nodiscard]] std::unique_ptr<ToolMethod> voxelTool(const ToolScene& scene, double size_mm);
 [[nodiscard]] std::unique_ptr<ToolMethod> pointshellTool(const ToolScene& scene, double spacing_mm);
 [[nodiscard]] std::unique_ptr<ToolMethod> penaltyTool(const ToolScene& scene);

@@ -52,8 +52,7 @@ ToolBody prism(const Vec3& foot, double inner_mm, int flats, double height_mm)
   }
   body.distance_mm = [=](const Vec3& p)
   {
-    const double round =
-      (p - foot).head<2>().norm() - inner_mm; // what its flats are off is the square of a small angle
+    const double round = (p - foot).head<2>().norm() - inner_mm; // the flats are off by the square of a small angle
     return std::max({ round, foot.z() - p.z(), p.z() - foot.z() - height_mm });
   };
   return body;
@@ -175,9 +174,9 @@ ToolScene turnedNut()
   return scene;
 }
 
-/// Pulled without a turn it comes along the axis by its slack, for flanks of 45 degrees give as much that way as along
-/// the radius. True flanks would then turn it, (z - slack) p / (p^2 + L^2) with p = pitch / 2 pi, and lead it on by p
-/// times that; those of 64 corners a turn lock before. Between the two is what is allowed for.
+/// Pulled without a turn it comes along the axis by its slack, for flanks of 45 degrees give as much in that direction
+/// as along the radius. True flanks would then turn it, (z - slack) p / (p^2 + L^2) with p = pitch / 2 pi, and lead it
+/// on by p times that; those of 64 corners a turn lock before. Places between the two are accepted.
 ToolScene pulledNut()
 {
   ToolScene scene = nut("nut pulled");

@@ -31,7 +31,7 @@ struct ToolScene
   std::vector<Pose> hand_W;    ///< one an update of 1 ms
   Pose truth_W;                ///< where the tool is in the end
   double near_mm = 0.0;        ///< no point of it may be further from there
-  Vec3 along_W = Vec3::Zero(); ///< if not zero, only the way of its centre in this direction is known
+  Vec3 along_W = Vec3::Zero(); ///< if not zero, only the displacement of its centre in this direction is known
 };
 
 /// A cube tipped on a plane, a peg into a slot that is 0.1 mm wider, a bar that is swung at a post, a nut that is

@@ -36,7 +36,7 @@ NeoHookeanSolid::NeoHookeanSolid(
   std::vector<Vector> places, std::vector<std::array<int, 4>> tetrahedra, double young_Pa, double poisson)
   : number_(3 * places.size(), 0)
 {
-  // The law's own moduli for Lame's mu and lambda at rest (the paper's section 3.4).
+  // The model's own moduli for Lame's mu and lambda at rest (the paper's section 3.4).
   const double lameMu = young_Pa / (2.0 * (1.0 + poisson));
   const double lameLambda = young_Pa * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
   this->mu_ = 4.0 / 3.0 * lameMu;

@@ -13,7 +13,7 @@ namespace palpate::oracle
 
 /// A solid of stable neo-Hookean material (Smith, de Goes & Kim 2018, eq. 14) by four-node tetrahedra, in equilibrium
 /// under dead loads at finite strain: the whole Newton iteration on the exact Hessian, the load put on in steps. Of its
-/// own: it shares no code with what it judges.
+/// own: it shares no code with the product.
 class NeoHookeanSolid
 {
 public:
@@ -40,13 +40,13 @@ private:
   using Derivative = Eigen::Matrix<double, 9, 9>;
 
   [[nodiscard]] double energyDensity(const Matrix& f) const;
-  /// Of the strain, less what the load does.
+  /// Of the strain, less the work of the load.
   [[nodiscard]] double energyUnder(const Eigen::VectorXd& load_N, const Eigen::VectorXd& u) const;
   [[nodiscard]] Matrix stressAt(const Matrix& f) const;
   /// Of the stress by F, both column by column.
   [[nodiscard]] Derivative stressDerivative(const Matrix& f) const;
   [[nodiscard]] Matrix deformationOf(const Tetrahedron& t, const Eigen::VectorXd& u) const;
-  /// What the strain puts on the free nodes, and with entries its derivative by their displacements.
+  /// Forces of the strain on the free nodes, and with entries their derivative by the nodes' displacements.
   [[nodiscard]] Eigen::VectorXd innerForces(
     const Eigen::VectorXd& u, std::vector<Eigen::Triplet<double>>* entries) const;
   [[nodiscard]] Eigen::VectorXd ofFree(const Eigen::VectorXd& all) const;

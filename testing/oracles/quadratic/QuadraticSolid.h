@@ -13,7 +13,7 @@ namespace palpate::oracle
 {
 
 /// A solid of Hooke's material by ten-node tetrahedra (quadratic displacement, straight edges), as Zienkiewicz & Taylor
-/// have it: four points of integration, a sparse LDL^T. Of its own: it shares no code with what it judges.
+/// have it: four points of integration, a sparse LDL^T. Of its own: it shares no code with the product.
 class QuadraticSolid
 {
 public:
@@ -36,7 +36,7 @@ public:
 
   /// In the middle of a tetrahedron.
   [[nodiscard]] Matrix stressIn(int tetrahedron) const;
-  /// What the load does: twice the elastic energy.
+  /// Work of the load: twice the elastic energy.
   [[nodiscard]] double workOfLoad() const { return this->load_.dot(this->displacement_); }
 
 private:

@@ -9,9 +9,9 @@
 namespace palpate::test
 {
 
-/// Statics of bodies that turn by any angle: an energy of coordinates and of multipliers of what must be 0 is made
-/// stationary by Newton's method with its full second derivatives. Dense, by differentiation of the energy alone, and
-/// of nothing that the product is made of.
+/// Statics of bodies that turn by any angle: an energy of coordinates and of multipliers of constraints is made
+/// stationary by Newton's method with its full second derivatives. Dense, by differentiation of the energy alone,
+/// without any code of the product.
 class FiniteStatics
 {
 public:
@@ -24,7 +24,7 @@ public:
   /// The coordinates k, k + 1, k + 2.
   static JetVector vectorOf(const Coordinates& z, std::size_t k) { return { z[k], z[k + 1], z[k + 2] }; }
   static JetVector constant(const Eigen::Vector3d& v, const Coordinates& z);
-  /// What the turn by a rotation vector makes of r (Rodrigues' formula).
+  /// r after the turn by a rotation vector (Rodrigues' formula).
   static JetVector turned(const JetVector& turn, const JetVector& r);
 };
 

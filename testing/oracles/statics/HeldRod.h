@@ -29,7 +29,7 @@ struct HeldRod
     return 0.5 * this->coupling * dot(apart, apart) + 0.5 * this->turning * dot(turned, turned);
   }
 
-  /// What a direction of the rod's frame has become.
+  /// A direction of the rod's frame, as it is turned.
   [[nodiscard]] JetVector direction(const Coordinates& z, const Eigen::Vector3d& along) const
   {
     return FiniteStatics::turned(FiniteStatics::vectorOf(z, 3), FiniteStatics::constant(this->turn * along, z));
@@ -48,7 +48,7 @@ struct HeldRod
   [[nodiscard]] Eigen::Vector3d moment(const Eigen::VectorXd& z) const { return this->turning * z.segment<3>(3); }
 };
 
-/// Where a place that rubs is under a friction force on it.
+/// Slip of a place under a friction force on it.
 struct Rubbed
 {
   Eigen::Vector3d slip; ///< from where it rested
@@ -56,11 +56,12 @@ struct Rubbed
 };
 
 /// The friction force on a place: opposite to its slip and at its most, or less where nothing slips. `under(force)` is
-/// Rubbed; `yield` is about how much slip goes with force, and grows to what is found. Projected steps, to the end.
+/// `Rubbed`; `yield` is about how much slip goes with force, and grows to the measured ratio. Projected steps, to the
+/// end.
 template<class Under>
 Eigen::Vector3d frictionAt(const Eigen::Vector3d& first, double yield, const Under& under)
 {
-  constexpr double rounding_N = 1e-6; // what slips by less force says nothing of the yield
+  constexpr double rounding_N = 1e-6; // a smaller change of the force says nothing of the yield
   Eigen::Vector3d force = first, forceBefore = first, slipBefore = Eigen::Vector3d::Zero();
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 200; ++i)

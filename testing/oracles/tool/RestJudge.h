@@ -16,17 +16,17 @@ namespace palpate::test
 class RestJudge
 {
 public:
-  /// `tool_B` about the centre that its poses are of. `characteristic_u`: what a turn of 1 rad weighs as a way.
+  /// `tool_B` about the centre that its poses are of. `characteristic_u`: lever arm [u] of turns.
   RestJudge(TriangleMesh tool_B, TriangleMesh scene_W, double characteristic_u);
 
   [[nodiscard]] bool meets(const Pose& pose_W) const;
-  /// sqrt(way^2 + (lever turn)^2) from one pose to another.
+  /// sqrt(displacement^2 + (lever turn)^2) from one pose to another.
   [[nodiscard]] double distance_u(const Pose& from_W, const Pose& to_W) const;
-  /// By how much a chain of free random motions lowers the distance to the hand: a lower bound of what is possible.
+  /// By how much a chain of free random motions lowers the distance to the hand: a lower bound of the possible gain.
   [[nodiscard]] double gain_u(const Pose& pose_W, const Pose& hand_W, int trials, Random& random) const;
 
 private:
-  using Motion = Eigen::Matrix<double, 6, 1>; ///< way, and turn times lever
+  using Motion = Eigen::Matrix<double, 6, 1>; ///< displacement, and turn times lever
   [[nodiscard]] Motion between(const Pose& from_W, const Pose& to_W) const;
   [[nodiscard]] Pose moved(const Pose& pose_W, const Motion& motion) const;
   [[nodiscard]] bool isFree(const Pose& pose_W, const Motion& motion) const;

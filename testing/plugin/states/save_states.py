@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Saves a scene that is touched as this release of ParaView does: box-SERIES.pvsm and box-SERIES.py in the folder STATES, of
-which gzip -9 is kept here. It is run by `paraview --plugin-search-paths=$PV_PLUGIN_PATH --plugins=Palpate --script=save_states.py`, with the environment of
-the tests: only the client writes what is touched into Python states."""
+"""Saves a scene that is touched as this release of ParaView does: box-SERIES.pvsm and box-SERIES.py in the folder STATES, of which
+gzip -9 is kept here. The script is run by `paraview --plugin-search-paths=$PV_PLUGIN_PATH --plugins=Palpate
+--script=save_states.py`, with the environment of the tests: only the client writes the touched sources into Python states."""
 
 import os
 

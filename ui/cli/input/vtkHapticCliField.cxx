@@ -42,7 +42,7 @@ constexpr std::array<Mode, 7> Modes = { {
 } };
 constexpr std::string_view Isosurface = "isosurface", Compare = "compare", SnapPoints = "points", SnapLines = "lines";
 
-/// What says how some modes are felt.
+/// An option that says how some modes are felt.
 struct OfModes
 {
   std::string Options; ///< with their dashes
@@ -111,7 +111,7 @@ void CheckCounts(const vtkHapticCliFieldOptions& options)
   }
 }
 
-/// What other modes do not feel is refused rather than ignored.
+/// An option of modes that are not given is refused rather than ignored.
 void CheckModesOfOptions(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings)
 {
   std::vector<OfModes> given;
@@ -134,7 +134,7 @@ void CheckModesOfOptions(const vtkHapticCliFieldOptions& options, const vtkHapti
   }
 }
 
-/// What a mode cannot do without, and what says the same twice.
+/// Refuses a mode without its needed options, and options that say the same twice.
 void CheckCompanions(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings)
 {
   if (Has(options, Compare) && !settings.IsGiven("FieldOther") && options.OtherFile.empty())
@@ -246,7 +246,7 @@ void SetUsualRange(vtkDataObject& volume, const vtkHapticCliFieldOptions& option
   }
 }
 
-/// The points of all surfaces, with their lines where these are what is snapped to.
+/// The points of all surfaces, with their lines where the hand snaps to these.
 vtkSmartPointer<vtkPolyData> PlacesOf(const vtkHapticCliFieldOptions& options)
 {
   vtkNew<vtkPoints> points;
@@ -286,7 +286,7 @@ vtkSmartPointer<vtkPolyData> PlacesOf(const vtkHapticCliFieldOptions& options)
   return places;
 }
 
-/// What says how a field is felt is refused rather than ignored where none is.
+/// An option that says how a field is felt is refused rather than ignored where there is no field.
 void CheckNoneIsGiven(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings)
 {
   std::string given = vtkHapticCliGivenOfField(options);

@@ -121,7 +121,7 @@ Row ParseRow(std::string_view line, const std::vector<Column>& columns, const Pl
 
 palpate::PathSample ToPathRow(const Row& row, const Place& place)
 {
-  constexpr double tolerance = 1e-3; // what a file with few digits loses
+  constexpr double tolerance = 1e-3; // rounding in a file with few digits
   const palpate::Quat q(row[QW], row[QX], row[QY], row[QZ]);
   if (std::abs(q.norm() - 1.0) > tolerance)
   {

@@ -6,14 +6,14 @@
 #include <stdexcept>
 #include <string>
 
-/// What a person has to change before the program can do its work: one line, exit code 2.
+/// A problem that a person has to solve before the program can do its work: one line, exit code 2.
 class vtkHapticCliProblem : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// A line for a person to know of, on stderr; nothing for "". `file`: what it is said of; "": nothing by a name.
+/// A line for a person to know of, on stderr; nothing for "". `file`: its subject; "": none by a name.
 inline void vtkHapticCliNote(const std::string& file, const std::string& note)
 {
   if (!note.empty())

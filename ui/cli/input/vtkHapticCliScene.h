@@ -13,9 +13,9 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-/// Faces of a file and, where they are wanted, its curves; images of which an iso surface is made with `iso`. What a
-/// reader had to say besides goes to stderr. Throws vtkHapticCliProblem. An array that cannot be used is a problem of
-/// the result: the caller knows whether it must be there.
+/// Faces of a file and, where they are wanted, its curves; images of which an iso surface is made with `iso`. A
+/// reader's notes go to stderr. Throws vtkHapticCliProblem. An array that cannot be used is a problem of the result:
+/// the caller knows whether it must be there.
 [[nodiscard]] std::vector<palpate::PathSurface> vtkHapticCliReadSurface(const std::string& file,
   std::optional<double> iso, const vtkHapticMaterialSettings& materials = {}, bool curves = false);
 
@@ -25,11 +25,11 @@
 /// Throws vtkHapticCliProblem where there is an iso value and no image among the files.
 void vtkHapticCliCheckIsoIsUsed(const std::vector<std::string>& files, std::optional<double> iso);
 
-/// Throws vtkHapticCliProblem that names what cannot be touched.
+/// Throws vtkHapticCliProblem that names an untouchable surface.
 void vtkHapticCliCheckWhole(const palpate::WholeScene& whole);
 
-/// The scene of surfaces as they were read. Throws vtkHapticCliProblem that names what cannot be touched; what cleaning
-/// dropped goes to stderr.
+/// The scene of surfaces as they were read. Throws vtkHapticCliProblem that names an untouchable surface; notes of
+/// cleaning go to stderr.
 [[nodiscard]] std::shared_ptr<const palpate::Scene> vtkHapticCliBuild(const std::vector<palpate::SurfaceInput>& inputs);
 
 #endif

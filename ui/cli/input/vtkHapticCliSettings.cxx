@@ -19,7 +19,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 3> OtherName
   { "FieldOther", "with" },
 } };
 
-/// What settings without an option of their own are given by.
+/// The options that give settings without an option of their own.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 15> GivenBy = { {
   { "FieldArray", "--field" },
   { "FieldVectors", "--field" },

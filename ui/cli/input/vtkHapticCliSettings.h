@@ -19,12 +19,12 @@ class vtkHapticCliSettings
 public:
   /// Every setting that has an option, but for those of a tool, a soft body and a mechanism.
   void AddAll(CLI::App& command);
-  /// One of them by its name; `also` is what else it means to this command.
+  /// One of them by its name; `also`: its further meaning for this command.
   CLI::Option& Add(CLI::App& command, const char* setting, const char* also = "");
   /// Arrays of surfaces.
   void AddMaterials(CLI::App& command);
 
-  /// What a setting that was added is, by its name: as given, else the default.
+  /// The value of a setting that was added, by its name: as given, else the default.
   double Number(std::string_view setting) const;
   bool IsGiven(std::string_view setting) const;
   /// Its options, with their dashes: "--one", or "--one,--other" where it has two names.

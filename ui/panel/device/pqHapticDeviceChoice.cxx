@@ -53,7 +53,7 @@ void pqHapticDeviceChoice::follow()
   }
 }
 
-/// Nobody hears of it: what is chosen stays chosen, there or not.
+/// No signal: the chosen device stays chosen, there or not.
 void pqHapticDeviceChoice::list()
 {
   const QSignalBlocker blocker(this);

@@ -18,7 +18,7 @@
 namespace
 {
 constexpr int Buttons = 8;
-/// Row 0 is nothing, then the buttons, any of them, the grip, and last what only a script can ask for.
+/// Row 0 is nothing, then the buttons, any of them, the grip, and last choices that only a script can make.
 constexpr int AnyButton = Buttons + 1, Grip = Buttons + 2, Other = Buttons + 3;
 constexpr int AllMask = (1 << Buttons) - 1;
 

@@ -85,7 +85,7 @@ void pqHapticFieldGroup::refresh(vtkHapticSession* session)
 {
   if (!this->isVisible())
   {
-    return; // looking at all sources costs too much for what nobody sees
+    return; // looking at all sources costs too much for a hidden page
   }
   for (const Choice& choice : this->Choices)
   {

@@ -10,7 +10,7 @@
 class pqHapticArrayChoice;
 
 /**
- * Which arrays of what is shown are felt as a field, how, and what is felt at the hand.
+ * Which arrays of the shown data are felt as a field, how, and the field at the hand.
  */
 class pqHapticFieldGroup : public pqHapticGroup
 {

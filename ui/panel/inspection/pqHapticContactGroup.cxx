@@ -27,7 +27,7 @@ QString Vector(const double v[3])
   return QString("(%1, %2, %3)").arg(shown(v[0]), shown(v[1]), shown(v[2]));
 }
 
-/// `unknown`: what is said instead of no number.
+/// `unknown`: the text for NaN.
 QString Quantity(double value, const QString& unit, const QString& unknown)
 {
   return std::isnan(value) ? unknown : Shown(value) + " " + unit;

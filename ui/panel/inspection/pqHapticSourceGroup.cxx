@@ -18,7 +18,7 @@
 
 namespace
 {
-/// What a box has where the session's own is meant.
+/// The value of a box where the session's own is meant.
 constexpr double asSession = -1.0;
 constexpr int decimals = 3;
 constexpr int leastWidth = 90; // else the widest number makes the whole panel wide [pixels]
@@ -31,7 +31,7 @@ QByteArray ActiveName()
   return source ? source->getSMName().toUtf8() : QByteArray();
 }
 
-/// What is being typed stays while the value is the same.
+/// Text that is being typed stays while the value is the same.
 void Show(QDoubleSpinBox* box, double value)
 {
   const QSignalBlocker nothingWasTyped(box);

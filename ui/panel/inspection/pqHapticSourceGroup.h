@@ -7,8 +7,8 @@
 class QCheckBox;
 class QDoubleSpinBox;
 
-/// How the source that is active in the pipeline browser is touched: at all, and as what, where it is not as the
-/// session's settings have it.
+/// How the source that is active in the pipeline browser is touched: at all, and with its own material, where that is
+/// not the session's.
 class pqHapticSourceGroup : public pqHapticGroup
 {
   Q_OBJECT

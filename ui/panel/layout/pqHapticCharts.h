@@ -33,7 +33,7 @@ private:
   pqHapticStrip* Lateness;
   pqHapticStrip* Energy;
   bool Touched = false; ///< at the last look
-  QStringList Scene;    ///< what was felt at the last look
+  QStringList Scene;    ///< names of the felt sources at the last look
 };
 
 #endif

@@ -15,7 +15,7 @@ namespace
 {
 constexpr int cellsOfRow = 4; // term, definition, name in the code, source
 
-/// Without what stands in brackets and without symbols: "soft (deformable) body" is "soft body".
+/// Without text in brackets and without symbols: "soft (deformable) body" is "soft body".
 QStringList NamesIn(QString title)
 {
   static const QRegularExpression extra(R"(\s*\([^)]*\)|\s*`[^`]*`)");

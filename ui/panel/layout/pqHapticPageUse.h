@@ -7,7 +7,7 @@
 
 class vtkHapticSession;
 
-/// Why pages of the panel have no use now, and what to do, by the name of the page; "": it has one.
+/// Why pages of the panel have no use now, with the remedy, by the name of the page; "": it has one.
 QMap<QString, QString> pqHapticPageReasons(vtkHapticSession* session);
 
 #endif

@@ -15,7 +15,7 @@
 
 namespace
 {
-constexpr int rowSpacing = 3; // a screen of 768 lines has room for the page that is seen first [pixels]
+constexpr int rowSpacing = 3; // the page that is seen first fits on a screen of 768 lines [pixels]
 
 /// Text that is still read with a contrast of at least 4.5, on light ground and on dark.
 QColor Grey(const QPalette& palette)
@@ -189,7 +189,7 @@ void pqHapticPages::fitWidth()
   {
     this->Scroll->setMinimumWidth(width);
   }
-  // With room for its scroll bar, which comes and goes with the height that texts leave to the list.
+  // With space for its scroll bar, which comes and goes with the height that texts leave to the list.
   const int choice = WidthOf(*this->Choice, this->Choice->widget()->sizeHint().width());
   if (choice != this->Choice->minimumWidth())
   {

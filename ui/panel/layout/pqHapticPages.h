@@ -16,7 +16,7 @@ class QVBoxLayout;
 
 /**
  * The pages of the panel: a list of their titles, always visible, and beside it the rows of one of them, or of all of
- * them while a search shows what it found.
+ * them while a search shows its results.
  *
  * A page without a use now is grey in the list, and its tip gives the reason; it can be opened like the others.
  */

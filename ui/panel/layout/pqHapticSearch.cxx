@@ -10,7 +10,7 @@
 
 namespace
 {
-/// What a row says of a widget: its text, its tip, its name and its property's.
+/// The words that find a widget: its text, its tip, its name and its property's.
 QString WordsOf(const QWidget& widget)
 {
   const auto* label = qobject_cast<const QLabel*>(&widget);

@@ -27,7 +27,7 @@ public:
   /// Shows the rows of these pages that are found, and hides the others, which others may have shown since. Returns how
   /// many are found.
   int apply(const QList<QWidget*>& pages);
-  /// Shows what was hidden.
+  /// Shows the hidden rows.
   void restore();
 
 protected:

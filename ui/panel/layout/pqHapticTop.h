@@ -17,8 +17,8 @@ class vtkHapticSession;
 class vtkSMProxy;
 
 /**
- * The top of the panel, which never scrolls and whose height never changes: device, Touch, Let Go, Fit, how it is and
- * what to do, and the contact, or how far large data are from being touched.
+ * The top of the panel, which never scrolls and whose height never changes: device, Touch, Let Go, Fit, status and
+ * remedy, and the contact, or how far large data are from being touched.
  */
 class pqHapticTop : public QWidget
 {

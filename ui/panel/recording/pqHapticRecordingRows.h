@@ -13,7 +13,7 @@ class vtkHapticSession;
 class vtkSMProxy;
 
 /**
- * Record, save, play again, see the way; what is recorded, and which recording is played.
+ * Record, save, play again, see the path; the running recording, and the one that is played.
  */
 class pqHapticRecordingRows : public QWidget
 {

@@ -23,7 +23,7 @@
 
 namespace
 {
-/// Nobody types more of a quantity; values of arrays have no unit, and can be anything.
+/// Larger quantities do not occur; values of arrays have no unit, and can be anything.
 constexpr double largestQuantity = 1e9, largestValue = 1e100;
 
 /// Else the widest number a field could hold makes the whole panel wide [pixels].

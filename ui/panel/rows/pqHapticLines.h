@@ -7,7 +7,7 @@
 #include <QStringList>
 
 /**
- * A text that always takes the room of so many lines, so that nothing below it moves when the text changes.
+ * A text that always takes the space of so many lines, so that nothing below it moves when the text changes.
  *
  * A longer text ends in an ellipsis; the tip, the accessible description and *Copy* in the context menu have all of it.
  */

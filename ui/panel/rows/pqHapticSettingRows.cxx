@@ -17,7 +17,7 @@
 
 namespace
 {
-/// What a hand tells apart of a stiffness, a force or a friction; lengths of the scene can be of any size.
+/// Digits of a stiffness, a force or a friction that a hand tells apart; lengths of the scene can be of any size.
 int DecimalsOf(const palpate::Setting& setting)
 {
   return setting.unit == "N/m" ? 1 : setting.unit == "N" || setting.unit == "1" ? 3 : 6;

@@ -45,7 +45,8 @@ void pqHapticStrip::add(double value)
   Keep(value, this->Values);
   this->Over = false;
   this->setAccessibleDescription(this->sentence());
-  this->Painted = !this->Painted; // five pictures a second are seen to move, and painting is most of what a strip costs
+  this->Painted = !this->Painted; // five pictures a second are seen to move, and painting is most of the cost of a
+                                  // strip
   if (this->Painted)
   {
     this->update();

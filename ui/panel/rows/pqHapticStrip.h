@@ -12,7 +12,8 @@
  * or last, and its scale. Values are rounded to a hundredth of the smallest scale.
  *
  * The scale goes from 0 (or the least value, if that is below) to the largest of the last ten seconds, never to less
- * than the smallest scale that says something. It is drawn in the colours of the palette, so it follows light and dark.
+ * than the smallest scale that says something. The chart is drawn in the colours of the palette, so it follows light
+ * and dark.
  */
 class pqHapticStrip : public QWidget
 {
@@ -29,7 +30,7 @@ public:
   void add(double value);
   /// Likewise against another quantity, in its own unit: a strip has values of one sort alone.
   void addAt(double value, double along);
-  /// Nothing is measured any more: what was measured last stays, and is said to be the last.
+  /// Nothing is measured any more: the last values stay, and are said to be the last.
   void setLast();
   /// Nothing was measured.
   void clear();

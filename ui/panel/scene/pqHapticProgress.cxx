@@ -11,7 +11,7 @@
 
 namespace
 {
-/// Looks at the session: what is ready sooner would only flicker.
+/// Looks at the session: progress that ends sooner would only flicker.
 constexpr int patience = 3;
 constexpr double percent = 100.0;
 } // namespace

@@ -14,7 +14,7 @@ class pqHapticSceneUnit
 public:
   /// Null: no session. Called ten times a second.
   void refresh(QWidget& panel, vtkHapticSession* session, const pqHapticViewFollower& follower);
-  /// The unit, and by what it is known.
+  /// The unit, and where it is from.
   const QString& sentence() const { return this->Sentence; }
 
 private:

@@ -8,8 +8,8 @@ class QLineEdit;
 class QTableWidget;
 class pqHapticStrip;
 
-/// The group "Mechanism" of the panel: which source the hand holds a body of, a row a law with its present force, laws
-/// to be added, removed and broken, and the force over the depth.
+/// The group "Mechanism" of the panel: which source the hand holds a body of, a row a constraint with its present
+/// force, constraints to be added, removed and broken, and the force over the depth.
 class pqHapticMechanismGroup : public pqHapticGroup
 {
   Q_OBJECT

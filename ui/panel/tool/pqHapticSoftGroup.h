@@ -4,7 +4,7 @@
 
 #include "pqHapticGroup.h"
 
-/// The group "Soft body" of the panel: which source gives way, how often it is computed, and how it is.
+/// The group "Soft body" of the panel: which source is soft, how often it is computed, and its status.
 class pqHapticSoftGroup : public pqHapticGroup
 {
   Q_OBJECT

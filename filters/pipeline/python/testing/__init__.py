@@ -29,7 +29,7 @@ from palpate.testing.report import text_of, write_differences
 __all__ = ["Refused", "UPDATE", "assert_feels_the_same"]
 
 NOTHING_N = 1e-6  # below which a force is but rounding
-UPDATE = "PALPATE_UPDATE_BASELINES"  # in the environment, not empty and not 0: what is felt becomes the baseline
+UPDATE = "PALPATE_UPDATE_BASELINES"  # in the environment, not empty and not 0: the forces felt become the baseline
 
 
 def assert_feels_the_same(surface, baseline, *, unit, scene=None, path=None, tolerance=1.0, differences=None, update=None,
@@ -86,7 +86,7 @@ def _update(surface, file, scene, path, touch, tolerance):
     if way is None:
         way = strokes(surface, touch)
     found = _felt(touch, as_written(way), surface, tolerance)
-    if path is None and not is_something(found.now_N, tolerance):  # the surface has shrunk away from the way it was touched on
+    if path is None and not is_something(found.now_N, tolerance):  # the surface has shrunk away from the path that it was touched on
         found = _felt(touch, as_written(strokes(surface, touch)), surface, tolerance)
     _refuse_nothing(found, touch)
     Baseline.of(file, scene, touch, found, surface).write()

@@ -17,7 +17,7 @@ FORMAT = 1
 KIND = "palpate baseline"
 HEAD_BYTES = 200  # of a file: a baseline says within them that it is one
 COLUMNS = ["t", "x", "y", "z", "force_x", "force_y", "force_z"]  # [s, scene units, N]
-SAME_WAY = 1e-9  # what two ways that are meant to be the same differ by at most, relative
+SAME_WAY = 1e-9  # largest relative difference of two paths that are meant to be the same
 ANOTHER_SIZE = 10.0  # times as large or as small: another unit or another thing, not a change of this one
 
 

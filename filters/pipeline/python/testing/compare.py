@@ -35,7 +35,7 @@ class Comparison:
     jnd: np.ndarray  # (n)
     tolerance: float  # [JND]
     coverage: Coverage = None  # of the surface now; None: it has no faces, or a field is felt
-    changed: tuple = ()  # sentences on pieces of the surface where the way does not lead
+    changed: tuple = ()  # sentences on pieces of the surface that the path does not reach
 
     @property
     def beyond(self):

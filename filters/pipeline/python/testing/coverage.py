@@ -18,9 +18,9 @@ from palpate.testing.feel import faces_of, updated
 REACH_M = 5e-3  # of the hand: half the width of a fingertip
 REACH_SHARE = 0.05  # of the size of a surface, where that is less
 SAMPLES = 10000  # places, spread evenly over the area: a hundredth of it is known to about a tenth
-MOST_PLACES = 2000  # of a way, evenly spaced, that are looked at
+MOST_PLACES = 2000  # of a path, evenly spaced, that are looked at
 MOST_PIECES = 200  # that are told apart, the largest first
-SAME_AREA = 0.07  # as of a force: what differs by less is the same
+SAME_AREA = 0.07  # as of a force: smaller differences count as none
 
 
 @dataclass
@@ -29,7 +29,7 @@ class Piece:
 
     area: float  # [u^2]
     centre: np.ndarray  # of its area, (3) [u]
-    touched: bool  # a hand felt it on its way
+    touched: bool  # a hand felt it on its path
 
     def is_like(self, other, reach_u):
         """Whether both may be the same one."""

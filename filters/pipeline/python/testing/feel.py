@@ -71,7 +71,7 @@ class Touch:
         self.unit = unit
         plain = {name: _plain(value) for name, value in settings.items()}
         self.settings = {"Scale": PER_METRE[unit], "Stiffness": 500.0, **plain}
-        self._filter()  # what it does not take is refused before anything is computed
+        self._filter()  # a setting that the filter lacks is refused before anything is computed
 
     @property
     def scale(self):

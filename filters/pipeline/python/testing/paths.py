@@ -14,7 +14,7 @@ from palpate.vtkHapticPipeline import vtkHapticStroke
 TICK_S = 1e-3  # of rows without a time
 STROKE_TICK_S = 1e-2  # a stroke over 200 mm at 130 mm/s: a hand that looks for something
 SIDES = np.vstack([np.eye(3), -np.eye(3)])  # each beside the one before
-OUTSIDE = 2.0  # diagonals of the box: from there the straight way to the side beside passes outside of the surface
+OUTSIDE = 2.0  # diagonals of the box: from there the straight line to the side beside passes outside of the surface
 PLACES = 150  # of a stroke, along the diagonal of the surface's box
 
 
@@ -72,7 +72,7 @@ def strokes(surface, touch):
     ways = [way for way in ways if way is not None]
     if not ways:
         raise Refused("No side of the surface can be stroked: give the path of the hand.")
-    # From one side to the opposite one the straight way would lead through the surface.
+    # From one side to the opposite one the straight line would lead through the surface.
     aside = np.array(faces.GetCenter()) + OUTSIDE * size_u * np.eye(3)
     places = [ways[0]]
     for last, way in zip(ways, ways[1:]):

@@ -11,7 +11,7 @@ namespace palpate::stage
 {
 
 /// The same force wherever the hand is: it carries the weight of a handle, or adds one. A force that never changes has
-/// a potential, so a closed way takes no work.
+/// a potential, so a closed path takes no work.
 struct ConstantForce
 {
   static constexpr std::string_view name = "constant force";

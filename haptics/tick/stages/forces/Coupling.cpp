@@ -11,8 +11,8 @@ namespace palpate::stage
 namespace
 {
 
-/// A torque that the device cannot give counts as if it were: who turns a tool against it brings that energy along, and
-/// what the force gives back of it is not the contact's.
+/// A torque that the device cannot give counts as if it were given: a person who turns a tool against it brings that
+/// energy along, and the force returns it from there, not from the contact.
 double turningWork_J(const TickContext& tick) noexcept
 {
   const Vec3& torque_D = tick.s.ownForce ? tick.s.toolTorque_D : tick.s.lastTorque_D;
@@ -34,7 +34,7 @@ Wrench coupled_D(const TickContext& tick, double damping_Ns_per_m) noexcept
   return { push.head<3>(), tick.turn.lever_m * push.tail<3>() };
 }
 
-/// What the hand did in the period that ended, under the force it really got.
+/// Motion and work of the hand in the period that ended, under the force that was given.
 SpringTick springTick(const TickContext& tick) noexcept
 {
   const RendererState& s = tick.s;

@@ -70,7 +70,7 @@ Vec3 springForce_D(TickContext& tick, const FieldResult& felt) noexcept
   return coupleDevice(pull_D, state.velocity_D, state.stiffness_N_per_m, damping_Ns_per_m);
 }
 
-/// What is left of a force that ended, shorter from tick to tick.
+/// The rest of a force that ended, shorter from tick to tick.
 Vec3 fading_D(TickContext& tick, bool letGo, const Vec3& force_D) noexcept
 {
   RendererState& s = tick.s;

@@ -99,7 +99,7 @@ struct Field
     Vec3 fieldForce_D = Vec3::Zero();  ///< and of all of the field
     Vec3 fieldFade_D = Vec3::Zero();   ///< of the force that ended when the field did
     double fieldFade_s = 0.0;          ///< left until it is gone
-    std::uint64_t fieldBeyond = 0;     ///< ticks in which the hand was beyond the brick
+    std::uint64_t fieldBeyond = 0;     ///< ticks in which the hand was beyond the block
   };
 
   template<class Visit, class... S>

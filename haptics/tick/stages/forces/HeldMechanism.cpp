@@ -12,8 +12,8 @@ namespace palpate::stage
 namespace
 {
 
-/// Where the hand would have what it holds: turned as the hand is when it takes it. After a clutch, and in another map,
-/// it takes it as it is turned then.
+/// The hand's target pose of the held body: turned as the hand is when it takes the body. After a clutch, and in
+/// another map, the target starts at the body's turn then.
 Pose lead_W(TickContext& tick) noexcept
 {
   RendererState& s = tick.s;
@@ -27,7 +27,7 @@ Pose lead_W(TickContext& tick) noexcept
   return leadTool(device_W, anew, s.mechanismLead);
 }
 
-/// Another plan begins anew, before anything is told or broken of it: laws and bodies are numbered by it.
+/// Another plan begins anew, before anything is told or broken of it: constraints and bodies are numbered by it.
 void takePlan(TickContext& tick) noexcept
 {
   const MechanismPlan& plan = tick.input.mechanism->plan();
@@ -39,7 +39,8 @@ void takePlan(TickContext& tick) noexcept
   }
 }
 
-/// A law that the person breaks holds nothing from this tick on, whether the tick knows the place of the hand or not.
+/// A constraint that the person breaks holds nothing from this tick on, whether the tick knows the place of the hand or
+/// not.
 void breakConstraints(TickContext& tick) noexcept
 {
   for (const HapticEvent& event : tick.input.events)
@@ -51,7 +52,7 @@ void breakConstraints(TickContext& tick) noexcept
   }
 }
 
-/// The state of the tick before may be of a recording, or of another room: the tick's own is the one that counts.
+/// The state of the tick before may be of a recording, or in another workspace: the tick's own counts.
 const MechanismResult& compute(TickContext& tick, double lever_m) noexcept
 {
   const double scale_u_per_m = tick.p.map.scale_u_per_m;
@@ -72,7 +73,7 @@ const MechanismResult& compute(TickContext& tick, double lever_m) noexcept
   return result;
 }
 
-/// Force and torque as what a plain spring of the coupling's stiffness would be stretched by.
+/// Force and torque as the stretch of a plain spring of the coupling's stiffness.
 void pull(TickContext& tick, const MechanismResult& result, double lever_m) noexcept
 {
   const double scale_u_per_m = tick.p.map.scale_u_per_m;
@@ -151,7 +152,7 @@ void endIfLate(TickContext& tick, const MechanismResult& result, MechanismNow& n
   }
 }
 
-/// What the worker makes the next snapshots for.
+/// Input of the worker's next snapshots.
 void tellWorker(TickContext& tick, const MechanismResult& result) noexcept
 {
   const MechanismPlan& plan = tick.input.mechanism->plan();

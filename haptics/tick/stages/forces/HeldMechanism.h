@@ -106,8 +106,8 @@ struct HeldMechanism
 
 } // namespace stage
 
-/// How long the lever is by which a turn counts as a way, where the hand turns a mechanism with that stiffness and
-/// moves it with this one [m]; 0: it turns freely.
+/// The lever by which a turn counts as a displacement, where the hand turns a mechanism with that stiffness and moves
+/// it with this one [m]; 0: it turns freely.
 [[nodiscard]] inline double mechanismLever_m(double turning_N_m_per_rad, double stiffness_N_per_m) noexcept
 {
   return stiffness_N_per_m > 0.0 ? std::sqrt(turning_N_m_per_rad / stiffness_N_per_m) : 0.0;

@@ -62,7 +62,7 @@ EnergyBalancePlan balancePlan(const TickContext& tick) noexcept
   return plan;
 }
 
-/// What bends the force so that the hand gets back no more than it gave.
+/// Corrects the force so that the hand gets back no more than it gave.
 void balance(TickContext& tick, SoftReport& report) noexcept
 {
   RendererState& s = tick.s;
@@ -112,7 +112,7 @@ void SoftLead::step(TickContext& tick) noexcept
   }
   s.softTick = tick.input.tick;
   const double fade_s = tick.input.body->period_s > 0.0 ? tick.input.dt_s : std::numeric_limits<double>::infinity();
-  fadeChange(fade_s, s.soft); // what is at rest in every tick changes by what it is, not by a snapshot
+  fadeChange(fade_s, s.soft); // a body at rest in every tick changes by its own solution, not by a snapshot
 }
 
 void Soft::step(TickContext& tick) noexcept

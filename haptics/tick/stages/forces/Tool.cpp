@@ -17,7 +17,7 @@ Pose lead(TickContext& tick) noexcept
   return leadTool(tick.out.state.device_W, anew, s.toolLead);
 }
 
-/// What the contacts of the tick before pull now: nothing where the tool stood nowhere, and the same as these where
+/// The pull of the last tick's contacts now: none where the tool had no place, and that of the present contacts where
 /// none are known, as in the first tick of a recording.
 Vec6 pullBefore_u(const TickContext& tick, const ToolPull& now, const Pose& hand_W) noexcept
 {
@@ -43,7 +43,7 @@ Vec6 step_u(TickContext& tick, const ToolPull& now, ToolState& tool) noexcept
   return now.pull_u - before_u;
 }
 
-/// Of the newest contacts, whose step from those before is spread. Beyond what is known of a scene there are none.
+/// Of the newest contacts, whose step from those before is spread. Beyond the known part of a scene there are none.
 Vec6 pull_u(TickContext& tick, ToolState& tool) noexcept
 {
   if (!tick.input.tool->placed || tick.s.beyondKnown)

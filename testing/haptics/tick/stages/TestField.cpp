@@ -96,8 +96,8 @@ TEST_F(Field, AndASurfaceShareTheStiffnessAndAreFeltAsTheirSum)
 
 TEST_F(Field, AndASurfaceThatIsAskewTakeNoWorkOverAClosedWay)
 {
-  // Both hold all the way, so the force is linear in the place, and the trapezoid of a polygon exact. A proxy that went
-  // to one and from there to the other would have a force with curl.
+  // Both hold on the whole path, so the force is linear in the place, and the trapezoid of a polygon exact. A proxy
+  // that went to one and from there to the other would have a force with curl.
   test::Random random(test::testSeed(1661));
   const auto floor = test::sceneOf(test::makeSheet({ 2.0, 2.0, 8, 8, 0.2 }, random));
   const FieldBlock slope = scalarIn([](const Vec3& p) { return p.x() + 0.75 * p.z(); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene that is a part of a whole: within it what is felt is the whole's, beyond it nothing is.
+// A scene that is a part of a whole: within it the force is that of the whole, beyond it there is none.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -38,7 +38,7 @@ TriangleMesh partOf(const TriangleMesh& whole, const Vec3& centre_W, double reac
   return part;
 }
 
-/// Ticks one after the other, with a scene that is replaced and what is said of it.
+/// Ticks one after the other, with a scene that is replaced and its known region.
 class FarHand
 {
 public:
@@ -55,7 +55,7 @@ public:
     this->scene_ = std::move(scene);
   }
 
-  /// What is within the reach of a place.
+  /// The part within the reach of a place.
   void takePart(const TriangleMesh& whole, const Vec3& centre_W, double reach_u)
   {
     const std::uint64_t was = this->scene_ ? this->scene_->geometryHash() : 0;
@@ -145,7 +145,7 @@ TEST(SurroundingsRim, BeyondItTheForceFadesAndTheProxyWaitsWhereAllWasKnown)
   static_cast<void>(hand.at({ 0.1, 0.2, 3.0 }));
   const TickOutput pressed = hand.at({ 0.1, 0.2, -depth_u });
   EXPECT_NEAR(pressed.command.wrench_D.force.z(), spring_N, 1e-12);
-  // Hand and what it is pulled by are within up to |p| + depth = reach.
+  // Hand and pull are within the region up to |p| + depth = reach.
   const Vec3 beyond_W(9.1, 0.2, -depth_u);
   for (int i = 0; i <= 88; ++i) // to 8.9, from where the proxy is 0.1 u and the depth away
   {

@@ -133,7 +133,7 @@ TEST_F(Turning, MetersWhatTheTorqueDidOverEachTurnOfTheHand)
   EXPECT_NEAR(last.turned_J, (there - back) * torque_Nm * turn_rad, 1e-5 * torque_Nm);
 }
 
-/// Tells a test what it was asked for last.
+/// Hands each command to a test.
 class TurningDevice final : public test::BareDevice
 {
 public:
@@ -157,7 +157,7 @@ public:
     this->told_ = command;
     if (command.target.stiffness_N_per_m > 0.0)
     {
-      // What the device's own spring gives is what it was told.
+      // The device's own spring gives the force of the command.
       const Vec3 spring_N = command.target.stiffness_N_per_m * (command.target.pose_D.p - this->hand_.p);
       EXPECT_LT((spring_N - command.wrench_D.force).norm(), 1e-9);
       EXPECT_EQ(command.target.pose_D.q.coeffs(), this->hand_.q.coeffs());
