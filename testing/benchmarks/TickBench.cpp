@@ -12,11 +12,11 @@
 
 #include "haptics/contact/GodObject.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
-#include "testing/benchmarks/LeastCosts.h"
 #include "testing/benchmarks/PlainWalk.h"
 #include "testing/benchmarks/TickRows.h"
 #include "testing/lab/backends/Backend.h"
 #include "testing/support/Bender.h"
+#include "testing/support/LeastCosts.h"
 #include "testing/support/NoisySphere.h"
 #include "testing/support/Random.h"
 

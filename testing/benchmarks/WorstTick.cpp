@@ -14,9 +14,9 @@
 
 #include "haptics/contact/GodObject.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
-#include "testing/benchmarks/LeastCosts.h"
 #include "testing/lab/backends/Backend.h"
 #include "testing/support/CostSample.h"
+#include "testing/support/LeastCosts.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"
 #include "testing/support/RandomHand.h"

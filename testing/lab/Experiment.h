@@ -19,6 +19,9 @@ enum class Size
   Soak,
 };
 
+/// In so many runs each tick of a chart of speed against accuracy is timed; the least of them counts.
+inline constexpr int costRuns = 3;
+
 /// What an experiment is run with. Same size and seed: same values, cost columns aside.
 struct Conditions
 {

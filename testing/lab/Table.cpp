@@ -121,7 +121,8 @@ std::string toCsv(const Table& table)
     {
       csv += quoted(field) + ",";
     }
-    csv += row.cost ? number(row.cost->p50_us) + "," + number(row.cost->p99_us) : std::string(",");
+    csv += row.cost ? number(row.cost->p50_us) + "," + number(row.cost->p99_us) + "," + number(row.cost->most_us)
+                    : std::string(",,");
     csv += "\n";
   }
   return csv;

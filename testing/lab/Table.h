@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "testing/support/CostSample.h"
+#include "testing/support/LeastCosts.h"
 
 namespace palpate::lab
 {
@@ -22,15 +23,21 @@ enum class Verdict
 
 [[nodiscard]] const char* name(Verdict verdict);
 
-/// What a tick of a method costs [us].
+/// Cost of a tick of a method [us]. A maximum is given only where each tick was timed in several runs: of a single run
+/// the longest tick is mostly the machine's.
 struct Cost
 {
   double p50_us = 0.0;
   double p99_us = 0.0;
+  std::optional<double> most_us = {};
 
   [[nodiscard]] static Cost of(const test::CostSample& sample)
   {
     return { sample.quantile_us(0.5), sample.quantile_us(0.99) };
+  }
+  [[nodiscard]] static Cost of(const test::LeastCosts& least)
+  {
+    return { least.quantile_us(0.5), least.quantile_us(0.99), least.quantile_us(1.0) };
   }
 };
 
@@ -97,7 +104,7 @@ inline constexpr const char* outcomeUnit = "0 held, 1 through, 2 stuck, 3 unstab
 
 /// The header of every CSV of the lab, in one place.
 inline constexpr const char* csvHeader =
-  "experiment,case,method,quantity,value,unit,truth,pass_line,verdict,cost_us_p50,cost_us_p99";
+  "experiment,case,method,quantity,value,unit,truth,pass_line,verdict,cost_us_p50,cost_us_p99,cost_us_most";
 
 /// The table as CSV: numbers with as many digits as bring them back exactly, fields with commas quoted.
 [[nodiscard]] std::string toCsv(const Table& table);

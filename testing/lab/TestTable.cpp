@@ -41,11 +41,11 @@ TEST(Table, WritesNumbersThatComeBackExactlyAndQuotesWhatNeedsIt)
 {
   Table table("t");
   const double third = 1.0 / 3.0;
-  table.within({ "a,b", "say \"m\"", "q", "" }, third, 0.1, 1.0).cost = Cost{ 0.5, 2.25 };
+  table.within({ "a,b", "say \"m\"", "q", "" }, third, 0.1, 1.0).cost = Cost{ 0.5, 2.25, 4.5 };
   const std::string csv = toCsv(table);
   const std::string line = csv.substr(csv.find('\n') + 1);
   EXPECT_EQ(csv.substr(0, csv.find('\n')), csvHeader);
-  EXPECT_EQ(line, "t,\"a,b\",\"say \"\"m\"\"\",q,0.3333333333333333,,0.1,1,pass,0.5,2.25\n");
+  EXPECT_EQ(line, "t,\"a,b\",\"say \"\"m\"\"\",q,0.3333333333333333,,0.1,1,pass,0.5,2.25,4.5\n");
   EXPECT_EQ(std::stod("0.3333333333333333"), third);
 }
 

@@ -18,8 +18,8 @@ from charting.tables import Problem, read_folder
 # name, title, caption, experiments it needs, how it is drawn
 CHARTS = [
     ("speed-accuracy", "Speed against accuracy",
-     "Each mark is a method on a scene: how long a tick takes (a line from the median to the 99th of a hundred) against its "
-     "largest error, in units of what a hand can feel (7 % of the force, 18 degrees; 1e-4 and less on one height). Below the "
+     "Each mark is a method on a scene: how long a tick takes (a line from the median to the 99th of a hundred, dotted to the longest; "
+     "each tick is the least of three runs) against its largest error, in units of what a hand can feel (7 % of the force, 18 degrees; 1e-4 and less on one height). Below the "
      "dashed line nobody feels a difference; hollow marks failed, those in the grey band went through, stuck or left every "
      "bound; the wide blue line is the product's frontier: nothing of it is both cheaper and truer.",
      ["speed-accuracy"], lambda t: speed_accuracy.draw(t["speed-accuracy"])),
@@ -98,10 +98,15 @@ CHARTS = [
      "punctures, turns round and comes back; what falls at once is spread for the hand. Below: what laws cost a tick, from the median to the 99th of a hundred.",
      ["mechanism", "laws"], lambda t: mechanisms.draw(t["mechanism"], t["laws"])),
     ("tool-methods", "A tool that turns: speed against accuracy (C7)",
-     "How far a tool ends from its nearest free pose, and what an update costs (a line from the median to the 99th of a hundred): points among "
+     "As above, for the force of a virtual coupling from the hand to where a tool ends, beside its nearest free pose: points among "
      "voxels and in a field of distances, corners as penalties against a coupling, steps as long as a distance allows, and planes that prove "
-     "each step (1e-6 mm and less on one height). A bar of 1 mm passes points and corners; points as coarse as the clearance do not let a peg in.",
-     ["tool-methods"], lambda t: tools.draw_methods(t["tool-methods"])),
+     "each step. A bar of 1 mm passes points and corners; points as coarse as the clearance do not let a peg in.",
+     ["tool-methods"], lambda t: speed_accuracy.draw(t["tool-methods"], "an update")),
+    ("mechanism-methods", "A needle in a wall and an organ: speed against accuracy",
+     "As above, for a needle that a hand sways from side to side, held against turns by a soft, a usual and a stiff spring: all constraints as "
+     "one problem, each spot as if there were no other, one spot after the other with the force of the last tick, one linear model of the "
+     "start, and a force that is held for the period of a screen.",
+     ["mechanism-methods"], lambda t: speed_accuracy.draw(t["mechanism-methods"])),
     ("tool-between", "A tool between two updates",
      "Left: what holds a cube back that slides without friction: a coupling to where it was drags, the contacts do not (1e-3 N and less at the "
      "edge; dashed: 0.5 N). Middle: the largest step when a face is met, and the largest error beside an update in every tick. Right: how "

@@ -5,9 +5,9 @@ import unittest
 
 from lab_runs import LabTest
 
-HEADER = "experiment,case,method,quantity,value,unit,truth,pass_line,verdict,cost_us_p50,cost_us_p99\n"
+HEADER = "experiment,case,method,quantity,value,unit,truth,pass_line,verdict,cost_us_p50,cost_us_p99,cost_us_most\n"
 FACETS = "".join(
-    f"facets,triangles={n},god-object r=0,force error,{291.5 / n},,{291.5 / n},1e-9,pass,0.5,{1 + n * 1e-5}\n"
+    f"facets,triangles={n},god-object r=0,force error,{291.5 / n},,{291.5 / n},1e-9,pass,0.5,{1 + n * 1e-5},\n"
     for n in (320, 1280, 5120, 20480))
 
 
@@ -34,13 +34,13 @@ class Charts(LabTest):
         self.assertEqual(*pictures)
 
     def test_what_failed_stands_first(self):
-        self.write(HEADER + FACETS + "facets,triangles=1,point,force error,2,,0,1,fail,,\n")
+        self.write(HEADER + FACETS + "facets,triangles=1,point,force error,2,,0,1,fail,,,\n")
         self.assertEqual(self.charts(self.folder).returncode, 0)
         page = (self.folder / "index.html").read_text(encoding="utf-8")
         self.assertLess(page.index("What failed"), page.index("How fine a sphere"))
 
     def test_absent_libraries_are_named(self):
-        self.write(HEADER + FACETS + "queries,triangles=1 query=far,embree,disagreements,,,,,absent,,\n")
+        self.write(HEADER + FACETS + "queries,triangles=1 query=far,embree,disagreements,,,,,absent,,,\n")
         self.assertEqual(self.charts(self.folder).returncode, 0)
         page = (self.folder / "index.html").read_text(encoding="utf-8")
         self.assertIn("queries: embree", page)
@@ -53,11 +53,11 @@ class Charts(LabTest):
     def test_damaged_numbers_are_named_with_their_line(self):
         for text in ("x1", "nan", "inf"):
             with self.subTest(text=text):
-                self.write(HEADER + FACETS + f"facets,triangles=1,point,force error,{text},,0,1,fail,,\n")
+                self.write(HEADER + FACETS + f"facets,triangles=1,point,force error,{text},,0,1,fail,,,\n")
                 self.assert_refused(self.charts(self.folder), "facets.csv, line 6", "value")
 
     def test_a_case_that_a_chart_cannot_read_is_named(self):
-        self.write(HEADER + FACETS + "facets,N=320,point,force error,1,,0,1,fail,,\n")
+        self.write(HEADER + FACETS + "facets,N=320,point,force error,1,,0,1,fail,,,\n")
         self.assert_refused(self.charts(self.folder), "facets.csv", "triangles")
         self.write("\0" * 10)
         self.assert_refused(self.charts(self.folder), "facets.csv", "not of this version")
@@ -65,7 +65,7 @@ class Charts(LabTest):
     def test_a_cut_line_and_a_foreign_verdict_are_named(self):
         self.write(HEADER + FACETS + "facets,triangles=1\n")
         self.assert_refused(self.charts(self.folder), "line 6", "2 fields")
-        self.write(HEADER + "facets,triangles=1,point,force error,1,,0,1,maybe,,\n")
+        self.write(HEADER + "facets,triangles=1,point,force error,1,,0,1,maybe,,,\n")
         self.assert_refused(self.charts(self.folder), "line 2", "maybe")
 
     def test_no_folder_an_empty_one_and_no_place_to_write(self):

@@ -6,16 +6,19 @@
 #include <embree3/rtcore.h>
 
 #include "testing/lab/backends/Backend.h"
+#include "testing/lab/backends/Peers.h"
 
 namespace palpate::lab
 {
 namespace
 {
 
-class Embree final : public Backend
+/// A mesh in Embree.
+class EmbreeScene
 {
 public:
-  explicit Embree(const TriangleMesh& mesh) : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(this->device_))
+  explicit EmbreeScene(const TriangleMesh& mesh)
+    : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(this->device_))
   {
     // Robust: the documented mode in which neighbouring triangles leave no gap between them.
     rtcSetSceneFlags(this->scene_, RTC_SCENE_FLAG_ROBUST);
@@ -31,15 +34,15 @@ public:
     }
   }
 
-  ~Embree() override
+  ~EmbreeScene()
   {
     rtcReleaseScene(this->scene_);
     rtcReleaseDevice(this->device_);
   }
-  Embree(const Embree&) = delete;
-  Embree& operator=(const Embree&) = delete;
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-  [[nodiscard]] bool meets(const Vec3& from_W, const Vec3& to_W) override
+  [[nodiscard]] bool occludes(const Vec3& from_W, const Vec3& to_W) const
   {
     RTCRay ray = rayOf(from_W, to_W);
     RTCIntersectContext context;
@@ -48,7 +51,13 @@ public:
     return ray.tfar < 0.0f; // how embree says: occluded
   }
 
-  [[nodiscard]] std::optional<double> firstHit(const Vec3& from_W, const Vec3& to_W) override
+  /// The first triangle on the segment and the fraction of the segment at which it is met.
+  struct Hit
+  {
+    std::size_t triangle;
+    double t;
+  };
+  [[nodiscard]] std::optional<Hit> first(const Vec3& from_W, const Vec3& to_W) const
   {
     RTCRayHit query{};
     query.ray = rayOf(from_W, to_W);
@@ -56,7 +65,8 @@ public:
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcIntersect1(this->scene_, &context, &query);
-    return query.hit.geomID != RTC_INVALID_GEOMETRY_ID ? std::optional<double>(query.ray.tfar) : std::nullopt;
+    return query.hit.geomID != RTC_INVALID_GEOMETRY_ID ? std::optional<Hit>({ query.hit.primID, query.ray.tfar })
+                                                       : std::nullopt;
   }
 
 private:
@@ -99,11 +109,58 @@ private:
   RTCScene scene_;
 };
 
+class Embree final : public Backend
+{
+public:
+  explicit Embree(const TriangleMesh& mesh) : scene_(mesh) {}
+
+  [[nodiscard]] bool meets(const Vec3& from_W, const Vec3& to_W) override
+  {
+    return this->scene_.occludes(from_W, to_W);
+  }
+
+  [[nodiscard]] std::optional<double> firstHit(const Vec3& from_W, const Vec3& to_W) override
+  {
+    const auto hit = this->scene_.first(from_W, to_W);
+    return hit ? std::optional<double>(hit->t) : std::nullopt;
+  }
+
+private:
+  EmbreeScene scene_;
+};
+
+class EmbreeRays final : public RayCaster
+{
+public:
+  explicit EmbreeRays(const TriangleMesh& mesh) : mesh_(mesh), scene_(mesh) {}
+
+  [[nodiscard]] std::optional<Face> firstHit(const Vec3& from_W, const Vec3& to_W) const override
+  {
+    const auto hit = this->scene_.first(from_W, to_W);
+    if (!hit)
+    {
+      return std::nullopt;
+    }
+    const auto& [a, b, c] = this->mesh_.triangles[hit->triangle];
+    const Vec3 &at = this->mesh_.vertices_W[a], &along = this->mesh_.vertices_W[b], &across = this->mesh_.vertices_W[c];
+    return Face{ hit->triangle, from_W + hit->t * (to_W - from_W), (along - at).cross(across - at).normalized() };
+  }
+
+private:
+  TriangleMesh mesh_;
+  EmbreeScene scene_;
+};
+
 } // namespace
 
 std::unique_ptr<Backend> makeEmbree(const TriangleMesh& mesh)
 {
   return std::make_unique<Embree>(mesh);
+}
+
+std::unique_ptr<RayCaster> makeEmbreeRays(const TriangleMesh& mesh)
+{
+  return std::make_unique<EmbreeRays>(mesh);
 }
 
 } // namespace palpate::lab

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "testing/lab/backends/Backend.h"
+#include "testing/lab/backends/Peers.h"
 
 namespace palpate::lab
 {
@@ -15,13 +16,17 @@ constexpr std::nullptr_t vtkCells = nullptr;
 #endif
 #ifdef PALPATE_LAB_EMBREE
 constexpr auto embree = makeEmbree;
+constexpr auto rays = makeEmbreeRays;
 #else
 constexpr std::nullptr_t embree = nullptr;
+constexpr std::nullptr_t rays = nullptr;
 #endif
 #ifdef PALPATE_LAB_BULLET
 constexpr auto bullet = makeBullet;
+constexpr auto ball = makeBulletBall;
 #else
 constexpr std::nullptr_t bullet = nullptr;
+constexpr std::nullptr_t ball = nullptr;
 #endif
 
 } // namespace
@@ -36,6 +41,16 @@ std::vector<BackendKind> backendKinds()
     { "embree", Arithmetic::Single, embree },
     { "bullet", Arithmetic::Single, bullet },
   };
+}
+
+MakeRays embreeRays()
+{
+  return rays;
+}
+
+MakeBall bulletBall()
+{
+  return ball;
 }
 
 } // namespace palpate::lab

@@ -31,14 +31,14 @@ def verdicts(tables):
 
 def table_of(rows):
     head = "".join(f"<th>{name}</th>" for name in ("case", "method", "quantity", "value", "unit", "truth", "limit",
-                                                   "verdict", "p50 [µs]", "p99 [µs]"))
+                                                   "verdict", "p50 [µs]", "p99 [µs]", "most [µs]"))
     lines = []
     for row in rows:
         quantity = row.quantity + (", at least" if row.at_least else "")
         cells = [row.case, row.method, quantity, short(row.value), row.unit, short(row.truth), short(row.pass_line)]
         lines.append("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in cells) +
                      f"<td class='{row.verdict}'>{row.verdict}</td><td>{short(row.cost_us_p50)}</td>"
-                     f"<td>{short(row.cost_us_p99)}</td></tr>")
+                     f"<td>{short(row.cost_us_p99)}</td><td>{short(row.cost_us_most)}</td></tr>")
     return f"<table><tr>{head}</tr>{''.join(lines)}</table>"
 
 

@@ -28,6 +28,8 @@ def draw_scene(axes, rows, failed, style, named=True):
             y = max(row.value, LEAST)
         face = "none" if outcome else look["color"]
         axes.plot(x, [y, y], color=look["color"], linewidth=look["linewidth"], alpha=0.7)
+        if row.cost_us_most is not None:
+            axes.plot([x[1], max(row.cost_us_most, 0.01)], [y, y], color=look["color"], linewidth=1, linestyle=":", alpha=0.7)
         axes.plot(x[:1], [y], marker=look["marker"], color=look["color"], markerfacecolor=face, linestyle="none",
                   markersize=look["markersize"])
     frontier(axes, rows, failed)
@@ -52,7 +54,7 @@ def frontier(axes, rows, failed):
         axes.step(xs, ys, where="post", color="#0072B2", alpha=0.35, linewidth=4)
 
 
-def draw(rows):
+def draw(rows, step="a tick"):
     errors = [row for row in rows if row.quantity == "error"]
     failed = outcomes(rows)
     scenes = list(dict.fromkeys(row.case for row in errors))
@@ -71,9 +73,10 @@ def draw(rows):
     for row in grid:
         row[0].set_ylabel("error [JND]")
     for axes in cells[len(scenes) + 1 - columns:len(scenes) + 1]:  # the lowest of each column
-        axes.set_xlabel("cost of a tick, p50 to p99 [µs]")
+        axes.set_xlabel(f"cost of {step}, p50 to p99 [µs]")
         axes.tick_params(labelbottom=True)
     handles = [pyplot.Line2D([], [], label=method, **look) for method, look in style.items()]
     handles.append(pyplot.Line2D([], [], label="hollow: failed", color="0.4", marker="o", markerfacecolor="none", linestyle="none"))
-    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=5)
+    handles.append(pyplot.Line2D([], [], label="dotted: to the longest", color="0.4", linewidth=1, linestyle=":"))
+    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=4)
     return figure

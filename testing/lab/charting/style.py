@@ -19,9 +19,9 @@ matplotlib.rcParams.update({
 
 import matplotlib.pyplot as pyplot  # noqa: E402  (after the back-end is chosen)
 
-# Okabe and Ito's colours, which most colour-blind people tell apart.
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#999999", "#7F3C8D"]
-MARKERS = ["o", "s", "^", "D", "v", "p", "<", ">", "h"]  # all with an inside: hollow means failed
+# Okabe and Ito's colours, which most colour-blind people tell apart, and four more that markers tell apart.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#999999", "#7F3C8D", "#A6761D", "#117733"]
+MARKERS = ["o", "s", "^", "D", "v", "p", "<", ">", "h", "8", "d"]  # all with an inside: hollow means failed
 OURS = ("god-object", "ours", "enumeration", "spring+passivity")
 
 

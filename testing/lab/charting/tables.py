@@ -7,7 +7,7 @@ import math
 import pathlib
 
 COLUMNS = ["experiment", "case", "method", "quantity", "value", "unit", "truth", "pass_line", "verdict",
-           "cost_us_p50", "cost_us_p99"]
+           "cost_us_p50", "cost_us_p99", "cost_us_most"]
 VERDICTS = ("pass", "fail", "info", "absent")
 MARK = ", at least"
 
@@ -29,6 +29,7 @@ class Row:
     verdict: str
     cost_us_p50: float | None
     cost_us_p99: float | None
+    cost_us_most: float | None  # only where each tick was timed in several runs
     at_least: bool  # value must be at least pass_line
 
     @property
@@ -72,7 +73,7 @@ def read_file(file):
         given = dict(zip(COLUMNS, fields))
         if given["verdict"] not in VERDICTS:
             raise Problem(f"{file}, line {line}: verdict '{given['verdict']}' is not one of {', '.join(VERDICTS)}")
-        for column in ("value", "truth", "pass_line", "cost_us_p50", "cost_us_p99"):
+        for column in ("value", "truth", "pass_line", "cost_us_p50", "cost_us_p99", "cost_us_most"):
             given[column] = number(given[column], file, line, column)
         at_least = given["quantity"].endswith(MARK)
         given["quantity"] = given["quantity"].removesuffix(MARK)

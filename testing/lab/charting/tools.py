@@ -1,38 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rigid tools that turn: every method on every scene, what is felt between two updates, how stiff a turn may be held."""
+"""Rigid tools that turn: the force between two updates, and the stiffest turn."""
 
 from .style import line, looks, pyplot
 
-LEAST = 1e-6  # mm: below, nothing is to be compared
 NOTHING = 1e-3  # N: what is less is drawn at the edge
-
-
-def draw_methods(rows):
-    """C7: cost of an update against pose error."""
-    errors = [row for row in rows if row.quantity == "pose error" and row.value is not None]
-    scenes = list(dict.fromkeys(row.case for row in errors))
-    style = looks(row.method for row in errors)
-    columns = 3
-    lines = -(-(len(scenes) + 1) // columns)
-    figure, grid = pyplot.subplots(lines, columns, figsize=(10.5, 3.0 * lines), sharex=True, sharey=True, squeeze=False)
-    cells = [axes for row in grid for axes in row]
-    for axes, scene in zip(cells, scenes):
-        for row in (row for row in errors if row.case == scene and row.cost_us_p50 is not None):
-            look, y = style[row.method], max(row.value, LEAST)
-            axes.plot([row.cost_us_p50, row.cost_us_p99], [y, y], color=look["color"], linewidth=look["linewidth"], alpha=0.7)
-            axes.plot([row.cost_us_p50], [y], marker=look["marker"], color=look["color"], linestyle="none",
-                      markersize=look["markersize"])
-        axes.set(xscale="log", yscale="log", title=scene)
-    for axes in cells[len(scenes):]:
-        axes.axis("off")
-    for row in grid:
-        row[0].set_ylabel("pose error [mm]")
-    for axes in cells[len(scenes) - columns:len(scenes)]:
-        axes.set_xlabel("cost of an update, p50 to p99 [µs]")
-        axes.tick_params(labelbottom=True)
-    handles = [pyplot.Line2D([], [], label=method, **look) for method, look in style.items()]
-    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3)
-    return figure
 
 
 def draw_between(drag, stability):

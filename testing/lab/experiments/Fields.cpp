@@ -135,17 +135,21 @@ struct Limits
 constexpr double felt = 1.0; ///< JND
 
 /// The largest error in units of what a hand can feel, and what a tick costs; a force that is gone went through.
-void judge(const Play& play, const char* name, Method method, const Limits& limits, Table& table)
+void judge(const Play& play, const char* name, const Method& method, const Limits& limits, Table& table)
 {
-  test::CostSample cost(play.way.size());
   double error = 0.0;
   Vec3 force = Vec3::Zero();
-  for (const Vec3& p : play.way)
-  {
-    cost.time([&] { force = method(p); });
-    const Vec3 truth = play.truth(p);
-    error = truth.norm() > 0.0 ? std::max(error, (force - truth).norm() / (noticed * truth.norm())) : error;
-  }
+  const test::LeastCosts cost(costRuns,
+    [&](auto call)
+    {
+      Method anew = method; // with the memory that it begins with
+      for (const Vec3& p : play.way)
+      {
+        call([&] { force = anew(p); });
+        const Vec3 truth = play.truth(p);
+        error = truth.norm() > 0.0 ? std::max(error, (force - truth).norm() / (noticed * truth.norm())) : error;
+      }
+    });
   const bool gone = force.dot(play.truth(play.way.back())) <= 0.0;
   const Subject subject{ play.name, name, "error", "JND" };
   Row& row = limits.most ? table.atMost(subject, error, *limits.most) : table.info(subject, error);

@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/LU>
-
 #include "testing/lab/Experiments.h"
-#include "testing/oracles/statics/HeldRod.h"
+#include "testing/lab/simulation/LeverRig.h"
 #include "testing/support/MechanismRig.h"
 
 namespace palpate::lab
@@ -16,73 +14,14 @@ namespace mechanism_experiment
 {
 
 using test::kc;
-using Two = Eigen::Vector2d; ///< of the wall and the organ
+using Two = Lever::Two;
 
-/// The lever of docs/theory.md, "Constraints between bodies": how stiff both are, where along the rod, and how far the
-/// hand has gone across it.
-const Two stiffness_N_per_m(500.0, 200.0);
-const Two place_m(0.05, 0.15);
-constexpr double hand_m = 5e-3;
+constexpr double hand_m = 5e-3; ///< so far the hand goes across the needle
 
-/// What both push with where the energy of hand, wall and organ is stationary on the finite turn.
-Two forceOfTurn_N(double turning_Nm)
+Two forceByMechanism_N(const Lever& lever)
 {
-  const test::HeldRod rod{ hand_m * Vec3::UnitY(), Quat::Identity(), kc, turning_Nm };
-  // Of each hole its place along the shaft, and the force there over the hand's spring.
-  const auto energy = [&](const test::FiniteStatics::Coordinates& z)
-  {
-    test::Jet sum = rod.energy(z);
-    for (int i = 0; i < 2; ++i)
-    {
-      const auto first = static_cast<std::size_t>(6 + 4 * i);
-      const test::JetVector force = kc * test::FiniteStatics::vectorOf(z, first + 1);
-      const test::JetVector shaft = rod.direction(z, Vec3::UnitZ());
-      sum = sum + dot(force, test::FiniteStatics::vectorOf(z, 0) + z[first] * shaft - Vec3(0.0, 0.0, place_m[i])) -
-            0.5 / stiffness_N_per_m[i] * dot(force, force);
-    }
-    return sum;
-  };
-  Eigen::VectorXd z = Eigen::VectorXd::Zero(14);
-  z[6] = place_m[0];
-  z[10] = place_m[1];
-  const bool ended = test::FiniteStatics::makeStationary(energy, z);
-  return ended ? Two(-kc * Two(z[8], z[12])) : Two(Two::Constant(std::nan("")));
-}
-
-/// The same for small turns, as the theory has it. A turn of 0: the device leaves it free.
-Two forceByEnergy_N(double turning_Nm)
-{
-  Eigen::Matrix2d hessian = Two(kc, turning_Nm).asDiagonal();
-  for (int i = 0; i < 2; ++i)
-  {
-    const Two row(1.0, place_m[i]);
-    hessian += stiffness_N_per_m[i] * row * row.transpose();
-  }
-  const Two pose = hessian.inverse() * Two(kc * hand_m, 0.0);
-  return -stiffness_N_per_m.cwiseProduct((pose[0] + place_m.array() * pose[1]).matrix());
-}
-
-/// Each spot by itself: what it would push with if there were no other.
-Two forceBySpot_N(double turning_Nm)
-{
-  const Eigen::Array2d yield_m_per_N =
-    1.0 / kc + place_m.array().square() / turning_Nm + stiffness_N_per_m.array().inverse();
-  return -hand_m / yield_m_per_N;
-}
-
-Two forceByMechanism_N(double turning_Nm)
-{
-  test::MechanismRig rig;
-  rig.grip = { kc, turning_Nm };
-  for (int i = 0; i < 2; ++i)
-  {
-    const Vec3 hole_W(0.0, 0.0, place_m[i]);
-    const std::string name = i == 0 ? "wall" : "organ";
-    rig.addSoft(name, test::springWall(name, hole_W, -Vec3::UnitZ(), 0.02, 1.0 / stiffness_N_per_m[i]));
-    rig.join(ConstraintKind::Insertion, name, Vec3::Zero(), hole_W);
-  }
-  const MechanismResult& r = rig.step(Vec3(0.0, hand_m, 0.0));
-  return { r.laws[0].force_W.y(), r.laws[1].force_W.y() };
+  LeverRig rig(lever);
+  return rig.force_N(hand_m);
 }
 
 void judgeLever(Table& table)
@@ -92,24 +31,26 @@ void judgeLever(Table& table)
   for (const double turning_Nm : { 0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0 })
   {
     const std::string name = caseName({ { "turning", turning_Nm } });
+    const Lever lever{ turning_Nm };
     // A tick takes what only balance holds by the small turns from where it was.
-    const Two truth = turning_Nm > 0.0 ? forceOfTurn_N(turning_Nm) : forceByEnergy_N(turning_Nm);
-    const Two ours = forceByMechanism_N(turning_Nm);
+    const Two truth = turning_Nm > 0.0 ? lever.forceOfTurn_N(hand_m) : lever.forceByEnergy_N(hand_m);
+    const Two ours = forceByMechanism_N(lever);
     table.within({ name, whole, "force of the wall", "N" }, ours[0], truth[0], 1e-9);
     table.within({ name, whole, "force of the organ", "N" }, ours[1], truth[1], 1e-9);
     table.within({ name, whole, "force on the hand", "N" }, ours.sum(), truth.sum(), 1e-9);
     if (turning_Nm > 0.0) // each by itself, a hand that leaves the turn free feels nothing
     {
-      const Two alone = forceBySpot_N(turning_Nm);
+      const Two alone = lever.forceBySpot_N(hand_m);
       table.info({ name, diagonal, "force of the wall", "N" }, alone[0]);
       table.info({ name, diagonal, "force of the organ", "N" }, alone[1]);
       table.info({ name, diagonal, "force on the hand", "N" }, alone.sum());
     }
   }
-  table.within({ "turn left free", whole, "felt stiffness", "N/m" }, -forceByMechanism_N(0.0).sum() / hand_m,
+  table.within({ "turn left free", whole, "felt stiffness", "N/m" }, -forceByMechanism_N(Lever{}).sum() / hand_m,
     4000.0 / 27.0, 1e-9 * 4000.0 / 27.0);
-  const Two truth = forceByEnergy_N(test::kr);
-  const Two alone = forceBySpot_N(test::kr);
+  const Lever held{ test::kr };
+  const Two truth = held.forceByEnergy_N(hand_m);
+  const Two alone = held.forceBySpot_N(hand_m);
   table.atLeast({ "turn held", diagonal, "too much force on the hand by" }, alone.sum() / truth.sum() - 1.0, 0.2);
   table.atLeast({ "turn held", diagonal, "organ pushes where it is pulled, times" }, -alone[1] / truth[1], 1.0);
 }

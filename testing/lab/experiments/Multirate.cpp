@@ -198,15 +198,19 @@ class Press
 public:
   Press()
   {
-    Pad pad(pressed_Pa);
-    test::SoftLoop loop = this->loopOn(pad, 1);
-    test::CostSample sample(this->ticks());
-    for (int tick = 0; tick < this->ticks(); ++tick)
-    {
-      sample.time([&] { this->truth_.push_back(loop.tick(this->at(tick))); });
-      loop.state.offset_W.setZero(); // what a change of snapshots moves is felt at once
-    }
-    this->cost_ = Cost::of(sample);
+    const test::LeastCosts cost(costRuns,
+      [&](auto call)
+      {
+        Pad pad(pressed_Pa);
+        test::SoftLoop loop = this->loopOn(pad, 1);
+        this->truth_.clear();
+        for (int tick = 0; tick < this->ticks(); ++tick)
+        {
+          call([&] { this->truth_.push_back(loop.tick(this->at(tick))); });
+          loop.state.offset_W.setZero(); // a change of snapshots is felt at once
+        }
+      });
+    this->cost_ = Cost::of(cost);
   }
 
   [[nodiscard]] int ticks() const { return 2 * static_cast<int>(0.0155 / speed_m_per_s / servo_s); }
@@ -240,23 +244,27 @@ struct Trace
 
 Trace traceOf(const Press& press, Feel feel, int period_ticks)
 {
-  Pad pad(pressed_Pa);
-  test::SoftLoop loop = press.loopOn(pad, feel == Feel::SharedCompliance ? period_ticks : 1000);
-  Felt felt(feel, period_ticks, pressCoupling_N_per_m);
   Trace trace;
-  test::CostSample sample(press.ticks());
-  for (int tick = 0; tick < press.ticks(); ++tick)
-  {
-    const Vec3 p_W = press.at(tick);
-    SoftResult now = press.truth()[tick];
-    const auto servo = [&]
+  const test::LeastCosts cost(costRuns,
+    [&](auto call)
     {
-      now = feel == Feel::SharedCompliance ? loop.tick(p_W) : now;
-      trace.force_N.push_back(felt.tick(now, p_W.z()));
-    };
-    tick % period_ticks == 0 ? servo() : sample.time(servo); // then the worker's snapshot is made as well
-  }
-  trace.cost = Cost::of(sample);
+      Pad pad(pressed_Pa);
+      test::SoftLoop loop = press.loopOn(pad, feel == Feel::SharedCompliance ? period_ticks : 1000);
+      Felt felt(feel, period_ticks, pressCoupling_N_per_m);
+      trace.force_N.clear();
+      for (int tick = 0; tick < press.ticks(); ++tick)
+      {
+        const Vec3 p_W = press.at(tick);
+        SoftResult now = press.truth()[tick];
+        const auto servo = [&]
+        {
+          now = feel == Feel::SharedCompliance ? loop.tick(p_W) : now;
+          trace.force_N.push_back(felt.tick(now, p_W.z()));
+        };
+        tick % period_ticks == 0 ? servo() : call(servo); // then the worker's snapshot is made as well
+      }
+    });
+  trace.cost = Cost::of(cost);
   return trace;
 }
 

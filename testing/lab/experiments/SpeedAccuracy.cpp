@@ -94,26 +94,30 @@ private:
 void judge(const TouchScene& scene, const World& world, const MethodKind& kind, const Way& way, Table& table)
 {
   const auto method = kind.make(world);
-  method->start(way.device_W.front());
   Judge seen(scene.depth_u);
-  test::CostSample sample(way.device_W.size());
-  for (std::size_t tick = 1; tick < way.device_W.size(); ++tick)
-  {
-    MethodTick result;
-    sample.time([&] { result = method->tick(way.device_W[tick]); });
-    seen.see(result.force_u, way.force_u[tick]);
-  }
+  const test::LeastCosts cost(costRuns,
+    [&](auto call)
+    {
+      seen = Judge(scene.depth_u);
+      method->start(way.device_W.front());
+      for (std::size_t tick = 1; tick < way.device_W.size(); ++tick)
+      {
+        MethodTick result;
+        call([&] { result = method->tick(way.device_W[tick]); });
+        seen.see(result.force_u, way.force_u[tick]);
+      }
+    });
   const Subject error{ scene.name, kind.name, "error", "JND" },
     outcome{ scene.name, kind.name, "outcome", outcomeUnit };
   const auto ended = static_cast<double>(seen.outcome());
   if (scene.fails(kind.name))
   {
-    table.atLeast(error, seen.worst_JND(), 1.0).cost = Cost::of(sample);
+    table.atLeast(error, seen.worst_JND(), 1.0).cost = Cost::of(cost);
     table.atLeast(outcome, ended, 1.0);
   }
   else
   {
-    table.atMost(error, seen.worst_JND(), 1.0).cost = Cost::of(sample);
+    table.atMost(error, seen.worst_JND(), 1.0).cost = Cost::of(cost);
     table.atMost(outcome, ended, 0.0);
   }
 }
@@ -133,6 +137,11 @@ void runSpeedAccuracy(const Conditions& conditions, Table& table)
     std::map<double, Way> ways;
     for (const MethodKind& kind : methods())
     {
+      if (!kind.make)
+      {
+        table.absent({ scene.name, kind.name, "error", "JND" });
+        continue;
+      }
       const double r_u = kind.radius_m * scene.metre_u;
       const auto [way, isNew] = ways.try_emplace(r_u);
       if (isNew)

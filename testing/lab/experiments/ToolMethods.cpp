@@ -45,27 +45,54 @@ double deepest_mm(const ToolScene& scene, const Pose& at_W)
   return most;
 }
 
+/// Error of the force of a virtual coupling, in units of what a hand can feel. Force is the coupling's stiffness times
+/// the way from the hand to the tool, so stiffness cancels. A hand that is drawn by less than 1 mm is counted as drawn
+/// by that: where nothing is to be felt the error is the force itself.
+double errorOf_JND(const ToolScene& scene, const Pose& hand_W, double error_mm)
+{
+  constexpr double felt = 0.07, least_mm = 1.0;
+  return error_mm / (felt * std::max(least_mm, farthest_mm(scene, hand_W)));
+}
+
+/// Ways a tool can end that no hand takes for the right one.
+Outcome outcomeOf(double error_JND, double inside_mm)
+{
+  constexpr double through_mm = 0.5;
+  return inside_mm > through_mm ? Outcome::Through : error_JND > 1.0 ? Outcome::Wrong : Outcome::Held;
+}
+
 void judge(const ToolScene& scene, const ToolMethodKind& kind, Table& table)
 {
-  test::CostSample cost(scene.hand_W.size());
-  const auto method = kind.make(scene);
   double deep_mm = 0.0;
-  for (const Pose& hand_W : scene.hand_W)
-  {
-    cost.time([&] { method->update(hand_W); });
-    deep_mm = std::max(deep_mm, deepest_mm(scene, method->pose_W()));
-  }
-  const double error_mm = farthest_mm(scene, method->pose_W());
-  const Subject error{ scene.name, kind.name, "pose error", "mm" }, inside{ scene.name, kind.name, "inside", "mm" };
+  Pose end_W;
+  const test::LeastCosts cost(costRuns,
+    [&](auto call)
+    {
+      const auto method = kind.make(scene);
+      for (const Pose& hand_W : scene.hand_W)
+      {
+        call([&] { method->update(hand_W); });
+        deep_mm = std::max(deep_mm, deepest_mm(scene, method->pose_W()));
+      }
+      end_W = method->pose_W();
+    });
+  const double error_mm = farthest_mm(scene, end_W), error_JND = errorOf_JND(scene, scene.hand_W.back(), error_mm);
+  const Subject pose{ scene.name, kind.name, "pose error", "mm" }, inside{ scene.name, kind.name, "inside", "mm" },
+    error{ scene.name, kind.name, "error", "JND" }, outcome{ scene.name, kind.name, "outcome", outcomeUnit };
+  const auto ended = static_cast<double>(outcomeOf(error_JND, deep_mm));
   if (kind.name.starts_with("ours"))
   {
-    table.atMost(error, error_mm, scene.near_mm).cost = Cost::of(cost);
+    table.atMost(pose, error_mm, scene.near_mm);
     table.atMost(inside, deep_mm, facets_mm);
+    table.atMost(error, error_JND, 1.0).cost = Cost::of(cost);
+    table.atMost(outcome, ended, 0.0);
   }
   else
   {
-    table.info(error, error_mm).cost = Cost::of(cost);
+    table.info(pose, error_mm);
     table.info(inside, deep_mm);
+    table.info(error, error_JND).cost = Cost::of(cost);
+    table.info(outcome, ended);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "testing/lab/backends/Peers.h"
 #include "testing/lab/methods/GodObjectMethod.h"
 #include "testing/lab/methods/Textbook.h"
 #include "testing/support/Meshes.h"
@@ -19,10 +20,27 @@ MethodKind godObject(const std::string& name, double radius_m)
     [radius_m](const World& world) { return std::make_unique<GodObjectMethod>(world, radius_m); } };
 }
 
+MethodKind onEmbree()
+{
+  return { "textbook-loop on Embree", 0.0, embreeRays() != nullptr ? makeTextbookLoopOnEmbree : nullptr };
+}
+
+MethodKind onBullet(double radius_m)
+{
+  const MakeBall make = bulletBall();
+  MethodKind kind{ "Bullet's sweeps r=1mm", radius_m, {} };
+  if (make != nullptr)
+  {
+    kind.make = [make, radius_m](const World& world) { return make(world, radius_m); };
+  }
+  return kind;
+}
+
 } // namespace
 
-World::World(const TriangleMesh& mesh, double metre_u_)
-  : faces(std::make_shared<const FaceTree>(mesh)), scene(test::sceneOf(mesh)), metre_u(metre_u_)
+World::World(const TriangleMesh& mesh_, double metre_u_)
+  : mesh(std::make_shared<const TriangleMesh>(mesh_)), faces(std::make_shared<const FaceTree>(mesh_)),
+    scene(test::sceneOf(mesh_)), metre_u(metre_u_)
 {
 }
 
@@ -38,6 +56,8 @@ const std::vector<MethodKind>& methods()
     { "point-no-side", 0.0, makePointWithoutSide },
     { "textbook-loop", 0.0, makeTextbookLoop },
     { "held-60Hz", 0.0, makeHeld },
+    onEmbree(),
+    onBullet(1e-3),
   };
   return all;
 }

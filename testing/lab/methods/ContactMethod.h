@@ -34,12 +34,13 @@ struct World
 {
   explicit World(const TriangleMesh& mesh, double metre_u = 1.0);
 
+  std::shared_ptr<const TriangleMesh> mesh;
   std::shared_ptr<const FaceTree> faces;
   std::shared_ptr<const Scene> scene;
   double metre_u; ///< how many scene units a metre has
 };
 
-/// A method by name, and what touches with it.
+/// A method by name, and the ball that touches with it. Without `make`: its library was not there when this was built.
 struct MethodKind
 {
   std::string name;
@@ -47,7 +48,7 @@ struct MethodKind
   std::function<std::unique_ptr<ContactMethod>(const World&)> make;
 };
 
-/// Every method: the product's god-object first, as point and as ball, then the textbook's.
+/// Every method: the product's god-object first, as point and as ball, then the textbook's and the peers'.
 [[nodiscard]] const std::vector<MethodKind>& methods();
 /// The one with this name; throws std::out_of_range.
 [[nodiscard]] const MethodKind& method(const std::string& name);

@@ -7,25 +7,19 @@
 #include <vector>
 
 #include "haptics/geometry/mesh/TriangleMesh.h"
+#include "testing/lab/methods/RayCaster.h"
 
 namespace palpate::lab
 {
 
-/// A face as a textbook method sees it.
-struct Face
-{
-  std::size_t index = 0;
-  Vec3 point_W = Vec3::Zero();   ///< the point of it that was asked for: nearest, or hit
-  Vec3 normal_W = Vec3::UnitZ(); ///< unit, right-handed for the stored corners
-};
-
-/// What textbook methods ask of a mesh: nearest face, faces around, first face on a way. A plain CGAL AABB tree in
-/// double precision; triangles that are not finite or have no area are left out, all else is taken as it comes.
-class FaceTree
+/// The questions that textbook methods ask of a mesh: nearest face, faces around, first face on a segment. A plain CGAL
+/// AABB tree in double precision; triangles that are not finite or have no area are left out, all else is taken as it
+/// comes.
+class FaceTree final : public RayCaster
 {
 public:
   explicit FaceTree(const TriangleMesh& mesh);
-  ~FaceTree();
+  ~FaceTree() override;
   FaceTree(const FaceTree&) = delete;
   FaceTree& operator=(const FaceTree&) = delete;
 
@@ -33,8 +27,8 @@ public:
   [[nodiscard]] Face nearest(const Vec3& p_W) const;
   /// The nearest `most` faces within reach_u of p_W, nearest first.
   [[nodiscard]] std::vector<Face> within(const Vec3& p_W, double reach_u, std::size_t most) const;
-  /// The first face the segment crosses from its front or its back. A way that begins on a face leaves it out.
-  [[nodiscard]] std::optional<Face> firstHit(const Vec3& from_W, const Vec3& to_W) const;
+  /// A segment that begins on a face leaves that face out.
+  [[nodiscard]] std::optional<Face> firstHit(const Vec3& from_W, const Vec3& to_W) const override;
 
 private:
   struct Tree;

@@ -22,5 +22,7 @@ inline constexpr double gap_u = 1e-6;
 [[nodiscard]] std::unique_ptr<ContactMethod> makePointWithoutSide(const World& world);
 /// The loop of Ruspini, Kolarov & Khatib 1997 in its printed form: planes are carried over from tick to tick.
 [[nodiscard]] std::unique_ptr<ContactMethod> makeTextbookLoop(const World& world);
+/// The same loop over the segments of Embree. Only where embreeRays() is not null.
+[[nodiscard]] std::unique_ptr<ContactMethod> makeTextbookLoopOnEmbree(const World& world);
 
 } // namespace palpate::lab

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <utility>
 #include <vector>
 
+#include "testing/lab/backends/Peers.h"
 #include "testing/lab/methods/Planes.h"
 #include "testing/lab/methods/Textbook.h"
 
@@ -13,7 +15,7 @@ namespace
 class TextbookLoop final : public ContactMethod
 {
 public:
-  explicit TextbookLoop(const World& world) : faces_(world.faces) {}
+  explicit TextbookLoop(std::shared_ptr<const RayCaster> faces) : faces_(std::move(faces)) {}
 
   void start(const Vec3& p_W) override
   {
@@ -53,7 +55,7 @@ private:
     return !known;
   }
 
-  std::shared_ptr<const FaceTree> faces_;
+  std::shared_ptr<const RayCaster> faces_;
   Vec3 x_W_ = Vec3::Zero();
   std::vector<Plane> planes_;
 };
@@ -62,7 +64,12 @@ private:
 
 std::unique_ptr<ContactMethod> makeTextbookLoop(const World& world)
 {
-  return std::make_unique<TextbookLoop>(world);
+  return std::make_unique<TextbookLoop>(world.faces);
+}
+
+std::unique_ptr<ContactMethod> makeTextbookLoopOnEmbree(const World& world)
+{
+  return std::make_unique<TextbookLoop>(embreeRays()(*world.mesh));
 }
 
 } // namespace palpate::lab

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "testing/lab/simulation/Lever.h"
+#include "testing/support/MechanismRig.h"
+
+namespace palpate::lab
+{
+
+/// The lever as a mechanism of the product.
+class LeverRig
+{
+public:
+  explicit LeverRig(const Lever& lever)
+  {
+    this->rig_.grip = { test::kc, lever.turning_Nm_per_rad };
+    for (int i = 0; i < 2; ++i)
+    {
+      const Vec3 hole_W(0.0, 0.0, lever.place_m[i]);
+      const std::string name = i == 0 ? "wall" : "organ";
+      this->rig_.addSoft(name, test::springWall(name, hole_W, -Vec3::UnitZ(), 0.02, 1.0 / lever.stiffness_N_per_m[i]));
+      this->rig_.join(ConstraintKind::Insertion, name, Vec3::Zero(), hole_W);
+    }
+  }
+
+  /// One tick: forces of wall and organ [N].
+  Lever::Two force_N(double hand_m)
+  {
+    const MechanismResult& r = this->rig_.step(Vec3(0.0, hand_m, 0.0));
+    return { r.laws[0].force_W.y(), r.laws[1].force_W.y() };
+  }
+
+private:
+  test::MechanismRig rig_;
+};
+
+} // namespace palpate::lab
