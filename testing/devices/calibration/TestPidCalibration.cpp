@@ -31,7 +31,7 @@ public:
     this->device_ = std::make_unique<CalibratedDevice>(std::move(pid), calibration);
   }
 
-  /// The force on a hand that is held at one place for a while, in shares of the largest force, in D.
+  /// The force on a hand that stays at one place for a while, in shares of the largest force, in D.
   Vec3 felt(const DeviceCommand& command, const Vec3& at_D)
   {
     EXPECT_EQ(this->device_->open(), "");

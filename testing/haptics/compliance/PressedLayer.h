@@ -45,7 +45,7 @@ inline std::vector<double> placesThrough(double edge, double even, double thickn
   return places;
 }
 
-/// A layer, held below, whose edges are even around the middle of its top. The layer is so wide that its free sides,
+/// A layer, fixed below, whose edges are even around the middle of its top. The layer is so wide that its free sides,
 /// four thicknesses away, take less than .1 % of a force (at 2.5 thicknesses .3 %).
 inline SoftBodyInput layerOf(const oracle::Layer& layer, double edge, double even)
 {

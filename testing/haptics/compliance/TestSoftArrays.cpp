@@ -99,7 +99,7 @@ TEST(SoftArrays, InPureTensionEveryNodeEveryPlaceOfTheSurfaceAndEveryStressIsExa
       jiggle(input.mesh, size, 0.06 / n);
       input.fixed = fixedWhere(input.mesh, [](const Vec3& p) { return p.z() == 0.0; });
       input.young_Pa = { 20e3 };
-      input.poisson = 0.0; // nothing narrows: the strain is one all over though an end is held
+      input.poisson = 0.0; // nothing narrows: the strain is one all over though an end is fixed
       input.model = ElasticModel::Linear;
       input.element = element;
       const auto onTop = [&size](const Vec3& p) { return p.z() > size.z() - 1e-9; };

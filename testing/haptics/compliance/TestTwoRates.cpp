@@ -75,7 +75,7 @@ TEST(TwoRates, SharedComplianceHoldsWhatTheServoHoldsAtTenPacketsASecondOfWhichH
   EXPECT_GT(growth(pad, 0.08 * limit_N_per_m, 20), 1.0);
 }
 
-/// The body's own force on a device that is held at p: snapshot after snapshot until force and state agree.
+/// The body's own force on a device that stays at p: snapshot after snapshot until force and state agree.
 double restingForce(SoftPad& pad, const ContactPlan& plan, const Vec3& p_W)
 {
   SoftLoop loop(*pad.body, pad.surface, 1, plan);

@@ -29,7 +29,7 @@ TEST_P(Shots, NoneCrossesTheSheet)
     const Shot way = makeShot(mesh, r + 1.1e-3, random); // the bumps are 1 mm high
     Probe probe(scene, r, way.from_W, &checker);
     held += probe.to(way.to_W).contacts > 0;
-    probe.to(way.to_W + random.inCube(5e-3)); // and a second tick from where it was held
+    probe.to(way.to_W + random.inCube(5e-3)); // and a second tick from where it was stopped
     ASSERT_EQ(probe.finding(), "") << "shot " << i;
   }
   EXPECT_GT(checker.judged(), count);

@@ -131,7 +131,7 @@ double distanceTo(const Scene& scene, const Vec3& x_W)
   return least_u;
 }
 
-/// Brings a hand there, exchanges the scenes and pushes: it must be held where it was, above (side 1) or below.
+/// Brings a hand there, exchanges the scenes and pushes: it must stay where it was, above (side 1) or below.
 void holdsWhatIsPushed(const Felt& felt, const Places& places, const Ball& ball, Random& random)
 {
   const double reach_u = ball.radius_u + ball.coat_u;

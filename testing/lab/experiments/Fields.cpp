@@ -203,7 +203,7 @@ double layer(const Vec3& i)
   return i.z() == 24.0 ? -1.0 : 0.0;
 }
 
-/// The hand goes 5 mm into that sheet from above: it is held at the upper side.
+/// The hand goes 5 mm into that sheet from above: it is stopped at the upper side.
 Play sheetPlay(const char* name, double level, int ticks)
 {
   constexpr double deepest = 5.0;
