@@ -71,7 +71,7 @@ struct DeviceWallPlan
   friend bool operator==(const DeviceWallPlan&, const DeviceWallPlan&) = default;
 };
 
-/// How two held walls resist a handle that slides along the slanted wall they stand for.
+/// How two walls of a device resist a handle that slides along the slanted wall they stand for.
 struct Velvet
 {
   double mean_N = 0.0;
@@ -81,12 +81,12 @@ struct Velvet
 /// A handle that slides at a steady speed along a slanted wall, pressed against it.
 struct Slide
 {
-  double stiffness_N_per_m = 0.0; ///< of each held wall, >= 0
+  double stiffness_N_per_m = 0.0; ///< of each wall of the device, >= 0
   double speed_m_per_s = 0.0;     ///< >= 0
   double depth_m = 0.0;           ///< of the handle behind the slanted wall, >= 0
   double host_s = 0.0;            ///< between two updates of the walls, a multiple of device_s
   double device_s = 0.0;          ///< period of the device's own loop, > 0
-  double lean = 0.0; ///< sine of the angle between the slanted wall and the held wall it slides into, in (0, 1)
+  double lean = 0.0; ///< sine of the angle between the slanted wall and the device's wall it slides into, in (0, 1)
 };
 
 /// The drag of such a slide. The corner of the two walls stays behind by s = speed * (time since the update) until the

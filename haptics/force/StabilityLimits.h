@@ -53,10 +53,10 @@ struct LoopSettings
   friend bool operator==(const LoopSettings&, const LoopSettings&) = default;
 };
 
-/// From the description of the device, at a period, with a damping and a passivity plan. Where the device's link
-/// takes longer for a force than that period, the period is the link's. Without the controller the loop is taken as
-/// held by a light hand (200 N/m, 2 N s/m, 20 g; 0.5 N m/rad, 5 mN m s, 5e-5 kg m2): many devices have so little
-/// damping of their own that nothing but the hand keeps a wall still. Not real-time safe.
+/// From the description of the device, at a period, with a damping and a passivity plan. Where the device's link takes
+/// longer for a force than that period, the period is the link's. Without the controller the loop is taken as in a
+/// light hand (200 N/m, 2 N s/m, 20 g; 0.5 N m/rad, 5 mN m s, 5e-5 kg m2): many devices have so little damping of their
+/// own that nothing but the hand keeps a wall still. Not real-time safe.
 [[nodiscard]] StabilityLimits stabilityLimits(const DeviceInfo& device, const LoopSettings& loop);
 
 /// One sentence: how stiff, and why.

@@ -42,7 +42,7 @@ struct Throw
 /// Not for a tick: it simulates some dozen throws.
 [[nodiscard]] std::optional<double> smallestViscosity(const Corridor& corridor, double within_s = 2.0);
 
-/// The viscosity that a device with held walls of that stiffness needs in corridors of any width: the largest of those
+/// The viscosity that a device with own walls of that stiffness needs in corridors of any width: the largest of those
 /// from 0.25 to 8 mm, thrown at 0.1 m/s, its own loop at 1 kHz. A mass that is not known is taken as 50 g, a damping
 /// that is not known as none. A handle that no viscosity stops gets mass / period, which stops a handle within a
 /// period. Off the servo thread: some hundred throws, milliseconds.

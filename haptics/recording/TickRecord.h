@@ -14,7 +14,7 @@ namespace palpate
 struct RecordedWalls
 {
   std::array<double, AxisWalls::count> offset_m{};
-  std::uint8_t mask = 0; ///< bit i: wall i is held
+  std::uint8_t mask = 0; ///< bit i: wall i is there
   double stiffness_N_per_m = 0.0;
   std::array<double, AxisWalls::count> largest_N{}; ///< each may push; infinite: as hard as its spring
   double viscosity_Ns_per_m = 0.0;

@@ -91,7 +91,7 @@ SceneStep sceneStep(const TickInput& input, const LoadedRegion& known, const Ren
   const std::uint64_t revision = input.scene != nullptr ? input.scene->revision() : 0;
   const std::uint64_t geometry = input.scene != nullptr ? input.scene->geometryHash() : 0;
   SceneStep step;
-  // The scenes of a soft body have one revision; which of them was felt before, ticks that are held do not see.
+  // The scenes of a soft body have one revision: after ticks without a finite sample only the geometry tells a change.
   step.changed = input.previousScene != nullptr || revision != state.sceneRevision || geometry != state.sceneGeometry;
   step.otherGeometry = step.changed && (input.scene == nullptr || geometry != state.sceneGeometry);
   const bool samePart = known.geometry != 0 && known.geometry == geometry && known.continues == state.sceneGeometry;

@@ -95,7 +95,7 @@ std::uint32_t keepWalls(const DeviceWallPlan& plan, const WallTick& tick, Device
   }
   std::uint32_t nodes = 0;
   const AxisWalls wanted = lookForWalls(tick, 2.0 * fast_m_per_s * std::max(plan.every_s, tick.dt_s), nodes);
-  // Where nothing was held a tick ago no time has been saved up: the device has had that one tick at most.
+  // Where no wall stood a tick ago no time has been saved up: the device has had that one tick at most.
   const double since_s =
     std::isfinite(held.since_s) ? std::min(held.since_s, std::max(plan.every_s, tick.dt_s)) : tick.dt_s;
   const double most_m = tick.stiffness_N_per_m > 0.0 ? tick.maxRise_N_per_s * since_s / tick.stiffness_N_per_m : 0.0;

@@ -15,7 +15,7 @@ namespace palpate
 struct DeviceWallState
 {
   AxisWalls walls;
-  double since_s = std::numeric_limits<double>::infinity(); ///< since walls were looked for; infinite: none are held
+  double since_s = std::numeric_limits<double>::infinity(); ///< since walls were looked for; infinite: none stand
   double stiffness_N_per_m = 0.0;                           ///< that the walls were given last
   double each_N = std::numeric_limits<double>::infinity();  ///< largest force of one wall then
 };
@@ -39,8 +39,8 @@ struct WallTick
 [[nodiscard]] AxisWalls lookForWalls(const WallTick& tick, double reach_m, std::uint32_t& nodes) noexcept;
 
 /// Renews the walls once their time has come. A wall enters the hand no further than adds, at its stiffness, the force
-/// that may be added in the time since the last renewal; where none was held before, in one tick. Returns the tree
-/// nodes visited.
+/// that may be added in the time since the last renewal; where none stood before, in one tick. Returns the tree nodes
+/// visited.
 std::uint32_t keepWalls(const DeviceWallPlan& plan, const WallTick& tick, DeviceWallState& held) noexcept;
 
 /// How stiff these walls may be now, at most `wanted` [N/m]. Where the handle is behind them already, they grow stiffer

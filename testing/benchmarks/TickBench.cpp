@@ -155,7 +155,7 @@ public:
 
   [[nodiscard]] const Scene& scene() const { return *this->scene_; }
   [[nodiscard]] const std::vector<Way>& ways() const { return this->ways_; }
-  /// Of the plain tree, along the ways of the point [us].
+  /// Of the plain tree, along the paths of the point [us].
   [[nodiscard]] double walk_us() const
   {
     const auto hits = [this](const Way& way) { return this->walk_.firstHit(way.proxy_W, way.device_W) <= 1.0; };

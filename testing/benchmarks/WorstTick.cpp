@@ -117,7 +117,7 @@ double queryCost_us(const TriangleMesh& mesh)
   return sample.quantile_us(0.5);
 }
 
-/// Two milliseconds on a machine whose query takes 0.47 us, with room for one that is busy: 2,700 queries are seen.
+/// Two milliseconds on a machine whose query takes 0.47 us, with a margin for one that is busy: 2,700 queries are seen.
 bool isWithin(double worst_us, double query_us)
 {
   constexpr double limit = 4500.0;

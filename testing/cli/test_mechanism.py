@@ -95,7 +95,7 @@ class Mechanism(CommandLineTest):
         self.assertAlmostEqual(float(lines[0].split()[1]), 1 / 0.05 * 1e-3, delta=2e-3)
 
     def test_a_needle_dents_a_body_by_its_own_width_and_not_by_the_edges_of_the_mesh(self):
-        """A block of 80 x 80 x 40 mm, 20 kPa, Poisson's ratio .4, held below; the needle is 1.2 mm wide."""
+        """A block of 80 x 80 x 40 mm, 20 kPa, Poisson's ratio .4, fixed below; the needle is 1.2 mm wide."""
         young, poisson, radius, held, deep = 20e3, 0.4, 0.6e-3, 1000.0, 3e-3
         # The mean under a paraboloid of pressure on a half space is .65875 of (1 - nu^2) / (E r).
         on_half_space = 0.65875 * (1 - poisson**2) / (young * radius)

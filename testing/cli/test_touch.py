@@ -106,7 +106,7 @@ class OnAPlane(CommandLineTest):
             self.assertRegex(options[group], rf"\n +{re.escape(option)}\b", group)
 
     def test_every_setting_of_the_page_is_an_option_with_that_default_and_is_felt(self):
-        # The page is written from the table of settings, and held to the table by plugin.properties.
+        # The page is written from the table of settings, and plugin.properties compares the two.
         page = (Path(os.environ["PALPATE_SOURCE_DIR"]) / "docs/program.md").read_text(encoding="utf-8")
         options = re.findall(r"^\| `(--[\w-]+)(| V| LOW,HIGH| X,Y,Z)` \| (.*); (.*) \|$", page, re.MULTILINE)
         self.assertGreater(len(options), 8)

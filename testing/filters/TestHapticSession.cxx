@@ -76,7 +76,7 @@ TEST_F(HapticSession, ForceIsStiffnessTimesDepthOverScale)
   EXPECT_NEAR(this->session_->GetDepth(), depth, 1e-12);
 }
 
-// The origin lies below the plane that is shown here: a hand that came from there would be held by its lower side.
+// The origin lies below the plane that is shown here: a hand that came from there would be stopped by its lower side.
 TEST_F(VirtualSession, BeforeAHandIsPutSomewhereThereIsNoneAndItBeginsWhereItIsPut)
 {
   vtkNew<vtkMatrix4x4> raised;

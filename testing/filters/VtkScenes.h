@@ -30,7 +30,7 @@ namespace palpate::testing
 /// One polyline through the points [u].
 [[nodiscard]] vtkSmartPointer<vtkPolyData> makePath(const std::vector<Vec3>& points_W);
 
-/// Soft Body of tetrahedra that fill [-side / 2, side / 2]^2 below z = 0, half as high, held below [u].
+/// Soft Body of tetrahedra that fill [-side / 2, side / 2]^2 below z = 0, half as high, fixed below [u].
 [[nodiscard]] vtkSmartPointer<vtkUnstructuredGrid> makeSoftBlock(double side, double unit_m);
 
 /// The volume that the triangles enclose, positive if they point out.

@@ -247,7 +247,7 @@ class Session(unittest.TestCase):
         self.assertAlmostEqual(read(self.proxy, "ForceMagnitude"), 400.0 * 2.0 / 1000.0, delta=1e-12)
         self.assertAlmostEqual(read(self.proxy, "Depth"), 2.0, delta=1e-12)
         self.assertEqual(read(self.proxy, "Contacts"), 1)
-        # One jump from free air to 2 mm: no force was held meanwhile, so no work filled the spring.
+        # One jump from free air to 2 mm: no force acted meanwhile, so no work filled the spring.
         self.assertEqual(read(self.proxy, "DeliveredEnergy"), 0.0)
         self.assertAlmostEqual(read(self.proxy, "PeakExcessEnergy"), 0.5 * 400.0 * 0.002**2, delta=1e-12)
         self.assertEqual(read(self.proxy, "StiffnessUsed"), 400.0)

@@ -22,7 +22,7 @@ enum class Size
 /// In so many runs each tick of a chart of speed against accuracy is timed; the least of them counts.
 inline constexpr int costRuns = 3;
 
-/// What an experiment is run with. Same size and seed: same values, cost columns aside.
+/// Size, seed and listener of a run. Same size and seed: same values, cost columns aside.
 struct Conditions
 {
   Size size = Size::Default;

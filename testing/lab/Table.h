@@ -41,7 +41,7 @@ struct Cost
   }
 };
 
-/// What a row is about: a case of the experiment, the method that was tried on it, and what was measured.
+/// A case of the experiment, the method that was tried on it, and the measured quantity.
 struct Subject
 {
   std::string caseName;

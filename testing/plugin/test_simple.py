@@ -182,7 +182,7 @@ class Functions(unittest.TestCase):
         self.assertEqual(HapticState()["ToolText"], "")
 
     def test_a_soft_body_gives_way_and_bends_in_the_view(self):
-        """A block of 100 x 100 x 50 mm, 20 kPa, held below; a ball of 10 mm is 8 mm deep in the middle of its top."""
+        """A block of 100 x 100 x 50 mm, 20 kPa, fixed below; a ball of 10 mm is 8 mm deep in the middle of its top."""
         wavelet = simple.Wavelet(WholeExtent=[-4, 4, -4, 4, 0, 4])
         block = simple.Transform(Input=wavelet)
         block.Transform.Scale = [12.5, 12.5, 12.5]

@@ -139,7 +139,7 @@ class Decisions(unittest.TestCase):
 
 
 class Recipes(unittest.TestCase):
-    """docs/recipes: the C++ is compiled by testing/recipes; the rest is held here."""
+    """docs/recipes: the C++ is compiled by testing/recipes; the rest is checked here."""
 
     FOLDER = ROOT / "docs/recipes"
 

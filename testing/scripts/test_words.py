@@ -177,7 +177,7 @@ PRIVATE = {
     r"rub(?:s|bed|bing)?": "friction",
 }
 
-PRIVATE_IN_COMMENTS = r"\b(?:g[ai]v(?:es?|ing|en) way|bricks?|packets?|rub(?:s|bed|bing)?)\b"
+PRIVATE_IN_COMMENTS = r"\b(?:g[ai]v(?:es?|ing|en) way|bricks?|rub(?:s|bed|bing)?)\b"
 
 # Places whose comments are not rewritten yet.
 OPEN = (
@@ -192,20 +192,9 @@ OPEN = (
     "haptics/session/soft/",
     "haptics/session/tool/",
     "haptics/tool/",
-    "testing/benchmarks/LeastCosts.h",
-    "testing/devices/calibration/",
-    "testing/devices/io/",
-    "testing/haptics/compliance/",
-    "testing/haptics/contact/",
-    "testing/haptics/tool/",
-    "testing/lab/Experiment.h",
-    "testing/lab/Table.h",
-    "testing/lab/charting/tools.py",
-    "testing/lab/experiments/Fields.cpp",
-    "testing/lab/experiments/Mechanism.cpp",
-    "testing/lab/experiments/Multirate.cpp",
-    "testing/lab/methods/ContactMethod.h",
-    "testing/lab/methods/FaceTree.h",
+    "testing/devices/arm/",
+    "testing/haptics/arm/",
+    "testing/oracles/arm/",
 )
 
 # In texts of the product also these. The key `laws` of a scene file is a name: it stands in quotes or before a colon.

@@ -43,7 +43,7 @@ Vec3 nearestPoint(const TriangleMesh& mesh, std::uint32_t t, const Vec3& x_W)
 }
 
 /// The least rest of the pull beside the cone of all normals, by active sets (Lawson & Hanson 1974): the tip of a cone
-/// of thousands of faces may be held by any three of them.
+/// of thousands of faces may rest on any three of them.
 Eigen::Matrix3Xd nearestChoice(std::span<const Vec3> normals, const Vec3& pull_W)
 {
   constexpr int mostRounds = 100;

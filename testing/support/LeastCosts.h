@@ -12,8 +12,8 @@
 namespace palpate::test
 {
 
-/// What each call of a run takes, as the least of some runs of the same: whatever else the machine does is left out, so
-/// that high quantiles and the maximum mean something.
+/// Time of each call of a run, as the least of some runs of the same: other work of the machine is left out, so that
+/// high quantiles and the maximum mean something.
 class LeastCosts
 {
 public:
@@ -35,7 +35,7 @@ public:
     std::ranges::sort(this->least_ns_);
   }
 
-  /// The value below which `fraction` of the calls lie, less what reading the clock takes [us].
+  /// The value below which `fraction` of the calls lie, less the time to read the clock [us].
   [[nodiscard]] double quantile_us(double fraction) const
   {
     const auto at = static_cast<std::size_t>(fraction * static_cast<double>(this->least_ns_.size() - 1));

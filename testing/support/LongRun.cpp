@@ -173,7 +173,7 @@ ContactResult LongRun::tick(const Vec3& p_W)
   return result;
 }
 
-/// With the hand held the ball's own motion may only slacken the spring.
+/// With the hand at rest the ball's own motion may only slacken the spring.
 void LongRun::judgeEnergy(const Vec3& before_W, const Vec3& p_W)
 {
   const double unit = 1.0 / (this->depth_u_ * this->depth_u_);

@@ -36,8 +36,8 @@ struct Tessellation
 /// Two walls that meet in the y axis, open upwards (+z); `halfAngle_rad` between each wall and the plane x = 0.
 [[nodiscard]] TriangleMesh makeGroove(double halfAngle_rad, double size_u);
 
-/// Two tessellated half planes z = 0, 40 mm each way, with a gap of `gap_m` between them along the y axis; their
-/// vertices do not match.
+/// Two tessellated half planes z = 0, 40 mm in each direction, with a gap of `gap_m` between them along the y axis;
+/// their vertices do not match.
 [[nodiscard]] TriangleMesh makeCracked(double gap_m, Random& random);
 
 /// A plate of height 1 stands on an inner edge (x = 0) of a floor of 2 by 2: its foot has three triangles.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A connection that answers late: every byte between a client and a server of this computer is on its way for a while.
+"""A connection that answers late: every byte between a client and a server of this computer travels for a while.
 
 A process of its own, for a client that waits for its server lets no other thread run.
 """
@@ -32,7 +32,7 @@ async def _serve(port, delay_s):
 
 @contextlib.contextmanager
 def slow_link(port, round_trip_s):
-    """The port that leads to the listener on `port`, with half of that time each way."""
+    """The port that leads to the listener on `port`, with half of that time in each direction."""
     with subprocess.Popen([shutil.which("python3"), __file__, str(port), str(round_trip_s / 2)], stdout=subprocess.PIPE,
                           text=True) as process:
         try:

@@ -262,7 +262,7 @@ class Edits:
             raise AssertionError(f"after {self.done[-8:]}: {force} N")
 
     def free(self):
-        """Lets go and begins anew far out: a hand that goes there through a body stays held by it, as it should."""
+        """Lets go and begins anew far out: a hand that goes there through a body stays stopped by it, as it should."""
         self.engage()
 
     def check_free(self):

@@ -71,7 +71,7 @@ struct vtkHapticCliTouchOptions
   std::optional<double> Iso;
   bool TwoD = false; ///< lines in the plane z = 0, felt by a disc
   vtkHapticCliFieldOptions Field;
-  std::string Tool;             ///< a mesh in the hand, whose frame's origin is held; empty: a ball touches
+  std::string Tool;             ///< a mesh in the hand, whose frame's origin is in the hand; empty: a ball touches
   bool VirtualCoupling = false; ///< of the tool: a spring to the hand, in place of the push of the contacts
   vtkHapticCliSoftOptions Soft;
   vtkHapticCliSettings Settings;

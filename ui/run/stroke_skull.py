@@ -83,7 +83,7 @@ def stroke_over(bone):
 
 
 def prepare(proxy, points):
-    """The hand is held still above the bone while the scene is built."""
+    """The hand stays above the bone while the scene is built."""
     set_property(proxy, "DeviceName", "fed")
     set_property(proxy, "Stiffness", STIFFNESS)
     set_property(proxy, "Radius", RADIUS)

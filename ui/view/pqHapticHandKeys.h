@@ -25,7 +25,7 @@ public:
   bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
-  /// Property, while it is held; null: none.
+  /// Property of the pressed key; null: none.
   void hold(const char* property);
   void letGo();
 

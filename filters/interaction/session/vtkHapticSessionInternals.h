@@ -227,7 +227,7 @@ public:
   void FollowHand();
   void FollowMouseClutch();
   void AlignOnTouch(palpate::HapticDevice& device);
-  /// Touching has ended: nothing is held any more.
+  /// Touching has ended: no button is pressed any more.
   void LetHandGo();
   /// Neither precise nor clutched, as the panel shows it.
   void LetButtonsGo();

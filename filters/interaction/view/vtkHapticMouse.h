@@ -18,7 +18,7 @@
  * proxy, and while it presses as far as the largest force. When the pointer leaves it stays where its proxy is.
  *
  * While the session is precise, and the hand presses or is in a plane world, a displacement of the pointer moves the
- * hand PrecisionFactor times less; while its clutch is held the hand stays. Both go on from there: the hand is under
+ * hand PrecisionFactor times less; while its clutch is pressed the hand stays. Both go on from there: the hand is under
  * the pointer again once it was lifted, or the pointer has left.
  *
  *     mouse.SetRenderer(renderer)

@@ -114,7 +114,7 @@ double vtkHapticMouse::Internals::ReachOfHeld() const
   return this->Session->GetSight()->GetToolReach(back_W.data());
 }
 
-/// In the middle of all that can be met; a held thing before all of it.
+/// In the middle of all that can be met; a body or tool in the hand begins before all of it.
 void vtkHapticMouse::Internals::PlaceDepth()
 {
   vtkBoundingBox met;
@@ -134,7 +134,7 @@ void vtkHapticMouse::Internals::PlaceDepth()
   this->Depth.Place(middle_W - (this->AdvancesHeld() ? before : 0.0) * this->Now.Axis, this->Now.Axis);
 }
 
-/// A thing that is held begins before all that can be met, a hand in a field in the middle.
+/// A body or tool in the hand begins before all that can be met, a hand in a field in the middle.
 double vtkHapticMouse::Internals::LeastAlong() const
 {
   return this->AdvancesHeld() ? 0.0 : -0.5 * this->Span;

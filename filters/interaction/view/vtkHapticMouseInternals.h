@@ -28,7 +28,7 @@ inline constexpr double vtkHapticHover_m = 0.005;
 class vtkHapticMouse::Internals
 {
 public:
-  /// In which direction a held thing advances: the choices of HoldAlong.
+  /// In which direction a body or tool in the hand advances: the choices of HoldAlong.
   enum class AlongChoice
   {
     Automatic,
@@ -50,7 +50,7 @@ public:
   unsigned long StartObserver = 0;
   vtkHapticPixels Pointer = vtkHapticPixels::Zero();
   vtkHapticPixels Led =
-    vtkHapticPixels::Zero(); ///< the hand is under it: the pointer, less the motion that clutch and precision held back
+    vtkHapticPixels::Zero(); ///< the hand is under it: the pointer, less the motion that clutch and precision took away
   bool Inside = false;
   bool Pressing = false;
   bool Steered = false; ///< its depth, by the handle of the bar

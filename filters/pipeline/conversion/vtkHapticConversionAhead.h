@@ -36,7 +36,7 @@ public:
   };
   using Reading = std::function<vtkHapticConversionResult(vtkDataObject*, vtkMatrix4x4*)>;
 
-  /// With fewer cells, and fewer points, the caller's thread is not held for longer than a picture takes.
+  /// With fewer cells, and fewer points, the caller's thread does not wait for longer than a picture takes.
   static constexpr vtkIdType LeastCells = 100000;
   /// That read at once.
   static constexpr std::ptrdiff_t Threads = 2;

@@ -8,7 +8,7 @@
  * 0 is filled. Port 1, optional: its support: each vertex is fixed that is within FixedDistance of its cells, or of its
  * points where it has no cells, as an extracted selection, a plane or a bone. Output: the tetrahedra with
  *
- *     Fixed         (n)    int     1: held
+ *     Fixed         (n)    int     1: fixed
  *     Displacement  (n, 3) double  of the finite elements' nodes, 0: at rest [u]
  *     Dent          (n, 3) double  how much further a point is shown, where something presses [u]
  *     Young         (m)    double  of the cells [Pa]

@@ -40,9 +40,9 @@ struct vtkHapticSoftBodyResult
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkUnstructuredGrid> vtkHapticTetrahedra(
   vtkDataObject* data, std::string& problem);
 
-/// Whose vertices are held: sides of its box (xmin, xmax, ymin, ymax, zmin, zmax, with commas between them), or the
-/// name of a point array, where it is not 0. "": none. The point array "Fixed" says so then; false with a problem.
-/// A vertex is on a side within a millionth of the diagonal, or within `rough` [u], by which its border is known.
+/// Which vertices are fixed: sides of its box (xmin, xmax, ymin, ymax, zmin, zmax, with commas between them), or the
+/// name of a point array, where it is not 0. "": none. The point array "Fixed" says so then; false with a problem. A
+/// vertex is on a side within a millionth of the diagonal, or within `rough` [u], by which its border is known.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT bool vtkHapticFixBody(
   vtkUnstructuredGrid& body, const std::string& fixed, double rough, std::string& problem);
 

@@ -109,7 +109,7 @@ bool moveLevel(const IsoSpace& space, const IsoPlan& plan, IsoState& state, Fiel
   const bool touches = state.count > 0;
   if (!touches && space.isFree(now, state.x))
   {
-    state.level = plan.level; // nothing is held, and the new surface does not reach the hand
+    state.level = plan.level; // no contact, and the new surface does not reach the hand
     return true;
   }
   before.level = state.level = touches ? state.level : levelBefore(space, before, state.x);

@@ -139,8 +139,8 @@ Mat3 heldByPull(const Vec3& arm_W, const Vec3& force_W) noexcept
                     : Mat3(Mat3::Zero());
 }
 
-/// A body that hangs between joints, as a rod that is pulled at both ends does, is held by these forces alone: no row
-/// is for its turn.
+/// A body that hangs between joints, as a rod that is pulled at both ends does, is in balance by these forces alone: no
+/// row is for its turn.
 void addTurns(const ConstraintScene& scene, const ConstraintRows& rows, const MechanismGrip& grip,
   ConstraintProblem& problem) noexcept
 {

@@ -42,7 +42,7 @@ struct Stiffness
   HeldYield::Square springs = HeldYield::Square::Zero();
   HeldYield::Square bend = HeldYield::Square::Zero();   ///< of springs that are turned far
   HeldYield::Square forces = HeldYield::Square::Zero(); ///< of the constraints
-  double mostOfForces = 0.0;                            ///< no turn is held by forces with more
+  double mostOfForces = 0.0;                            ///< an upper bound of the forces' stiffness against turns
   bool turning = false; ///< a direction turns: yield of soft bodies along it is not included
 
   /// Of a force at an arm that turns with the body, while it keeps its direction.

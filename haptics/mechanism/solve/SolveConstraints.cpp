@@ -301,7 +301,7 @@ private:
     this->spend(cones * cones * (cones / 3 + 2) + 2 * cones * this->p_.ways * (cones + this->p_.ways));
   }
 
-  /// How the cones' rows move under forces on themselves and with the degrees of freedom, all other constraints held as
+  /// How the cones' rows move under forces on themselves and with the degrees of freedom, all other constraints kept as
   /// they are.
   void reduceToCones(const ActiveConstraints& held) noexcept
   {

@@ -43,7 +43,7 @@ struct PathField
 struct PathTool
 {
   std::string name;
-  std::shared_ptr<const TriangleMesh> mesh; ///< in the frame whose origin is held
+  std::shared_ptr<const TriangleMesh> mesh; ///< in the frame of the hand
 };
 
 struct PathBody

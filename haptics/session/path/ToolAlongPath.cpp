@@ -67,7 +67,7 @@ std::string refuseHold(const ToolHold& hold)
 }
 
 /// Each tick is as far as the tool comes in unlimited time. Poses are those of the frame in which the tool's mesh was
-/// given, whose origin is held.
+/// given, whose origin is in the hand.
 class ToolAlongPath final : public PathKind
 {
 public:

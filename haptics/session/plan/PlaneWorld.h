@@ -32,7 +32,7 @@ struct PlaneWishes
 [[nodiscard]] double feltStiffness_N_per_m(
   const HapticParameters& parameters, const DeviceInfo& device, const StabilityLimits& limits) noexcept;
 
-/// Mean braking force of held walls on a slide of 0.1 m/s along a line that leans by 45 degrees [N].
+/// Mean braking force of a device's walls on a slide of 0.1 m/s along a line that leans by 45 degrees [N].
 [[nodiscard]] double slantDrag_N(const HapticParameters& parameters, double stiffness_N_per_m, double period_s);
 
 /// Who closes the walls of a plane world, why, and whether the hand is led to it: the end of the plan's sentence.

@@ -11,7 +11,7 @@ namespace palpate
 {
 
 /// All that can be set of a session, in the order in which a state file applies it. Validation, panel and program take
-/// it from here; properties and user guide are held to it by a test (plugin.properties).
+/// it from here; a test compares properties and user guide with it (plugin.properties).
 [[nodiscard]] std::span<const Setting> sessionSettings();
 
 /// All that a session says of itself.

@@ -39,10 +39,10 @@ struct Blend
     Vec3 blend_D = Vec3::Zero();              ///< the rest of the force of the previous scene [N]
     Vec3 lastRenderedTorque_D = Vec3::Zero(); ///< likewise the torque [N m]
     Vec3 blendTorque_D = Vec3::Zero();
-    bool blendTool = false;           ///< a tool was held that touches by its mesh
-    double blendBall_u = 0.0;         ///< one was held that is felt as a ball of that radius; 0: none
+    bool blendTool = false;           ///< a tool was in the hand that touches by its mesh
+    double blendBall_u = 0.0;         ///< one was there that is felt as a ball of that radius; 0: none
     bool blendBody = false;           ///< a soft body was felt
-    std::uint64_t blendMechanism = 0; ///< which one was held; 0: none
+    std::uint64_t blendMechanism = 0; ///< the one in the hand; 0: none
   };
   template<class Visit, class... S>
   static void stateFields(const Visit& visit, S&... s)

@@ -24,7 +24,7 @@ DeviceStatus MiswiredDevice::read(double tickTime_s, DeviceSample& sample) noexc
   return lost ? DeviceStatus::Lost : status;
 }
 
-/// A push is what begins after there was no force.
+/// A push begins after there was no force.
 double MiswiredDevice::strengthNow(const DeviceCommand& command) noexcept
 {
   const bool pushes = command.wrench_D.force != Vec3::Zero();

@@ -10,14 +10,14 @@
 namespace palpate::test
 {
 
-/// What is wrong between a simulated device and its driver. Nothing by default.
+/// Faults between a simulated device and its driver. Nothing by default.
 struct Wiring
 {
-  Mat3 sensors = Mat3::Identity(); ///< what the driver measures of where the hand is
-  Mat3 motors = Mat3::Identity();  ///< what the motors give of what the driver is asked for
-  double springs = 1.0;            ///< how stiff the device's own walls are, of what they are asked to be
+  Mat3 sensors = Mat3::Identity(); ///< from the hand's place to the driver's measurement
+  Mat3 motors = Mat3::Identity();  ///< from the driver's force to that of the motors
+  double springs = 1.0;            ///< stiffness of the device's own walls, as a share of the command's
   std::array<double, 4> sides{ 1.0, 1.0, 1.0, 1.0 }; ///< besides, each whose normal is x, y, -x, -y
-  double brake = 1.0;                                ///< what its viscosity gives of what it is asked for
+  double brake = 1.0;                                ///< its viscosity, as a share of the command's
   std::size_t late_ticks = 0;                        ///< every command comes so much later
   int failsEach = 0;                                 ///< each such push does nothing; 0: all are as they should be
   double keeps = 1.0;                                ///< of the force from push to push

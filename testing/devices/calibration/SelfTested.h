@@ -42,7 +42,7 @@ struct SelfTested
   [[nodiscard]] std::string text() const { return resultOf(this->plan, this->state); }
 };
 
-/// What the device says of itself is changed by that before the test is planned.
+/// Changes the device's own description before the test is planned.
 struct Says
 {
   bool wheel = false;
@@ -84,8 +84,8 @@ inline SelfTested run(const DeviceModel& model, const std::string& hand, const W
 }
 
 /// How far, as a share, the slope of a push is off at most that is seen in steps. Least squares take the part of the
-/// way above its first quarter: a step's rounding takes step^3 / 12 from the way^3 / 12 of the sum of squares, the part
-/// of a step at either end step^2 way / 16. Friction shortens the way.
+/// path s above its first quarter: a step's rounding takes step^3 / 12 from the s^3 / 12 of the sum of squares, the
+/// part of a step at either end step^2 s / 16. Friction shortens the path.
 inline double roundingError(const PushPair& pushes, std::size_t axis, double step_m)
 {
   const double way_m = 0.75 * std::min(std::fabs(pushes[0][axis].moved_m), std::fabs(pushes[1][axis].moved_m));
@@ -114,7 +114,7 @@ inline Mat3 swapped()
   return m;
 }
 
-/// A joystick fine enough that what is found is what its walls are, not its steps or its friction.
+/// A joystick fine enough that the result shows its walls, not its steps or its friction.
 inline DeviceModel fineJoystick()
 {
   DeviceModel fine = joystick();

@@ -62,7 +62,7 @@ TEST_F(CalibratedFactory, GivesNoDeviceThatMayPushTheWrongWayBecauseItsFileIsDam
   EXPECT_NE(made.problem.find(path), std::string::npos) << made.problem;
 }
 
-/// What is known of a stick is there, and one more is plugged in.
+/// The calibration of a stick is there, and one more is plugged in.
 class CalibratedTwins : public CalibratedFactory
 {
 protected:

@@ -19,8 +19,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// The driver's y counts what goes to the left, and its x what goes up; the motors are as they should be but x is
-/// reversed.
+/// The driver's y counts motion to the left, and its x motion up; the motors are as they should be but x is reversed.
 Calibration example()
 {
   Calibration c{ "pid-1209-ffb0-17", "17", "2026-01-31", 2, {} };
@@ -160,7 +159,7 @@ TEST_F(CalibrationFiles, ADamagedFileGivesTheOneBeforeItAndSaysSo)
   ASSERT_EQ(saveCalibration(this->folder(), example()), "");
   Calibration second = example(), unfelt = example();
   ASSERT_EQ(unfelt.held, HeldProof::Felt);
-  unfelt.held = HeldProof::Unfelt; // what the damaged one said of walls may have been less
+  unfelt.held = HeldProof::Unfelt; // the damaged file may have proved less of the walls
   second.date = "2026-02-01";
   ASSERT_EQ(saveCalibration(this->folder(), second), "");
   this->write("palpate calib");
@@ -226,7 +225,7 @@ TEST_F(CalibrationFiles, OneThatCannotBeIsNotKept)
   EXPECT_FALSE(fs::exists(this->folder()));
 }
 
-/// Remembers what it was told and shows what it is set to.
+/// Remembers each command and shows the pose that it is set to.
 class Notebook final : public HapticDevice
 {
 public:
@@ -264,7 +263,7 @@ struct CalibratedNotebook
   {
   }
 
-  /// What is read of the raw hand at one place.
+  /// The sample of the raw hand at one place.
   DeviceSample readThere()
   {
     this->raw.shown.pose_D.p = Vec3(0.02, -0.06, 0.001);
@@ -292,7 +291,7 @@ TEST(CalibratedDevice, ShowsRightAsXAndPushesWhereAForcePoints)
   EXPECT_EQ(rig.raw.told.wrench_D.force, Vec3(-1.0, 2.0, 3.0));
 }
 
-// Whoever closes a wall for the device does so along the driver's axes of measurement; what pushes are its motors.
+// A host that closes a wall for the device does so along the driver's axes of measurement; its motors push.
 TEST(CalibratedDevice, AForceForAWallThatTheHostClosesPushesWhereTheWallDoes)
 {
   CalibratedNotebook rig;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A calibration through the whole of a USB link: what leaves the computer pushes where it should.
+// A calibration through the whole of a USB link: the reports push where they should.
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -16,7 +16,7 @@ namespace
 
 using test::PidLayout;
 
-/// A stick whose motors push the other way, as its calibration says; nothing was felt of its walls.
+/// A stick whose motors push in the reverse direction, as its calibration says; its own walls were not felt.
 class ReversedStick
 {
 public:
@@ -31,7 +31,7 @@ public:
     this->device_ = std::make_unique<CalibratedDevice>(std::move(pid), calibration);
   }
 
-  /// What a hand that is held at one place feels after a while, in shares of the largest force, in D.
+  /// The force on a hand that stays at one place for a while, in shares of the largest force, in D.
   Vec3 felt(const DeviceCommand& command, const Vec3& at_D)
   {
     EXPECT_EQ(this->device_->open(), "");
@@ -75,7 +75,7 @@ TEST(PidCalibration, AForceOfTheTickPushesWhereItPoints)
   EXPECT_LT((felt - command.wrench_D.force).norm(), 2e-3);
 }
 
-// The host closes it: it lies along no axis, and nobody has felt what the device holds.
+// The host closes it: it lies along no axis, and the device's own walls were never felt.
 TEST(PidCalibration, ADiagonalWallPushesTheHandOutOfIt)
 {
   ReversedStick stick;

@@ -23,7 +23,7 @@ namespace
 using test::PidLayout;
 using test::PidRig;
 
-/// A resting hand, in what the firmware counts in: half travels, the device's largest force, HID's axes.
+/// A resting hand, in the firmware's units: half travels, the device's largest force, HID's axes.
 constexpr double limpHand = 4.0, restingHand = 8.0, pace = 2e-3;
 
 struct Outcome
@@ -40,7 +40,7 @@ struct Holder
 {
   double stiffness = limpHand, motorSign = 1.0;
   bool wheel = false;
-  Vec3 rests = Vec3::Zero(); ///< what the middle is to this person [half travels, D]
+  Vec3 rests = Vec3::Zero(); ///< this person's middle [half travels, D]
 };
 
 Outcome check(PidRig& rig, test::VirtualHandle& handle, const Holder& holder)
@@ -86,7 +86,7 @@ Outcome check(const test::ModelCase& one, const Vec3& rests)
 /// In the middle, and off it along both axes.
 const std::vector<Vec3> restingPlaces{ Vec3::Zero(), Vec3(0.4, -0.3, 0.0) };
 
-/// A firmware that is right but for what it makes of the numbers of a condition.
+/// A firmware that is right but for its reading of the numbers of a condition.
 class MishearingModel final : public test::SunFfbModel
 {
 public:
@@ -135,10 +135,10 @@ TEST(PidSelfTest, FindsEveryLayoutAsItIs)
       EXPECT_EQ(std::pair(range.sensor, range.sign), std::pair(axis, 1)) << layout.name;
       EXPECT_NEAR(range.high_m - range.low_m, 2.0 * found.scale.halfTravel_m, 2.0 * found.plan.resolution_m);
       EXPECT_EQ(std::pair(motor.sensor, motor.sign), std::pair(axis, 1)) << layout.name;
-      // The handle's friction of 0.6 makes the hand lag by tau = 0.6 / 8 = 0.075 s: where a quarter of the way is
+      // The handle's friction of 0.6 makes the hand lag by tau = 0.6 / 8 = 0.075 s: where a quarter of the path is
       // reached, t = 0.16 s, its slope is 1 - exp(-t / tau) = 0.88 of the true one, and nearer to it afterwards.
       EXPECT_GT(motor.response_m_per_N, 0.88 * given_m_per_N) << layout.name;
-      EXPECT_LT(motor.response_m_per_N, 1.02 * given_m_per_N) << layout.name; // what rounding to steps may add
+      EXPECT_LT(motor.response_m_per_N, 1.02 * given_m_per_N) << layout.name; // rounding to steps
     }
   }
 }
@@ -255,7 +255,7 @@ TEST(PidSelfTest, AnotherProgramThatTakesTheDeviceEndsItAndIsNamed)
     rig.run(5);
     const SelfTestPlan plan = SelfTestPlan::forDevice(rig.device.info());
     SelfTestState state;
-    state.stage = SelfTestStage::Settle; // nobody leads it to its ends
+    state.stage = SelfTestStage::Settle; // no hand leads it to its ends
     bool taken = false;
     int sinceTaken_ms = 0;
     for (int ms = 0; ms < 20'000 && state.verdict == SelfTestVerdict::None; ++ms)

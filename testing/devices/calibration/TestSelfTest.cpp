@@ -58,7 +58,7 @@ TEST(SelfTest, AnExactDeviceShowsTheStiffnessOfTheHandThatHoldsIt)
     const Calibration c = found.calibration();
     for (const AxisCalibration& axis : c.axes)
     {
-      // What is left is how fast the hand follows: it lags by b / K, a hundredth of a second of the ramp's 0.4.
+      // The rest is the lag of the hand: it lags by b / K, a hundredth of a second of the ramp's 0.4.
       EXPECT_NEAR(axis.response_m_per_N * hand.stiffness_N_per_m, 1.0, 0.05) << name;
     }
   }
@@ -78,7 +78,7 @@ TEST(SelfTest, EverySwappedAndTurnedSensorIsFound)
       for (int i = 0; i < 2; ++i)
       {
         const AxisCalibration& axis = c.axes[static_cast<std::size_t>(i)];
-        EXPECT_EQ(wiring.sensors(axis.sensor, i), axis.sensorSign); // what shows axis i of D, and which way
+        EXPECT_EQ(wiring.sensors(axis.sensor, i), axis.sensorSign); // the sensor of axis i of D, and its sign
         EXPECT_EQ(std::pair(axis.motor, axis.motorSign), std::pair(i, 1));
       }
     }
@@ -100,7 +100,8 @@ TEST(SelfTest, EverySwappedAndTurnedMotorIsFoundWhateverTheSensorsAre)
       for (int i = 0; i < 2; ++i)
       {
         const AxisCalibration& axis = c.axes[static_cast<std::size_t>(i)];
-        EXPECT_EQ(wiring.motors(i, axis.motor), axis.motorSign); // a positive command moves axis i of D that way
+        EXPECT_EQ(wiring.motors(i, axis.motor), axis.motorSign); // a positive command moves axis i of D in that
+                                                                 // direction
       }
     }
   }

@@ -91,7 +91,7 @@ TEST(SelfTest, AnAxisThatIsNotMeasuredIsNotWaitedForForEver)
 
 TEST(SelfTest, AHandThatMovesByItselfMakesItInconclusiveAndIsSaid)
 {
-  // Swings by 4 mm each way, twice a second, from the first push on.
+  // Swings by 4 mm to each side, twice a second, from the first push on.
   const auto swings = [](const Vec3& asked_D, double time_s, const SelfTestState& state)
   {
     constexpr double turns_Hz = 2.0, swing_m = 4e-3;
@@ -102,7 +102,7 @@ TEST(SelfTest, AHandThatMovesByItselfMakesItInconclusiveAndIsSaid)
   EXPECT_EQ(swinging.state.verdict, SelfTestVerdict::Inconclusive);
   EXPECT_NE(swinging.text().find("the hand moved during"), std::string::npos) << swinging.text();
 
-  // Creeps by 3 mm a second, slow enough to count as still; but both pushes of a pair go the same way.
+  // Creeps by 3 mm a second, slow enough to count as still; but both pushes of a pair go in the same direction.
   const auto creeps = [](const Vec3& asked_D, double time_s, const SelfTestState& state)
   {
     constexpr double speed_m_per_s = 3e-3;
@@ -134,14 +134,14 @@ TEST(SelfTest, SomebodyWhoDoesNothingIsAskedNoLongerThanHalfAMinute)
 
 TEST(SelfTest, ADeviceThatRunsAwayLosesItsForceInThatTick)
 {
-  // In nobody's hand: nothing holds against the push.
+  // Without a hand: nothing holds against the push.
   const DeviceModel& free = *deviceModel("simulated-premium");
   const auto stays = [](int, DeviceSample&, SelfTestState& state)
   {
     if (state.stage == SelfTestStage::End || state.stage == SelfTestStage::Still)
     {
       state = SelfTestState{};
-      state.stage = SelfTestStage::Settle; // nobody can lead it to its ends
+      state.stage = SelfTestStage::Settle; // no hand can lead it to its ends
     }
   };
   const SelfTested found = run(free, "none", {}, obliging, stays);
@@ -150,7 +150,7 @@ TEST(SelfTest, ADeviceThatRunsAwayLosesItsForceInThatTick)
   EXPECT_EQ(found.atEnd_N, Vec3::Zero());
 }
 
-/// What ends the test at once while it pushes.
+/// The reason that ends the test at once while it pushes.
 SelfTestReason reasonWhen(const std::function<void(DeviceSample&)>& break_, const DeadMan& deadMan, double dt_s)
 {
   DeviceInfo info;

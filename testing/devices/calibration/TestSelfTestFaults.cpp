@@ -136,7 +136,7 @@ TEST(SelfTest, ADeviceWhoseForceFadesIsNotTakenAtItsWord)
 
 TEST(SelfTest, ADeviceThatGoesOnPushingWhenNobodyRenewsItIsAFault)
 {
-  // A simulated device does what it was told last for ever.
+  // A simulated device keeps its last command for ever.
   const SelfTested found = run(fineJoystick(), "light", {}, obliging, {}, { false, 0.2 });
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Faulty) << found.text();
   EXPECT_EQ(found.state.reason, SelfTestReason::NoExpiry);

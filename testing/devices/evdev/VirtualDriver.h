@@ -42,7 +42,7 @@ public:
   [[nodiscard]] Axes force() const;
   [[nodiscard]] int held() const;
   [[nodiscard]] int playing() const;
-  /// The first of that type that is held.
+  /// The first of that type that is stored.
   [[nodiscard]] const ff_effect* of(std::uint16_t type) const;
 
   Axes push{}; ///< of the hand

@@ -131,7 +131,7 @@ TEST(FirmwareModels, WallsThatAreNotBelievedAreClosedByTheHostOnEveryFirmware)
     {
       rig.firmware.velocity = {};
       rig.firmware.position = { 0.35 * direction.x(), -0.35 * direction.y() };
-      for (int ms = 0; ms < 30; ++ms) // no hand: it is held by putting it back
+      for (int ms = 0; ms < 30; ++ms) // no hand: its place is set anew
       {
         rig.run(1);
         static_cast<void>(rig.felt(0.35 * direction));

@@ -157,7 +157,7 @@ TEST(PidDevice, WhatTheDeviceHoldsRisesSlowlyOnceForceIsAskedFor)
   Rig rig(test::plainLayout());
   ASSERT_EQ(rig.device.open(), "");
   rig.stick().position = { -0.8, 0.0 };
-  rig.stick().push = { -1.0, 0.0 }; // held there
+  rig.stick().push = { -1.0, 0.0 }; // to stay there
   rig.run(50);
   rig.command.wallCount = 1;
   rig.command.walls[0] = { Vec3::UnitX(), 0.0, rig.scale().springStiffness_N_per_m };

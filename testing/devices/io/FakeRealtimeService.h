@@ -32,7 +32,7 @@ private:
   std::string address_;
 };
 
-/// What the service does when it is asked.
+/// The service's reaction to a request.
 enum class Manner : std::uint8_t
 {
   Grants,   ///< as RealtimeKit does: only if RLIMIT_RTTIME is low enough, and as far as the system lets the test
@@ -42,7 +42,7 @@ enum class Manner : std::uint8_t
   Babbles,  ///< gives texts where numbers belong
 };
 
-/// What it was asked for last.
+/// The last request.
 struct Asked
 {
   std::uint64_t process = 0; ///< 0: the method has no such argument

@@ -158,7 +158,7 @@ TEST_F(DBusBrokers, TheThreadsReportNamesWhoGrantedItOrEveryReason)
   const FakeRealtimeService refusing(kit, Manner::Refuses), lying(portal, Manner::Lies);
   const RealtimeBrokers brokers{ std::make_shared<DBusBroker>(kit), std::make_shared<DBusBroker>(portal) };
   SchedulingReport report;
-  // Nobody is granted a priority of 0 by the limits, so the brokers are asked whoever runs this.
+  // The limits grant a priority of 0 to no user, so the brokers are always asked.
   std::jthread([&] { report = acquireScheduling(0, brokers); }).join();
   EXPECT_FALSE(report.realtime);
   EXPECT_NE(report.message.find("RTKit: it refused: nobody is sitting at this computer"), std::string::npos)

@@ -26,11 +26,11 @@ struct BallRest
   std::vector<std::uint32_t> on; ///< indices of the touched features
 };
 
-/// A ball without friction that a spring draws to a hand, on the upper side of a surface that gives way: its places of
+/// A ball without friction that a spring draws to a hand, on the upper side of a surface that yields: its places of
 /// rest, found by trying every set of one to three faces, edges and vertices near a place. A set S touched at feet a_c
 /// with normals n_c and pressed by forces f_c n_c is a rest if
 ///   - the centre x is at a distance of one radius from every feature of S and no nearer to any triangle,
-///   - every gap is closed: n_c (p + f / K + u_c - a_c) = r, u_c being what the surface yields at c under all f_c,
+///   - every gap is closed: n_c (p + f / K + u_c - a_c) = r, u_c being the surface's displacement at c under all f_c,
 ///   - no force draws, and along the directions that S leaves free x is p + f / K plus the mean of u_c by force,
 ///   - the rest is stable: displaced along these directions, the ball goes back.
 /// Where the ball fits at the hand itself, the empty set is a rest too.
@@ -224,8 +224,8 @@ private:
     return best;
   }
 
-  /// Whether a ball near x that crosses nothing may touch three features at once: without it, most sets cost Newton's
-  /// steps on all of the law.
+  /// Whether a ball near x that crosses nothing may touch three features at once: this check saves most sets
+  /// Newton's steps on all constraints.
   [[nodiscard]] bool fitsOn(const std::vector<std::uint32_t>& three, const Vec3& x_W, double reach_u) const
   {
     Vec3 x = x_W;
@@ -270,7 +270,7 @@ private:
     return touch;
   }
 
-  /// How far a surface has gone at each place, as positive along what presses it is drawn to the ball.
+  /// Displacement of the surface at each place, positive along the force on it that draws to the ball.
   [[nodiscard]] std::vector<Vec3> yields(const std::vector<Touch>& touches, const Eigen::VectorXd& f) const
   {
     std::vector<Vec3> u(touches.size(), Vec3::Zero());
@@ -296,7 +296,7 @@ private:
     return u;
   }
 
-  /// What must be 0 of z = (x, f): touches, gaps, and balance along the free directions.
+  /// Residual of z = (x, f), 0 at rest: touches, gaps, and balance along the free directions.
   [[nodiscard]] Eigen::VectorXd offOf(
     const std::vector<std::uint32_t>& on, const Vec3& p, const Eigen::VectorXd& z) const
   {
@@ -328,7 +328,7 @@ private:
     return off;
   }
 
-  /// An orthonormal basis of what is across all normals, the same for normals that differ little.
+  /// An orthonormal basis of the directions across all normals, the same for normals that differ little.
   [[nodiscard]] static Eigen::MatrixXd freeOf(const Eigen::MatrixXd& normals)
   {
     if (normals.rows() == 1)

@@ -10,13 +10,13 @@
 namespace palpate::test
 {
 
-/// A slide of a ball or point over bumps that give way.
+/// A slide of a ball or point over bumps that yield.
 namespace slide
 {
 
 inline constexpr double stiffness = 1000.0;
 
-/// What is slid over, and with what.
+/// The bumps and the ball that slides over them.
 struct Bumps
 {
   double young_Pa = 20e3;
@@ -24,7 +24,7 @@ struct Bumps
   double radius = 0.0;
   double friction = 0.0;
   std::uint64_t seed = 191;
-  double depth = 0.0; ///< of the hand [m]; 0: 6 mm into what is soft, 1.5 mm into what is stiff
+  double depth = 0.0; ///< of the hand [m]; 0: 6 mm into a soft pad, 1.5 mm into a stiff one
 };
 
 inline SoftPad padOf(const Bumps& bumps)
@@ -50,7 +50,7 @@ inline Vec3 handAt(const Bumps& bumps, int tick)
   return { 0.013 + 5e-5 * tick, 0.0513 + 0.01 * std::sin(0.003 * tick), 0.054 + bumps.radius - down * (depth + 0.004) };
 }
 
-/// How much a force may change from tick to tick: with the hand's way by the spring, and by a tenth of itself.
+/// How much a force may change from tick to tick: with the hand's displacement by the spring, and by a tenth of itself.
 inline double stepAllowed_N(const Vec3& way_u, const Vec3& before_N, const Vec3& now_N)
 {
   return stiffness * way_u.norm() + 0.1 * std::max(before_N.norm(), now_N.norm());

@@ -12,9 +12,9 @@
 namespace palpate::test
 {
 
-/// Where a point without friction, drawn to a hand by a spring, is at rest on the upper side of a surface that gives
-/// way: all such places, found face by face, crease by crease, vertex by vertex from triangles and compliance alone.
-/// At x it is p + C f, C the spring's compliance and the surface's own at x; f lies in the cone of what pushes there.
+/// Where a point without friction, drawn to a hand by a spring, is at rest on the upper side of a surface that yields:
+/// all such places, found face by face, crease by crease, vertex by vertex from triangles and compliance alone. There x
+/// is p + C f, C the spring's compliance and the surface's own at x; f lies in the cone of the normals there.
 class PointRests
 {
 public:
@@ -147,7 +147,7 @@ private:
     }
   }
 
-  /// In a vertex it stays if no way along its edges leads nearer.
+  /// In a vertex the point stays if no direction along its edges leads nearer.
   void addAtVertex(std::uint32_t v, const std::vector<Vec3>& along, const Vec3& p_W, std::vector<Rest>& rests) const
   {
     const Vec3 force_N = (this->spring_ + this->own(v)).inverse() * (this->vertex(v) - p_W);

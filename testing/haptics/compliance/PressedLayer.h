@@ -45,8 +45,8 @@ inline std::vector<double> placesThrough(double edge, double even, double thickn
   return places;
 }
 
-/// A layer, held below, whose edges are even around the middle of its top. It is so wide that its free sides, four
-/// thicknesses away, take less than .1 % of a force (at 2.5 thicknesses .3 %).
+/// A layer, fixed below, whose edges are even around the middle of its top. The layer is so wide that its free sides,
+/// four thicknesses away, take less than .1 % of a force (at 2.5 thicknesses .3 %).
 inline SoftBodyInput layerOf(const oracle::Layer& layer, double edge, double even)
 {
   const double h = layer.thickness_m;
@@ -132,7 +132,7 @@ private:
     const auto before = std::exchange(this->snapshot_, this->maker_->make(this->request_, 1));
     this->touch_ = { 0, this->snapshot_.get() };
     changeSnapshots(std::span(&this->touch_, 1), this->state_);
-    this->state_.offset_W.setZero(); // as when what a change would have done has faded
+    this->state_.offset_W.setZero(); // as when the offset of a change has faded
     return moveOnSoft(*this->scene_, this->plan_, std::span(&this->touch_, 1), device_W, this->state_, *this->room_);
   }
 

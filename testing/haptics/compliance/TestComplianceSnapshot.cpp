@@ -350,7 +350,7 @@ TEST(ComplianceSnapshot, ItsNeighbourhoodLiesAheadAndWhatIsOutsideAnswersAsTheNe
   EXPECT_EQ(nearVerticesOf(soft.surface, soft.surface.rest_W, soft.middle(), 1.0, 7).size(), 7u);
 }
 
-/// How far a wall of 80 x 80 x 16 mm, 100 kPa, held around, goes in under a tip in the middle of it [m/N].
+/// How far a wall of 80 x 80 x 16 mm, 100 kPa, fixed around, goes in under a tip in the middle of it [m/N].
 double wallUnder(int n, double tip_u)
 {
   SoftPad wall(n, patchEdges, ElementKind::EdgeSmoothed,

@@ -77,7 +77,7 @@ struct PlanesAndDevice
   }
 };
 
-/// The gaps where the laws hold, found among all sets of up to three planes: more are not independent.
+/// The gaps where the constraints hold, found among all sets of up to three planes: more are not independent.
 Eigen::VectorXd gapsByTryingAll(const PlanesAndDevice& p)
 {
   const Eigen::MatrixXd w = p.normals * p.normals.transpose();

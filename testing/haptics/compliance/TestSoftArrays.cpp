@@ -21,7 +21,7 @@ namespace
 
 using Where = std::function<bool(const Vec3&)>;
 
-/// Moves what is within the block, but on no plane of a constant z in `kept`, by up to a fifth of a cell.
+/// Moves vertices within the block, but on no plane of a constant z in `kept`, by up to a fifth of a cell.
 void jiggle(TetraMesh& mesh, const Vec3& size, double cell, const std::vector<double>& kept = {})
 {
   Random random(testSeed(281));
@@ -99,7 +99,7 @@ TEST(SoftArrays, InPureTensionEveryNodeEveryPlaceOfTheSurfaceAndEveryStressIsExa
       jiggle(input.mesh, size, 0.06 / n);
       input.fixed = fixedWhere(input.mesh, [](const Vec3& p) { return p.z() == 0.0; });
       input.young_Pa = { 20e3 };
-      input.poisson = 0.0; // nothing narrows: the strain is one all over though an end is held
+      input.poisson = 0.0; // nothing narrows: the strain is one all over though an end is fixed
       input.model = ElasticModel::Linear;
       input.element = element;
       const auto onTop = [&size](const Vec3& p) { return p.z() > size.z() - 1e-9; };
@@ -126,7 +126,7 @@ TEST(SoftArrays, InPureTensionEveryNodeEveryPlaceOfTheSurfaceAndEveryStressIsExa
   }
 }
 
-/// Of the stress along a cantilever in tetrahedra a side's length off its ends, and of what should be 0 there.
+/// Of the stress along a cantilever in tetrahedra a side's length off its ends, and of those that should be 0 there.
 struct BendingError
 {
   double rms = 0.0;  ///< of that along it, over its own
@@ -318,7 +318,7 @@ Cantilever cantilever(int across, const std::function<double(const Vec3&)>& youn
   return { input, solid };
 }
 
-/// What the load does on the product's body.
+/// Work of the load on the product's body.
 double workOn(const SoftBody& body, const SoftBodyInput& input)
 {
   double work = 0.0;
@@ -378,7 +378,7 @@ TEST(SoftArrays, TwoLayersOfOneOrTwoCellsEachBendAsAQuadraticSolidOfThreeCellsEa
     input.element = usualElement(input.mesh, input.young_Pa, input.poisson, ElasticModel::NeoHookean);
     EXPECT_EQ(input.element, ElementKind::Quadratic) << across;
     const double usual = workOn(*loaded(input).body, input);
-    // What is left is that of ten-node tetrahedra of these cells; smoothed edges give .77 with one cell, .98 with two.
+    // The rest is that of ten-node tetrahedra of these cells; smoothed edges give .77 with one cell, .98 with two.
     EXPECT_NEAR(usual / solid.workOfLoad(), 1.0, 1e-3) << across;
     EXPECT_NEAR(usual / truth, 1.0, across == 2 ? 0.011 : 0.01) << across;
   }

@@ -113,7 +113,7 @@ TEST(SoftBody, NewtonStepsEndWhereForcesBalance)
       held += inner.segment<3>(3 * n);
       pressed += load.segment<3>(3 * n);
     }
-    EXPECT_LE(held.norm(), 1e-12); // what strain does to all nodes together
+    EXPECT_LE(held.norm(), 1e-12); // sum of the strain's forces on all nodes
     EXPECT_GT(pressed.norm(), 0.5);
   }
 }
@@ -135,7 +135,7 @@ TEST(SoftBody, ABodyThatIsMirroredByALoadComesBack)
   EXPECT_LE(made.body->displacement().lpNorm<Eigen::Infinity>(), 1e-12);
 }
 
-/// Pressed 5 mm deep, then in steps to 12 mm: how often the stiffness is factored on the way, and where it rests.
+/// Pressed 5 mm deep, then in steps to 12 mm: how often the stiffness is factored in between, and where the body rests.
 struct Pressing
 {
   std::size_t factorings = 0;
@@ -213,7 +213,7 @@ TEST(SoftBody, WhatCannotBeComputedIsRefusedInWords)
   EXPECT_THAT(refusal([](SoftBodyInput& input) { input.mostBytes = 100'000; }), HasSubstr("mesh it coarser"));
   EXPECT_THAT(refusal([](SoftBodyInput& input) { input.fixed.assign(input.fixed.size(), true); }),
     HasSubstr("leave some vertices free"));
-  // A vertex that is in no tetrahedron and is not fixed does not make it one that gives way.
+  // A vertex that is in no tetrahedron and is not fixed does not free the body.
   EXPECT_THAT(refusal(
                 [](SoftBodyInput& input)
                 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ball slides over bumps that give way. What it feels is judged from the triangles and the snapshot alone.
+// A ball slides over bumps that yield. The force is judged from the triangles and the snapshot alone.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -40,14 +40,14 @@ std::vector<NearFace> facesAt(const SoftScene& s, const Vec3& x, double reach)
     if (std::abs(n.z()) > 0.5 && x.z() > 0.03 && std::abs(n.dot(x - a)) < 1e-5 && within(a, b) && within(b, c) &&
         within(c, a))
     {
-      const double up = n.z() > 0.0 ? 1.0 : -1.0; // whichever way its corners run
+      const double up = n.z() > 0.0 ? 1.0 : -1.0; // in either order of its corners
       found.push_back({ up * n, up * n.dot(x - a) });
     }
   }
   return found;
 }
 
-/// How the surface yields at a place: the mean of what its triangle's corners yield by themselves.
+/// The surface's compliance at a place: the mean of those of its triangle's corners by themselves.
 Mat3 complianceAt(const SoftScene& s, const Vec3& x)
 {
   for (const auto& t : s.pad.surface.triangles)
@@ -68,7 +68,7 @@ Mat3 complianceAt(const SoftScene& s, const Vec3& x)
   return Mat3::Zero();
 }
 
-/// How far f is from what one or two of the faces could push with: the least over faces and pairs.
+/// How far f is from the cone of some of the faces: the least over faces, pairs and triples.
 double outsideCone(const Vec3& f, const std::vector<NearFace>& faces)
 {
   double least = f.norm();
@@ -150,7 +150,7 @@ TEST(SoftBumps, UnderFrictionAPointSlidesOnlyOnTheConeAndAgainstTheForce)
       const std::vector<NearFace> faces = facesAt(s, x, 1e-7);
       const bool one = faces.size() == 1;
       const Vec3 n = one ? faces.front().n : Vec3(Vec3::Zero());
-      if (one && n == faceBefore) // on the face on which it was: what it did over a crease is not judged
+      if (one && n == faceBefore) // on the same face as before: motion over a crease is not judged
       {
         const double push = n.dot(f);
         const Vec3 across = f - push * n;
@@ -198,7 +198,7 @@ TEST(SoftBumps, TheForceIsTheCouplingTimesTheWayToTheBallAndNoTickEndsAtALimit)
             const double rounding = 4e-16 * stiffness * p.norm();
             EXPECT_LE(
               (found.force_N - stiffness * (found.proxy_W - p)).norm(), 1e-12 * found.force_N.norm() + rounding);
-            // The core, which crosses nothing, is where the ball is but for what the surfaces have yielded.
+            // The core, which crosses nothing, is where the ball is but for the displacement of the surfaces.
             const Vec3 core_W = s.state.core.x_W + s.state.yielded_W;
             EXPECT_LE(stiffness * (core_W - found.proxy_W).norm(), 1e-5)
               << tick << " " << young_Pa << " " << height << " " << radius << " " << friction;
@@ -242,9 +242,9 @@ const SoftContact* oneFaceOf(const SoftState& soft)
 }
 
 /// How far apart one step and many come of a hand that goes `way_u` while friction slips at the force R = mu N: a step
-/// projects the force into the cone once. While R turns the angle t to the hand's way as tan(t / 2) exp(-q), q = K way
-/// / R, one step leaves tan(t) = sin / (cos + q). They differ by q^2 sin cos / 2 at most, so by R q^2 / 4 of the force;
-/// as much again for an R that changes by mu K way.
+/// projects the force into the cone once. While R turns the angle t to the hand's displacement s as tan(t / 2) exp(-q),
+/// q = K s / R, one step leaves tan(t) = sin / (cos + q). They differ by q^2 sin cos / 2 at most, so by R q^2 / 4 of
+/// the force; as much again for an R that changes by mu K s.
 double pathWithinTick_N(double way_u, double friction, double normal_N)
 {
   const double goes_N = stiffness * way_u;

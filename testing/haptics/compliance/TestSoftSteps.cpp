@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// By how much the force on a ball that slides over bumps that give way changes from tick to tick.
+// Changes from tick to tick of the force on a ball that slides over bumps that yield.
 #include <algorithm>
 #include <vector>
 
@@ -54,10 +54,10 @@ struct FollowedForce
   }
 };
 
-/// What follows is that of the law of contact: over a convex edge a point comes to the end of its face and rests next
-/// on the other one, which pushes elsewhere; a ball that is deep enough snaps over an edge. Rigid contact steps there
-/// too. A step is right where no place of rest is nearer. A ball steps no more often than an oracle that goes along the
-/// same way from each rest to the nearest one.
+/// The steps here are those of the contact's constraints: over a convex edge a point comes to the end of its face and
+/// rests next on the other one, which pushes elsewhere; a ball that is deep enough snaps over an edge. Rigid contact
+/// steps there too. A step is right where no place of rest is nearer. A ball steps no more often than an oracle that
+/// goes along the same path from each rest to the nearest one.
 
 TEST(SoftBumps, APointWithoutFrictionStepsOnlyWhereNoPlaceOfRestIsNearerThanTheOneItGoesTo)
 {
@@ -209,11 +209,11 @@ double moreAcross(const SoftScene& s)
 }
 
 /// How deep a ball may go that rolls over every edge without a step. On an edge let the hand be h above it, and the
-/// ball d = r - h cos(a) deep along the normal, at an angle a from the hand's way to it. It holds E = d^2 / 2 c, c
-/// what surface and coupling give along the normal. That has its least at a = 0 while h > d (c' - c) / c, c' being
-/// c across: nearer, the ball snaps over the edge by the law itself. Under friction it slides by h sin(a) = mu d, at
-/// every angle only while h > r sin(atan(mu)). The bumps are 1 mm high, and 1.5 mm are to spare: 30 times the hand's
-/// way in a tick, by which the force then turns a thirtieth.
+/// ball d = r - h cos(a) deep along the normal, at an angle a from the hand's path to the edge. The energy is E = d^2 /
+/// 2 c, c the compliance of surface and coupling along the normal. E is least at a = 0 while h > d (c' - c) / c, c'
+/// being c across: nearer, the ball snaps over the edge by the constraints themselves. Under friction it slides by h
+/// sin(a) = mu d, at every angle only while h > r sin(atan(mu)). The bumps are 1 mm high, and 1.5 mm are to spare: 30
+/// times the hand's displacement in a tick, by which the force then turns a thirtieth.
 double depthWithoutSteps(const SoftScene& s, double radius, double friction)
 {
   const double more = moreAcross(s), sticks = friction / std::sqrt(1.0 + friction * friction);

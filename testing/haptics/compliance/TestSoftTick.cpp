@@ -14,20 +14,20 @@ namespace palpate::test
 namespace
 {
 
-/// What the forces of a tick leave open when they are put on the body's whole stiffness.
+/// Residuals of the forces of a tick on the body's whole stiffness.
 struct Certificate
 {
   double gap_u = 0.0;     ///< largest of a contact that carries force, and largest overlap
   double balance_N = 0.0; ///< of the coupling
   double cone_N = 0.0;    ///< outside of it
-  double slip_u = 0.0;    ///< within the cone any, on it what is not against the force
+  double slip_u = 0.0;    ///< within the cone any, on it the part not against the force
 };
 
 /// Turns after which a tick goes on from where it is.
 constexpr int usualLoops = 8;
 
-/// How much further along its surface a contact had the ball before the tick than the core was: by what it had yielded
-/// less than the core was told.
+/// How much further along its surface a contact had the ball before the tick than the core was: the core's displacement
+/// less the contact's.
 Vec3 asideBefore(const SoftState& before, const SoftContact& contact)
 {
   Vec3 aside = Vec3::Zero();
@@ -69,7 +69,7 @@ Certificate certify(const SoftScene& s, const SoftResult& tick, const Vec3& p_W,
     {
       place += contact.point.at.weights[i] * s.pad.surface.map.displacementOf(contact.point.at.vertices[i], moved);
     }
-    // Beyond the mesh's own bilinear form the point yields by what compliantPoint() adds.
+    // Beyond the mesh's own bilinear form the point yields by the share of compliantPoint().
     for (int d = 0; d < s.state.count; ++d)
     {
       const SoftContact& other = s.state.contacts[d];
@@ -216,7 +216,7 @@ TEST(SoftTick, ASmallBallIsAsDeepAsHertzInsideTheLoopAndWithFriction)
       const SoftResult found = s.move(SoftPad::middle() + Vec3(0, 0, 0.01 - depth));
       ASSERT_EQ(s.state.count, 1);
       EXPECT_FALSE(found.capped);
-      // All that gives way along the normal is as deep as the device: body, spring below the patch, coupling.
+      // All compressions along the normal add up to the device's depth: body, spring below the patch, coupling.
       const CompliantPoint& point = s.state.contacts[0].point;
       const SubgridSpring& spring = s.state.contacts[0].spring;
       const Vec3 f = found.force_N;
@@ -341,7 +341,7 @@ TEST(SoftTick, AfterTicksWithLittleWorkItComesToWhereItWouldHaveBeen)
   s.plan.workBudget = whole.plan.workBudget;
   (void)s.move(wayOver(200));
   const SoftResult expected = whole.move(wayOver(200));
-  // The ball is pressed as deep as the law of the one contact says: coupling, patch and dent in series.
+  // The ball is as deep as one contact by itself allows: coupling, patch and dent in series.
   ASSERT_EQ(whole.state.count, 1);
   const SoftContact& contact = whole.state.contacts[0];
   const Vec3 f = expected.force_N;

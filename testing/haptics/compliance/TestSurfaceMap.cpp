@@ -48,8 +48,8 @@ std::vector<Followed> nodesAt(const std::vector<Vec3>& nodes_W)
   return all;
 }
 
-/// Forces on mapped points and on what they follow have one sum, one moment and one power; motions of a rigid body go
-/// through.
+/// Forces on mapped points and on the nodes that they follow have one sum, one moment and one power; motions of a rigid
+/// body go through.
 void expectEqualWrenches(
   const SurfaceMap& map, const std::vector<Vec3>& points_W, const std::vector<Followed>& followed)
 {

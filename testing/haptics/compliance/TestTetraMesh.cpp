@@ -146,7 +146,7 @@ TEST(FilledTwice, IsTheWayThroughWhatTwoBlocksShareAndThroughWhatIsTurnedInsideO
   EXPECT_EQ(filledTwice(mesh, places, { Vec3(5, 5, -1), Vec3::UnitZ(), 20.0 }), 0.0) << "beside";
   for (Vec3& p : places)
   {
-    p = Vec3(p.x(), p.y(), -p.z()); // a mirror turns all inside out: 2 + 2 of the way, and .6 in both
+    p = Vec3(p.x(), p.y(), -p.z()); // a mirror turns all inside out: 2 + 2 of the line, and .6 in both
   }
   EXPECT_NEAR(filledTwice(mesh, places, { up.from_W + Vec3(0, 0, 5), -Vec3::UnitZ(), 20.0 }), 4.0 + 0.6, 1e-14);
 }

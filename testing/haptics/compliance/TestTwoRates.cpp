@@ -75,7 +75,7 @@ TEST(TwoRates, SharedComplianceHoldsWhatTheServoHoldsAtTenPacketsASecondOfWhichH
   EXPECT_GT(growth(pad, 0.08 * limit_N_per_m, 20), 1.0);
 }
 
-/// What the body itself answers to a device that is held at p: snapshot after snapshot until force and state agree.
+/// The body's own force on a device that stays at p: snapshot after snapshot until force and state agree.
 double restingForce(SoftPad& pad, const ContactPlan& plan, const Vec3& p_W)
 {
   SoftLoop loop(*pad.body, pad.surface, 1, plan);
@@ -149,7 +149,7 @@ TEST(TwoRates, AChangeOfPacketsLeavesTheForceAsItIs)
   }
 }
 
-/// A law of one dimension that gets stiffer: 300 x + 3e6 x^3 [N], felt through 1000 N/m.
+/// A constitutive law of one dimension that gets stiffer: 300 x + 3e6 x^3 [N], felt through 1000 N/m.
 struct Hardening
 {
   static double force(double x) { return 300.0 * x + 3e6 * x * x * x; }

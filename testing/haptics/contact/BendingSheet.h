@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tests of bending surfaces share, whether their frame stands or moves.
+// Shared by tests of bending surfaces, whether their frame stands or moves.
 #pragma once
 
 #include <cmath>
@@ -25,7 +25,7 @@ inline constexpr int at20Hz = 50; // ticks a snapshot
   return makeSheet({ 0.2, 0.2, cells, cells, 0.2 }, random);
 }
 
-/// A sheet that rises by `speed` [u/s] in ways of 20 ticks, some of them cut short, pushes a hand that rests ever
+/// A sheet that rises by `speed` [u/s] in paths of 20 ticks, some of them cut short, pushes a hand that rests ever
 /// harder.
 inline void expectNoStepWhereWaysAreCutShort(Bender& sheet, const Vec3& hand, double speed)
 {
@@ -38,7 +38,7 @@ inline void expectNoStepWhereWaysAreCutShort(Bender& sheet, const Vec3& hand, do
       sheet.cutShort();
     }
     const double force = sheet.tick(hand).state.force_D.z();
-    // A way cut short leaves up to 20 ticks' rise for the next one: at most twice as fast, never a step.
+    // A path cut short leaves up to 20 ticks' rise for the next one: at most twice as fast, never a step.
     ASSERT_GE(force, before - 1e-9) << "tick " << i;
     ASSERT_LE(force, before + 2 * K * speed * 1e-3 + 1e-9) << "tick " << i;
     before = force;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertices on their straight way from one snapshot to the next: what is felt in each tick between them.
+// Vertices on their straight paths from one snapshot to the next: the force in each tick between them.
 #include <algorithm>
 #include <cmath>
 
@@ -95,7 +95,7 @@ TEST_P(Bending, ABumpThatShootsAtAHandNeverPassesIt)
 TEST_P(Bending, FrictionHoldsAHandAtTheSamePointOfItsTriangle)
 {
   const double radius = GetParam();
-  // A stretch with shear: what is a point of a triangle stays the same affine function of all of them.
+  // A stretch with shear: a point of a triangle stays the same affine function of all of them.
   const auto stretch = [](const Vec3& v, double t_s)
   { return Vec3(v.x() * (1 + t_s) + 0.3 * t_s * v.y(), v.y() * (1 - 0.4 * t_s), 0.02 * t_s + 0.1 * t_s * v.x()); };
   Bender sheet(sheetOf(20, 424), stretch, at20Hz);
@@ -166,7 +166,7 @@ TEST_P(Bending, TrianglesThatPassThroughHavingNoAreaHoldTheHandAsWell)
 TEST_P(Bending, ASnapshotThatComesEarlyStartsFromWhereTheSurfaceIsFelt)
 {
   const double radius = GetParam();
-  // Snapshots every 20 ticks that each announce a way of 20 ticks; every other one is cut short.
+  // Snapshots every 20 ticks that each announce a path of 20 ticks; every other one is cut short.
   Bender sheet(
     sheetOf(20, 427), [](const Vec3& v, double t_s) { return Vec3(v + Vec3(0, 0, 0.05 * t_s)); }, 20);
   sheet.parameters.contact.radius_u = radius;
@@ -184,7 +184,7 @@ TEST_P(Bending, NothingIsAllocatedAndNothingLockedInATick)
   EXPECT_EQ(disturbancesUnderAStroke(sheet), 0u);
 }
 
-/// Sweeps through the first surface of a scene at a moment of its way against the same sweeps through a tree that is
+/// Sweeps through the first surface of a scene at a moment of its path against the same sweeps through a tree that is
 /// built of the same vertices. Returns how many hit.
 std::size_t compareWithBuilt(const Scene& scene, double share, Random& random)
 {
@@ -237,7 +237,7 @@ TEST(BentSurface, AnswersSoWhereSnapshotsComeEarlyAndWhereTheSameOneComesAgain)
   SceneBuilder builder;
   SurfaceInput input{ "it", std::make_shared<const TriangleMesh>(makeIcosphere(3, 0.03)), {} };
   std::shared_ptr<const Scene> felt = builder.build({ input }).scene;
-  for (const double left : { 1.0, 0.25, 0.6, 0.0, 0.9 }) // where the hand is on each way when the next snapshot comes
+  for (const double left : { 1.0, 0.25, 0.6, 0.0, 0.9 }) // where the hand is on each path when the next snapshot comes
   {
     input.mesh = std::make_shared<const TriangleMesh>(
       TriangleMesh{ shaken(input.mesh->vertices_W, random), input.mesh->triangles });

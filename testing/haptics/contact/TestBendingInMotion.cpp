@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface that moves as a whole while its vertices are on their way: what is felt in each tick is its pose of that
+// A surface that moves as a whole while its vertices are on their paths: each tick's force is that of its pose of that
 // moment on its shape of that moment.
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ Vec3 toSurface(const Pose& pose_WS, const Vec3& x_W)
   return pose_WS.q.conjugate() * (x_W - pose_WS.p);
 }
 
-constexpr double rounding = 1e-15; ///< of the way into a frame and back, coordinates being less than 1
+constexpr double rounding = 1e-15; ///< of the transform into a frame and back, coordinates being less than 1
 
 /// Height of a place over the sheet as it is felt, across the sheet's own plane.
 double heightOver(const Bender& sheet, const Vec3& x_W)

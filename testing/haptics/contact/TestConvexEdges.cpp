@@ -32,7 +32,7 @@ TEST(ConvexEdges, APointLeavesTheTopWithinAMicrometreOfTheEdge) // row 10
     SCOPED_TRACE(micrometres);
     if (micrometres < 0)
     {
-      // Held by the top alone: 1 N up, nothing sideways.
+      // Pushed by the top alone: 1 N up, nothing sideways.
       ASSERT_LE((probe.x_W() - Vec3(p.x(), 0.01, 0)).norm(), 1e-12);
       ASSERT_EQ(result.contacts, 1);
     }
@@ -59,8 +59,8 @@ TEST(ConvexEdges, AFastPointLeavesInTheTickThatPassesTheEdge) // row 10
 
 TEST(ConvexEdges, ABallSnapsToTheSideWithinAMicrometreOfTheEdge) // row 10
 {
-  // The centre is held above the top until the device passes the edge; then the nearest place is at the side,
-  // found by rolling down: (edge + r, z of the device).
+  // The centre stays above the top until the device passes the edge; then the nearest place is at the side, found by
+  // rolling down: (edge + r, z of the device).
   const double r = 1e-3;
   PathChecker checker(box(), r, 1e-15);
   Probe probe(sceneOf(box()), r, { 0.045, 0.01, 0.003 }, &checker);

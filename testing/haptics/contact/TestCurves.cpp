@@ -206,10 +206,10 @@ TEST_P(Curves, ARandomBundleIsNeverPassedAndEveryRestIsTheNearestFreePlace)
     }
   }
   EXPECT_GT(pressed, ticks / 10);
-  EXPECT_LT(capped, ticks / 2000); // 16 of 18 000 for the ball where a roll never ends at what it meets
+  EXPECT_LT(capped, ticks / 2000); // 16 of 18 000 for the ball where a roll never ends at another tube
 }
 
-/// Tells two judges of one way.
+/// Tells two judges of one path.
 class Both final : public PathSink
 {
 public:

@@ -76,8 +76,8 @@ private:
   int ticks_ = 0;
 };
 
-/// How often a way crosses the surface, by exact orientations: odd between the two sides of a closed one. The far end
-/// is in general position.
+/// How often a segment crosses the surface, by exact orientations: odd between the two sides of a closed one. The far
+/// end is in general position.
 int crossings(const TriangleMesh& mesh, const Vec3& x_W, const Vec3& far_W)
 {
   int count = 0;
@@ -206,7 +206,7 @@ TEST_P(Deforming, VerticesThatJumpAtRandomByAThirdOfAnEdgeNeverPassTheHand)
 TEST_P(Deforming, VerticesThatDoNotMoveChangeNothing)
 {
   const double radius = GetParam();
-  // The far half bends, the near one is what is touched.
+  // The far half bends, the near one is touched.
   const auto bend = [](const Vec3& v, double t) { return v.z() < -0.01 ? Vec3(v * (1 + 0.1 * t)) : v; };
   const TriangleMesh mesh = makeIcosphere(3, 0.05);
   RefittedSurface bending(mesh, bend, radius, Vec3(0, 0, 0.1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 17: what facets do to the force on a sphere of radius 50 mm at 1 mm below the true sphere.
+// Row 17: effect of facets on the force on a sphere of radius 50 mm at 1 mm below the true sphere.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -18,7 +18,7 @@ namespace palpate::test
 namespace
 {
 
-/// What touches.
+/// A point or ball, with or without friction.
 struct Tool
 {
   const char* name;
@@ -38,7 +38,7 @@ ContactPlan somePlan(const Tool& tool, double triangle_u, Random& random)
   return plan;
 }
 
-/// What became of a hand, and of its ticks that end within a few triangles: a longer slide is over more of them than a
+/// The result of a hand, and of its ticks that end within a few triangles: a longer slide is over more of them than a
 /// tick has passes, and goes on in the next.
 struct RunOn
 {

@@ -92,7 +92,7 @@ TEST_P(FrictionOnAPlane, NeverGivesBackWhatItTookWhileItSlips)
     if (result.friction == FrictionState::Slips)
     {
       const Vec3 moved = probe.x_W() - x;
-      // Force on the hand and way of the contact point over the surface: friction resists it.
+      // Force on the hand and displacement of the contact point over the surface: friction resists it.
       EXPECT_LE(probe.force(K).head<2>().dot(moved.head<2>()), 1e-15) << "tick " << i;
     }
     x = probe.x_W();
@@ -117,7 +117,7 @@ TEST(Friction, AnInclineHoldsForAMinuteBelowItsAngleAndNeverAboveUnderEncoderNoi
     std::size_t slips = 0;
     for (std::size_t i = 0; i < ticks; ++i)
     {
-      // One count along the pull: the direction of the pull is what the cone is about.
+      // One count along the pull: the cone limits the direction of the pull.
       const double noise = random.uniform() < 0.5 ? 0.0 : count;
       slips += probe.to({ 0, 0, -0.005 - noise }).friction == FrictionState::Slips;
     }

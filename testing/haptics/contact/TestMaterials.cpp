@@ -191,7 +191,7 @@ TEST(Materials, AClosedWayOverTextureAndChangingStiffnessTakesNoWork)
   EXPECT_LT(std::abs(work), 1e-3 * 0.5 * K * d * d); // the trapezium's own error at this step
 }
 
-/// What a hand gets [J] out of a closed way of straight parts: the trapezium is exact where the force changes linearly,
+/// Work on a hand [J] along a closed path of straight parts: the trapezium is exact where the force changes linearly,
 /// as it does over hollows of one slope between the places where it begins and ends.
 double workOf(Finger& finger, double stiffness_N_per_m, const std::vector<Vec3>& corners_W, int stepsPerPart)
 {
@@ -220,7 +220,7 @@ TEST(Materials, AHandThatTouchesATextureAndLeavesItAtAnotherHeightGetsNoWork)
     MaterialFields fields;
     fields.height_u = sampled(mesh, [=](const Vec3& v) { return slope * v.x() + offset; });
     const auto scene = build(mesh, {}, fields).scene;
-    for (const double depth : { 4 * unit, 8 * unit }) // less and more than the deepest hollow on the way
+    for (const double depth : { 4 * unit, 8 * unit }) // less and more than the deepest hollow on the path
     {
       const double x = 0.0625; // hollows from x on: slope (0.1 -+ x)
       const std::vector<Vec3> way = { { x, 0, unit }, { x, 0, -depth }, { -x, 0, -depth }, { -x, 0, unit } };
@@ -247,7 +247,7 @@ TEST(Materials, AClosedWayInBelowTheCouplingsStiffnessAndOutBeyondItTakesNoWork)
   plan.coupling_N_per_m = K;
   Finger finger(build(mesh, {}, fields).scene, plan);
   const int steps = 8192;
-  // Where the coupling's stiffness is reached the force along the way ends within a step.
+  // Where the coupling's stiffness is reached the force along the path ends within a step.
   const double jump = 0.5 * d * d * slope * 2 * x / steps, landing = 2 * K * std::pow(2 * d / steps, 2);
   const double work = workOf(finger, K, { { -x, 0.01, d }, { -x, 0.01, -d }, { x, 0.01, -d }, { x, 0.01, d } }, steps);
   EXPECT_NEAR(work, 0.0, 0.5 * jump + landing);
@@ -368,7 +368,7 @@ TEST(Materials, ThePeriodOfATextureIsTheLengthOfItsWaveHoweverFineTheMesh)
   }
   const TriangleMesh mesh = sheet(4, 120);
   EXPECT_EQ(measureTexture(mesh, sampled(mesh, [](const Vec3&) { return 2e-3; })).period_u,
-    std::numeric_limits<double>::infinity()); // what is level is felt at every speed
+    std::numeric_limits<double>::infinity()); // a level texture is felt at every speed
 }
 
 /// A hand that is led, a tick a place; scene units are metres.
@@ -400,7 +400,7 @@ TEST(Materials, WhatIsFeltIsTheStiffnessOfTheDataUpToTheCouplingsOwn)
   const double d = 2e-3;
   for (const double wall : { 0.0, 200.0, 700.0, 1000.0, 5000.0 })
   {
-    for (const double limit : { 400.0, 1e4 }) // what the device can hold
+    for (const double limit : { 400.0, 1e4 }) // the device's limit
     {
       HapticParameters parameters;
       parameters.stiffness_N_per_m = 1000.0;
@@ -431,7 +431,7 @@ TEST(Materials, TheEnergyOfASoftWallIsMeasuredAsItIs)
   }
   const double taken = wall * h * h * steps * (steps - 1) / 2.0; // held forces k h i over steps of h
   EXPECT_NEAR(state.energy.delivered_J, -taken, 1e-12);
-  EXPECT_NEAR(state.energy.excess_J, 0.5 * wall * d * d - taken, 1e-12); // what a spring of k holds beyond that
+  EXPECT_NEAR(state.energy.excess_J, 0.5 * wall * d * d - taken, 1e-12); // energy of a spring of k beyond that
 }
 
 TEST(Materials, ValuesThatCannotBeUsedFallBackToTheSurfacesOwnAndAreCounted)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 54: what the passes of a tick are spent on.
+// Row 54: how the passes of a tick are spent.
 #include <cmath>
 #include <limits>
 

@@ -97,7 +97,7 @@ TEST(Pockets, APointIsDrawnOutOfAPocketThatMoves)
 }
 
 /// A face is remembered as touched as long as the point is over it within rounding. From beside it, by less than that,
-/// the straight way leads past its border and is free.
+/// the straight path leads past its border and is free.
 TEST(Pockets, APointBesideAFaceIsNotHeldByThePlaneOfIt)
 {
   Random random(testSeed(113));

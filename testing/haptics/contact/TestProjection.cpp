@@ -17,7 +17,7 @@ namespace palpate::test
 namespace
 {
 
-/// What a dot product of numbers of size 1 may be off by: four units in the last place.
+/// The error of a dot product of numbers of size 1: four units in the last place.
 constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
 
 std::vector<PlaneRow> rowsOf(const Corner& corner)

@@ -26,7 +26,7 @@ struct RealSurface
 {
   const char* file;
   std::optional<double> iso;
-  double extent_mm; ///< 0: the file is in millimetres; else what its largest extent is taken for
+  double extent_mm; ///< 0: the file is in millimetres; else the length that its largest extent stands for
 };
 
 constexpr std::array surfaces = { RealSurface{ "skull.vtp", {}, 0.0 }, RealSurface{ "brain.nii.gz", 60.0, 0.0 },

@@ -77,7 +77,7 @@ TEST(Seat, APointExactlyOnATriangleIsLiftedOffItAndStaysOnThatSide)
   }
 }
 
-// The point rests nearer to its faces than rounding tells: their sides do, whichever way the triangles are turned.
+// The point rests nearer to its faces than rounding tells: their sides do, in either orientation of the triangles.
 TEST(Seat, ABallThatIsPutWhereAPressedPointRestsIsOnTheSideOfThePoint)
 {
   Random random(testSeed(123));

@@ -42,7 +42,7 @@ struct Rub
 {
   double off = 0.0;  ///< largest angle between the force and the radius [rad]
   double jump = 0.0; ///< largest turn of the force from tick to tick beyond that of the radius [rad]
-  double work = 0.0; ///< done on the hand over the closed way, for 1 N/mm [N mm]
+  double work = 0.0; ///< done on the hand over the closed path, for 1 N/mm [N mm]
 };
 
 Rub rub(const TriangleMesh& mesh, double radius, bool shading)

@@ -29,7 +29,7 @@ TEST_P(Shots, NoneCrossesTheSheet)
     const Shot way = makeShot(mesh, r + 1.1e-3, random); // the bumps are 1 mm high
     Probe probe(scene, r, way.from_W, &checker);
     held += probe.to(way.to_W).contacts > 0;
-    probe.to(way.to_W + random.inCube(5e-3)); // and a second tick from where it was held
+    probe.to(way.to_W + random.inCube(5e-3)); // and a second tick from where it was stopped
     ASSERT_EQ(probe.finding(), "") << "shot " << i;
   }
   EXPECT_GT(checker.judged(), count);
@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(Row9, Shots, ::testing::Combine(::testing::Bool(), ::te
 
 TEST(Shots, AWayExactlyThroughAVertexOrAlongAnEdgeIsHeld)
 {
-  // A grid of whole numbers: the ways below meet vertices and run in the planes of edges without any rounding.
+  // A grid of whole numbers: the segments below meet vertices and run in the planes of edges without any rounding.
   Random random(testSeed(62));
   const TriangleMesh mesh = makeSheet({ 16, 16, 16, 16, 0.0 }, random);
   const auto scene = sceneOf(mesh);

@@ -74,10 +74,10 @@ TEST(SoupRuns, ABallHoldsOnAnyBadMeshAndIsNeverStuck)
 
 /// Meshes of seed 2401 on which a ball once stood still although it could go on: slivers whose normal is known to 1e-10
 /// only (1, 24, 33), the end of a crevice between two edges (36, 55), an edge under a face already touched (59), and a
-/// point at a vertex where a fin stands (22), points held by the plane of a face they stand beside (98, 461, 537), one
-/// that was asked again and again what holds it at a vertex (337), and some in the crevice of a sliver whose plane,
-/// where it is computed to be, cuts through it (87, 541, 991), one in the pocket under a fin (952), and balls that came
-/// back to the border they had just left (582, 734).
+/// point at a vertex where a fin stands (22), points stopped by the plane of a face they stand beside (98, 461, 537),
+/// one whose constraints at a vertex were searched again and again (337), and some in the crevice of a sliver whose
+/// plane, where it is computed to be, cuts through it (87, 541, 991), one in the pocket under a fin (952), and balls
+/// that came back to the border they had just left (582, 734).
 TEST(SoupRuns, WhereABallOnceStoodStillItGoesOn)
 {
   for (const std::uint64_t i : { 1, 22, 24, 33, 36, 55, 59, 87, 98, 337, 461, 537, 541, 582, 734, 952, 991 })
@@ -101,7 +101,7 @@ RunTask taskInBox(const TriangleMesh& box, const JudgedMesh& touched)
   return task;
 }
 
-/// The judge sees what it is there for.
+/// The judge sees a ball that fell through.
 TEST(SoupRuns, AHoleThatIsWiderThanClaimedIsSeenAsAFall)
 {
   TriangleMesh box = makeCellBox(6);

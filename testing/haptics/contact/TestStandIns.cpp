@@ -109,10 +109,10 @@ struct Ball
 {
   double radius_u = 0.0;
   double coat_u = 0.0;  ///< of the curves that it touches
-  double push_u = -2.0; ///< where it is pushed to, above what it touches
+  double push_u = -2.0; ///< where it is pushed to, above the touched place
 };
 
-/// Points of what is touched, and away from which of its coordinates a hand is pushed to.
+/// Places to touch, and away from which of their coordinates a hand is pushed.
 struct Places
 {
   std::vector<Vec3> points_W;
@@ -131,7 +131,7 @@ double distanceTo(const Scene& scene, const Vec3& x_W)
   return least_u;
 }
 
-/// Brings a hand there, exchanges the scenes and pushes: it must be held where it was, above (side 1) or below.
+/// Brings a hand there, exchanges the scenes and pushes: it must stay where it was, above (side 1) or below.
 void holdsWhatIsPushed(const Felt& felt, const Places& places, const Ball& ball, Random& random)
 {
   const double reach_u = ball.radius_u + ball.coat_u;
@@ -188,8 +188,8 @@ TEST_P(StandIns, AHandNearAWallStaysOnItsSideWhenACoarserWallComesAndGoes)
   }
 }
 
-/// What is pushed beyond the middle of a tube may roll round it, with and without an exchange: so the one is pushed
-/// less deep, and of the other, which is thinner than its level is off, only that it is left where it was.
+/// A hand pushed beyond the middle of a tube may roll round it, with and without an exchange: so the one is pushed less
+/// deep, and of the other, which is thinner than its level is off, only that it is left where it was.
 TEST_P(StandIns, AHandNearATubeStaysOnItsSideWhenACoarserTubeComesAndGoes)
 {
   for (const double coat_u : { 0.5, 0.02 })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a ball hits on its way, where faces meet at angles near rounding.
+// Hits of a ball on its path, where faces meet at angles near rounding.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -55,7 +55,7 @@ TEST(Sweep, ABallThatSinksByLessThanRoundingBeforeItComesOverAFaceIsStoppedByIt)
   }
 }
 
-/// A way of a point through or just beside a triangle, up to ten thousand times as long, mostly nearly upright on it:
+/// A path of a point through or just beside a triangle, up to ten thousand times as long, mostly nearly upright on it:
 /// there single precision would lose how far it passes from the middle.
 Piece wayNear(const std::array<Vec3, 3>& corners, Random& random)
 {

@@ -23,7 +23,7 @@ TriangleMesh floorMesh()
   return { { { -1, -1, 0 }, { 1, -1, 0 }, { -1, 1, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 1, 2, 3 } } };
 }
 
-/// What is said of one straight tick over the floor that ends at `to_W` with the device at `p_W`.
+/// The judgement of one straight tick over the floor that ends at `to_W` with the device at `p_W`.
 TickFigures judged(const ContactPlan& plan, const Vec3& from_W, const Vec3& to_W, const Vec3& p_W, bool capped = false)
 {
   TickJudge judge(PathChecker(floorMesh(), 0.0), plan, 2.0);
@@ -55,7 +55,7 @@ TEST(TickJudge, SeesAGodObjectThatStaysAlthoughItsWayIsFree)
   EXPECT_EQ(judged(plan, { 0, 0, 1 }, { 0, 0, 1e-15 }, { 0, 0, 1e-6 }).glued, 1u);
   EXPECT_EQ(
     judged(plan, { 1.5, 0, 1 }, { std::nextafter(1.0, 2.0), 0, 1 }, { std::nextafter(1.0, 2.0), 0, -1 }).glued, 1u);
-  EXPECT_EQ(judged(plan, { 0.5, 0, 1 }, { 1.0, 0, 1 }, { 1.0, 0, -1 }).glued, 0u);  // the rim itself is in the way
+  EXPECT_EQ(judged(plan, { 0.5, 0, 1 }, { 1.0, 0, 1 }, { 1.0, 0, -1 }).glued, 0u);  // the rim itself blocks the path
   EXPECT_EQ(judged(plan, { 0, 0, 1 }, { 0, 0, 0.5 }, { 0, 0, 1 }, true).glued, 0u); // excused, and counted
   EXPECT_EQ(judged(plan, { 0, 0, 1 }, { 0, 0, 0.5 }, { 0, 0, 1 }, true).capped, 1u);
   plan.radius_u = 0.1;
@@ -113,7 +113,7 @@ TEST(FrictionCone, OfACornerIsTheSumOfBothReactionsAndOfOneFaceItsOwn)
   EXPECT_TRUE(std::isinf(beyondFriction(normals, { 2, 0, 3 }, 0.4)));
 }
 
-/// The grid leaves nothing out: the same answers as all triangles asked one by one, for ways of every length.
+/// The grid leaves nothing out: the same answers as all triangles asked one by one, for paths of every length.
 TEST(FreeWay, IsTheSameWithAndWithoutAGrid)
 {
   Random random(testSeed(2851));

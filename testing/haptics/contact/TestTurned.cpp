@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a turn by a right angle or a mirror changes. Either is exact: coordinates change places and signs.
+// Effect of a turn by a right angle or a mirror. Either is exact: coordinates change places and signs.
 //
 // Mirrors in y and z keep the order of the vertices, which is by x where no two are the same, and so nearly every
 // operand of every operation but for its sign. The others change which corner a triangle is computed from and the order
-// of sums: there what is asked in exact arithmetic stays the same, and what is computed stays the same to rounding.
+// of sums: there exact predicates stay the same, and computed numbers stay the same to rounding.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -70,7 +70,7 @@ TriangleMesh someMesh(std::uint64_t round, Random& random)
   return Anywhere(random, 1.0)(families()[round % (families().size() - 1)].make(random)); // all but Scales
 }
 
-/// What a turn changed in ticks that begin in the same place.
+/// Differences by a turn in ticks that begin in the same place.
 struct Changes
 {
   std::uint64_t ticks = 0, held = 0;
@@ -128,8 +128,8 @@ TEST(Turned, MirrorsThatKeepTheOrderOfVerticesChangeNoPlace)
   EXPECT_EQ(changes.pointsInPlace + changes.ballsInPlace + changes.roughInPlace, 0u);
 }
 
-// What comes upon a spike may go round it either way, and friction holds it wherever it came to first: there rounding
-// decides, and a turn is another rounding.
+// A point that meets a spike may go round it on either side, and friction holds it wherever it came to first: there
+// rounding decides, and a turn is another rounding.
 TEST(Turned, EveryTurnAndMirrorIsFeltTheSameButForTies)
 {
   const Changes changes = changesBy(allTurns(), testSeed(2902));

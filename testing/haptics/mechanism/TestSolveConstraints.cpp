@@ -81,7 +81,7 @@ void makeRandom(Random& random, Solver& solver)
   }
 }
 
-/// Forces where all constraints hold, found among all combinations of rows that are held or at a bound.
+/// Forces where all constraints hold, found among all combinations of rows that are active or at a bound.
 std::optional<Eigen::VectorXd> forcesByTryingAll(const ConstraintProblem& p)
 {
   const int n = p.count;

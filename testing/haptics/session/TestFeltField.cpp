@@ -12,7 +12,7 @@ namespace palpate
 namespace
 {
 
-/// A block of 2 x 2 x 2 points wherever it is asked for; a place left of 0 has none. May be held until it is let go.
+/// A block of 2 x 2 x 2 points wherever it is asked for; a place left of 0 has none. May block until it is released.
 class FakeSource : public FieldSource
 {
 public:

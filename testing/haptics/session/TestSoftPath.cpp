@@ -71,7 +71,7 @@ TEST(SoftPath, PacketsOfALinearBodyChangeNothingHoweverLateTheyAre)
   }
 }
 
-/// Held at one side only: pressed in its middle it bends, which a linear body does otherwise than one that turns.
+/// Fixed at one side only: pressed in its middle it bends, which a linear body does otherwise than one that turns.
 SoftBodyInput shelf(ElasticModel model)
 {
   SoftBodyInput input = softBlock(model);
@@ -122,7 +122,7 @@ TEST(SoftPath, ABodyThatIsNextToNothingLetsTheBallDownToWhatIsHeldAndNoFurther)
       const auto touch = touchOf(hardlyThere(model, young_Pa), rate_Hz, ball_m);
       for (int i = 0; i <= 400; ++i)
       {
-        // Down through the block, to 15 mm below where its held side stops the ball, and up again.
+        // Down through the block, to 15 mm below where its fixed side stops the ball, and up again.
         const double deep_m = 0.065 - 0.066 * std::abs(1.0 - i / 200.0);
         const Vec3 hand = topOfBlock() + Vec3(0.001, -0.001, ball_m - deep_m);
         const Vec3 force_N = touch->next(pathTick_s * i, { hand, Quat::Identity() }).force_W;
@@ -206,7 +206,7 @@ TEST(SoftPath, WhereHeldFacesStopTheBallTheForceIsTheSpringsToo)
         EXPECT_LE(
           (state.force_W - spring_N).norm(), roundingOfSpring_N(spring_N_per_m, hand.norm(), state.force_W.norm()))
           << i;
-        stopped += state.proxy_W.p.z() < radius_u + 1e-9; // the held side is z = 0
+        stopped += state.proxy_W.p.z() < radius_u + 1e-9; // the fixed side is z = 0
       }
       EXPECT_GT(stopped, 400);
     }

@@ -148,7 +148,7 @@ TEST(Tick, ALostDeviceLatchesUntilThePersonEngagesAgain)
   EXPECT_EQ(renderTick(again, parameters, state).state.engage, EngageState::Engaged);
 }
 
-// Where a sample says the hand is before anybody knows is nowhere: one that appears above is not held below.
+// Where a sample says the hand is before anybody knows is nowhere: one that appears above is not stopped below.
 TEST(Tick, BeforeAnybodySaidWhereTheHandIsThereIsNoForceAndNoProxy)
 {
   const auto scene = floorScene();

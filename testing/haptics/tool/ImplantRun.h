@@ -18,16 +18,16 @@ struct ImplantTask
   int judgedEach = 20; ///< ticks: of so many the recorded pose is judged
 };
 
-/// What came of it.
+/// The result.
 struct ImplantFigures
 {
   std::uint64_t ticks = 0, touching = 0;
   double pressed_N = 0.0;                  ///< the largest force
   double step_N = 0.0;                     ///< by which it changes most in a tick
-  double excess_J = 0.0;                   ///< that the hand got beyond what the touched spring held
+  double excess_J = 0.0;                   ///< that the hand got beyond the energy of the touched spring
   double seatedOff_mm = 0.0;               ///< of the implant from where it fits, after its second of rest
   std::uint64_t judged = 0, crossings = 0; ///< poses of the recording, pairs of triangles that meet there, exactly
-  std::string problem;                     ///< a fault, or what a replay with one, two or four workers says
+  std::string problem;                     ///< a fault, or that of a replay with one, two or four workers
 };
 
 /// In virtual time, in the hand of a simulated device with six axes; recorded and replayed.

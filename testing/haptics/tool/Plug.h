@@ -6,7 +6,7 @@
 namespace palpate::test
 {
 
-/// A piece of a skull and what fills its hole, in mm: the front of a round shell about the origin, open towards -y,
+/// A piece of a skull and the plug of its hole, in mm: the front of a round shell about the origin, open towards -y,
 /// with a hole whose border waves and gets narrower inwards.
 struct PlugSize
 {
@@ -20,7 +20,7 @@ struct PlugSize
 
 /// The shell with its hole: closed.
 [[nodiscard]] TriangleMesh shellWithHole(const PlugSize& size);
-/// What fills it but for a play all round: closed. It lies where it fits.
+/// The plug that fills the hole but for a play all round: closed. Its pose is that in which it fits.
 [[nodiscard]] TriangleMesh plugOf(const PlugSize& size, double play_mm);
 
 } // namespace palpate::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a rounded proof says of two triangles is asked once more in rational numbers. Debug builds do so for each pair
-// that a tool proves on its way.
+// The answer of a rounded proof for two triangles is checked once more in rational numbers. Debug builds do so for each
+// pair that a tool proves in its motion.
 #include <gtest/gtest.h>
 
 #include "Tools.h"
@@ -49,7 +49,7 @@ struct Meeting
   double gap = 0.0;
 };
 
-/// What a proof would try, beside a normal that is as good as any.
+/// The planes that a proof would try, beside a normal that is as good as any.
 std::vector<ProvenPlane> planesOf(const SpanProof& proof, Random& random)
 {
   const NearestPair first = nearestPair(proof.toolFrom_W(), proof.pair().scene_W);

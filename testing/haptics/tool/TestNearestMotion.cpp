@@ -77,7 +77,7 @@ std::vector<MotionRow> randomRows(Random& random, std::size_t count, bool parall
   return rows;
 }
 
-/// Largest of what a solution may not have: broken rows, pull, and a part of y - wish that no row gives.
+/// Largest violation by a solution: broken rows, pull, and a part of y - wish that no row gives.
 double residual(const std::vector<MotionRow>& rows, const Vec6& wish, const NearestMotion& found)
 {
   double worst = 0.0;
@@ -180,7 +180,7 @@ TEST(NearestMotion, HasNoResidualWithUpToAThousandRowsManyOfThemParallelOrEqual)
     std::vector<MotionRow> rows = randomRows(random, sizes[i % sizes.size()], i % 2 == 0);
     for (MotionRow& row : rows)
     {
-      row.bound = std::min(row.bound, 0.0); // as after a shortage of room: to stay is always allowed
+      row.bound = std::min(row.bound, 0.0); // as after a shortage of space: to stay is always allowed
     }
     rows.push_back(rows.front());
     const Vec6 wish = vec6(random.inCube(1.0), random.inCube(1.0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 63: a mesh that is a ball or a needle to within a bound, and what is felt with the ball in its place.
+// Row 63: a mesh that is a ball or a needle to within a bound, and the force with the ball in its place.
 #include <gtest/gtest.h>
 
 #include <cmath>

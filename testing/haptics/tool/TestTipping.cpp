@@ -90,7 +90,7 @@ void expectTable(const TippedCube& scene, double lever_mm)
 TEST(Tipping, OfACubePressedOnAPlaneOfTwoTrianglesIsThatOfTheNearestPoseInTheMassMetricRow29)
 {
   const TippedCube scene(1);
-  // The table's own rows: what the search of this test finds for them.
+  // The table's own rows: this test's search finds them.
   EXPECT_NEAR(nearestRest(1.0, 5.0 * degree_rad, scene.tool.gyration_u).tilt_rad / degree_rad, 0.29122, 1e-5);
   EXPECT_NEAR(nearestRest(5.0, 40.0 * degree_rad, scene.tool.gyration_u).height_mm, 23.51577, 1e-5);
   expectTable(scene, scene.tool.gyration_u);

@@ -60,7 +60,7 @@ TEST(ToolFollower, WaitsWithoutAForceUntilTheHandIsWhereTheToolIsFree)
     EXPECT_EQ(links.report.read().placed, cameFree);
     EXPECT_EQ(toolPush(links.contacts.read(), hand_W, 1000.0, ToolCoupling::Constraints).active > 0, pressed);
   }
-  EXPECT_NEAR(follower.move().pose_W().p.z(), cubeHalf, 1e-6); // held outside
+  EXPECT_NEAR(follower.move().pose_W().p.z(), cubeHalf, 1e-6); // stopped outside
 }
 
 TEST(ToolFollower, KeepsTheLastContactsOfAToolAtRestWhileUpdatesAreOutOfWorkButNotForEver)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows 28, 30 and 60: what the hand feels between two updates.
+// Rows 28, 30 and 60: the force on the hand between two updates.
 #include <gtest/gtest.h>
 
 #include <cmath>

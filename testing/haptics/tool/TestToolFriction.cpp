@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tool that rubs: a block that is pulled at a slant and one that is spun on its face, by closed forms.
+// Friction on a tool: a block that is pulled at a slant and one that is spun on its face, by closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr double halfOfRubbed_mm = 20.0, pressedBy_mm = 2.0, stiffness_N_per_mm = 1.0;
-constexpr double solved = 1e-3;     // of what rubs
+constexpr double solved = 1e-3;     // of sliding contacts
 constexpr double atTheLimit = 4e-2; // likewise in a tick, where friction just holds the tool: its sweeps are few
 
 constexpr double contactLever_mm = 1.0;
@@ -47,7 +47,7 @@ ToolContacts slantedContacts(Random& random, int count)
   return contactsOf(contacts);
 }
 
-/// The eight corners of an octagon that lies on a plane: what each of them pushes is not unique.
+/// The eight corners of an octagon that lies on a plane: the push of each of them is not unique.
 ToolContacts face()
 {
   std::vector<ToolContact> contacts;
@@ -66,7 +66,7 @@ Pose pressingHand(Random& random)
   return { p_W, turnBy(random.uniform(0.0, 0.5) * random.direction()) };
 }
 
-/// By how much the power of what rubs misses Coulomb's: a point that slides by v under a push p takes friction p |v|.
+/// By how much the power of friction misses Coulomb's: a point that slides by v under a push p takes friction p |v|.
 double powerMissed(const ToolPull& pull, const Vec6& wish, double friction)
 {
   const Vec6 motion = pull.pull_u + wish;
@@ -118,7 +118,7 @@ protected:
   {
     return { along_mm * this->along + Vec3(0, 0, halfOfRubbed_mm - pressedBy_mm), turnBy(Vec3(0, 0, spin_rad)) };
   }
-  /// What the plane pushes with, over the stiffness: it holds the cube at its rest gap.
+  /// The plane's push, over the stiffness: it holds the cube at its rest gap.
   [[nodiscard]] double push_mm() const { return pressedBy_mm + this->tool.restGap_u(); }
 
   double friction = GetParam();
@@ -129,7 +129,7 @@ protected:
 
 TEST_P(RubbedCube, StaysUntilItsPullLeansByTheAngleOfFrictionAndThenTrailsByIt)
 {
-  const double most_mm = this->friction * this->push_mm(); // tan of the angle times what presses
+  const double most_mm = this->friction * this->push_mm(); // tan of the angle times the push
   ASSERT_TRUE(settle(*this->move, this->pressed(0.999 * most_mm, 0.0)));
   EXPECT_LE(this->move->pose_W().p.head<2>().norm(), 1e-7);
   for (const double pull_mm : { 1.001 * most_mm, 2.0 * most_mm, 7.0 * most_mm })
@@ -139,7 +139,7 @@ TEST_P(RubbedCube, StaysUntilItsPullLeansByTheAngleOfFrictionAndThenTrailsByIt)
       (this->move->pose_W().p.head<2>() - (pull_mm - most_mm) * this->along.head<2>()).norm(), solved * most_mm);
     EXPECT_LE(rotationVector(this->move->pose_W().q).norm(), 1e-6) << "it neither tips nor turns";
   }
-  // Back again it stays until it is pulled the other way.
+  // Back again it stays until it is pulled in the opposite direction.
   const double rests_mm = 6.0 * most_mm;
   ASSERT_TRUE(settle(*this->move, this->pressed(rests_mm - 0.99 * most_mm, 0.0)));
   EXPECT_NEAR(this->move->pose_W().p.dot(this->along), rests_mm, solved * most_mm);

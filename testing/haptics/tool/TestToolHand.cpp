@@ -17,8 +17,8 @@ namespace
 constexpr double period_s = 1e-3;
 constexpr int subSteps = 20;
 
-/// A handle with the mass of a way and, times the lever's square, of a turn; led by a hand that is a spring with a
-/// damper. As ways of the lever turns are like ways, so that the limits of stiffness are those of a point.
+/// A handle with a mass for displacements and, times the lever's square, for turns; led by a hand that is a spring with
+/// a damper. In units of the lever turns are like displacements, so that the limits of stiffness are those of a point.
 class LedHandle
 {
 public:

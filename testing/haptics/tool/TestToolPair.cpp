@@ -48,7 +48,7 @@ TEST(ToolPair, PressedFaceToFaceEachGivesWayByTheOthersShareOfBothStiffnesses)
     ASSERT_EQ(pair.place(along(-halfOfPaired_mm - 1.0, halfOfPaired_mm + 1.0)), "");
     const ToolPair::Poses hands_W = along(-halfOfPaired_mm + 0.5 * pressed_mm, halfOfPaired_mm - 0.5 * pressed_mm);
     ASSERT_TRUE(rests(pair, hands_W)) << second_N_per_mm;
-    // Two springs in a row: together they give way by what the hands are too near, and by the rest gap.
+    // Two springs in a row: their compressions add up to the hands' overlap and the rest gap.
     const double between_mm = pressed_mm + cube.restGap_u();
     const double both_N_per_mm = first_N_per_mm * second_N_per_mm / (first_N_per_mm + second_N_per_mm);
     const double push_N = both_N_per_mm * between_mm;

@@ -129,7 +129,7 @@ TriangleMesh obstaclesOf(int kind, Random& random)
   }
 }
 
-/// Somewhere in the room, or near the tool.
+/// Somewhere in the workspace, or near the tool.
 Pose jump(const Pose& tool_W, Random& random)
 {
   const Pose far_W = randomPose(random, room_mm);
@@ -155,7 +155,7 @@ PullOfContacts pullOf(const ToolMove& move, const Pose& hand_W)
   return { (wish + pull).norm() / wish.norm(), pull.norm() / wish.norm(), -pull.dot(wish) / wish.squaredNorm() };
 }
 
-/// What became of a tool at hands that jump and move on from there by little.
+/// Counts of a tool at hands that jump and move on from there by little.
 struct RestRun
 {
   std::size_t states = 0, settled = 0, judged = 0, pressed = 0;
@@ -206,7 +206,7 @@ public:
 
 private:
   /// Updates until it rests. An update that says so has contacts that give the force of its pose. After any other the
-  /// tool is on its way: the contacts allow it to stay, so the nearest motion that they allow lies within the ball over
+  /// tool still moves: the contacts allow it to stay, so the nearest motion that they allow lies within the ball over
   /// the spring, and the pull is no longer than the spring and not towards the hand.
   void settle(const Pose& hand_W)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tool in the tick: what of its contacts reaches the hand.
+// A tool in the tick: the effect of its contacts on the hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,10 +33,10 @@ protected:
     nowhere.held = true;
     nowhere.revision = ++this->revision_;
     this->tick(nowhere, { Vec3(0, 0, 0.03), Quat::Identity() });
-    this->state_.toolSet = {}; // as if it had lain there all the time: what comes next is no step
+    this->state_.toolSet = {}; // as if it had lain there all the time: the next set is no step
   }
 
-  /// What the cube touches once it has gone to that hand.
+  /// The cube's contacts once it has gone to that hand.
   ToolContacts settled(const Pose& hand)
   {
     EXPECT_TRUE(settle(*this->move_, hand));

@@ -15,7 +15,7 @@ constexpr double degree_rad = std::numbers::pi / 180.0;
 /// Work that no update of these tests uses up.
 constexpr std::uint64_t plenty = 1u << 24;
 
-/// A tool in a scene, with the judge of all its ways.
+/// A tool in a scene, with the judge of all its paths.
 struct JudgedTool
 {
   JudgedTool(const TriangleMesh& toolMesh, const TriangleMesh& sceneMesh, int inside)

@@ -57,7 +57,7 @@ private:
   /// true while the ball has further to go.
   bool sweepTo(Vec3& goal)
   {
-    constexpr double little = 1e-6; // mm: less is no way in single precision
+    constexpr double little = 1e-6; // mm: less is no displacement in single precision
     if ((goal - this->x_).norm() <= little)
     {
       return false;

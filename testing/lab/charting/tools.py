@@ -3,11 +3,11 @@
 
 from .style import line, looks, pyplot
 
-NOTHING = 1e-3  # N: what is less is drawn at the edge
+NOTHING = 1e-3  # N: less is drawn at the edge
 
 
 def draw_between(drag, stability):
-    """What a slide drags with, what a tick jumps by, and the stiffest turn against the rate."""
+    """The drag on a slide, the step of a tick, and the stiffest turn against the rate."""
     style = looks(row.method for row in drag)
     figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(13, 4))
     for method, look in style.items():

@@ -22,7 +22,7 @@ namespace closed_loop_experiment
 
 constexpr double K = 1000.0, pi = std::numbers::pi; // N/m; scenes in metres
 
-/// A loop of so many steps, sampled: in and out of every wall of a room of 50 mm each way, up to 15 mm deep.
+/// A loop of so many steps, sampled: in and out of every wall of a box of 50 mm along each axis, up to 15 mm deep.
 std::vector<Vec3> lissajous(int steps)
 {
   std::vector<Vec3> path_W;

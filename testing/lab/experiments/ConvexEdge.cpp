@@ -35,7 +35,7 @@ Vec3 truth_N(double x_m, double radius_m)
 struct Passage
 {
   double late_m = 0.0;  ///< how far past the edge the device was when the top let go
-  int lateTicks = 0;    ///< ticks past the edge in which the top still held
+  int lateTicks = 0;    ///< ticks past the edge in which the top still pushed
   double worst_N = 0.0; ///< largest force error
   double largestStep_N = 0.0;
   Vec3 last_N = Vec3::Zero();

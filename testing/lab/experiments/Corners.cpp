@@ -21,7 +21,7 @@ namespace corners_experiment
 
 constexpr double stiffness_N_per_m = 1000.0;
 
-/// Ticks until the proxy is within `near_m` of where it must rest, the device held there from the first tick on.
+/// Ticks until the proxy is within `near_m` of where it must rest, the device there from the first tick on.
 int ticksToRest(const World& world, const std::string& name, const test::Corner& corner, double near_m)
 {
   constexpr int most = 100;

@@ -34,7 +34,7 @@ double criticalOf(const Radius& radius)
   return low;
 }
 
-/// Touched through a spring by a device that is held: first the speed, then the place by it.
+/// Touched through a spring by a device that stays in place: first the speed, then the place by it.
 double semiImplicitRadius(const Object& o, double contact)
 {
   const double a = o.step_s * (o.stiffness_N_per_m + contact) / o.mass_kg;

@@ -59,7 +59,7 @@ Method mapped(const FieldBlock& brick, double level)
   };
 }
 
-/// A proxy that looks for the surface at every half cell of its way, and goes on along the tangent plane where it met
+/// A proxy that looks for the surface at every half cell of its path, and goes on along the tangent plane where it met
 /// it: Salisbury and Tarr, ASME DSC 61, 1997.
 Method halfCells(const FieldBlock& brick, double level)
 {
@@ -119,7 +119,7 @@ Method triangles(const Scalar& function, double level)
   };
 }
 
-/// A way of the hand, and the force that is true at each of its places.
+/// A path of the hand, and the force that is true at each of its places.
 struct Play
 {
   std::string name;
@@ -134,7 +134,7 @@ struct Limits
 };
 constexpr double felt = 1.0; ///< JND
 
-/// The largest error in units of what a hand can feel, and what a tick costs; a force that is gone went through.
+/// The largest error in steps that a hand can feel, and the cost of a tick; a force that is gone went through.
 void judge(const Play& play, const char* name, const Method& method, const Limits& limits, Table& table)
 {
   double error = 0.0;
@@ -203,7 +203,7 @@ double layer(const Vec3& i)
   return i.z() == 24.0 ? -1.0 : 0.0;
 }
 
-/// The hand goes 5 mm into that sheet from above: it is held at the upper side.
+/// The hand goes 5 mm into that sheet from above: it is stopped at the upper side.
 Play sheetPlay(const char* name, double level, int ticks)
 {
   constexpr double deepest = 5.0;

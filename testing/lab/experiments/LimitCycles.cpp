@@ -25,7 +25,7 @@ constexpr bool rests[6][7] = { { false, false, false, false, false, false, false
   { false, false, true, true, true, true, true }, { false, true, true, true, true, true, true },
   { false, true, true, true, true, true, true } };
 
-/// The cell that tips over with the way friction is integrated.
+/// The cell whose verdict depends on the integration of friction.
 bool onTheEdge(double damping, double friction)
 {
   return damping == 0.25 && friction == 0.5;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows 65 and 66: a needle as a lever in a wall and an organ, and its way in and out. An object that moves, touched
+// Rows 65 and 66: a needle as a lever in a wall and an organ, and its path in and out. An object that moves, touched
 // through a spring or by a force that is held for it: direct-coupling.
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ void judgeLever(Table& table)
   {
     const std::string name = caseName({ { "turning", turning_Nm } });
     const Lever lever{ turning_Nm };
-    // A tick takes what only balance holds by the small turns from where it was.
+    // A turn that only balance holds is taken as small in a tick.
     const Two truth = turning_Nm > 0.0 ? lever.forceOfTurn_N(hand_m) : lever.forceByEnergy_N(hand_m);
     const Two ours = forceByMechanism_N(lever);
     table.within({ name, whole, "force of the wall", "N" }, ours[0], truth[0], 1e-9);
@@ -102,7 +102,7 @@ private:
   double before_m_ = 0.0;
 };
 
-/// Of a tick that a chart shows: sixty each way, and the one of the puncture.
+/// Of a tick that a chart shows: sixty in each direction, and the one of the puncture.
 void drawn(Table& table, double hand, bool back, const MechanismResult& r)
 {
   const std::string name = caseName({ { "hand_mm", 1e3 * hand }, { "back", back ? 1.0 : 0.0 } });

@@ -86,7 +86,7 @@ void judgeCorridor(double rate_Hz, Table& table)
     thrown(speed_m_per_s, rate_Hz, Closed::ByHost).reach_m / halfWidth_m, 2.0);
 }
 
-/// A hand 10 mm behind a line when its wall is first held: the largest step of the force.
+/// A hand 10 mm behind a line when its wall first stands: the largest step of the force.
 double largestStep(double maxRise_N_per_s, double every_s)
 {
   const auto scene = test::sceneOf(raiseWalls({ { { -0.04, 0 }, { 0.04, 0 } }, { { 0, 1 } } }, 0.01));

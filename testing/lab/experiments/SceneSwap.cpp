@@ -67,7 +67,7 @@ std::vector<Pair> pairs()
 /// The outcome of a minute of swaps.
 struct Felt
 {
-  int falls = 0;       ///< ticks in which the proxy was not held in front of the surface
+  int falls = 0;       ///< ticks in which the proxy was not in front of the surface
   double step_N = 0.0; ///< largest change of the force from one tick to the next
   std::uint64_t allocations = 0, frees = 0, locks = 0;
 };

@@ -26,7 +26,7 @@ struct Rest
   int corridor = 0; ///< the one whose middle is nearest
 };
 
-/// The wall held at the edge that `edge` chooses from the place of the handle; its normal points back or on.
+/// The device's wall at the edge that `edge` chooses from the place of the handle; its normal points back or on.
 template<class Edge>
 Rest press(const Press& how, double width_m, Edge edge)
 {
@@ -104,7 +104,7 @@ void judgeZoom(const Press& how, double share, Table& table)
   constexpr double above = 1.001;
   table.within({ name, "nearest side, enlarged", "corridors lost" },
     press(how, above * zoom * width_m, nearestSide).corridor, 0, 0);
-  // Held by the virtual location the wall stands, but the hand is as deep as before: the feature blurs.
+  // With the virtual location the wall stands, but the hand is as deep as before: the feature blurs.
   const Rest held = press(how, width_m, sideItCameFrom);
   const double deep_m = how.force_N / how.stiffness_N_per_m;
   table.within({ name, "virtual location", "depth of the hand", "m" }, held.place_m - width_m / 2, deep_m, 1e-6);

@@ -89,7 +89,7 @@ private:
   Vec2 location_m_ = Vec2::Zero();
 };
 
-/// A path to the handle's last place, from within the room.
+/// A path to the handle's last place, from within the box.
 struct Way
 {
   const char* name;
@@ -120,7 +120,7 @@ Vec2 along(const Way& way, double share)
   return way.points_m[leg] + (at - static_cast<double>(leg)) * (way.points_m[leg + 1] - way.points_m[leg]);
 }
 
-/// Where the virtual location is: the nearest place of the room.
+/// Where the virtual location is: the nearest place of the box.
 Vec2 heldAt(const Vec2& p_m)
 {
   return p_m.cwiseMin(0.0);

@@ -59,7 +59,7 @@ double work_J(SimulatedDevice& device, double host_s, int updates)
   return 0.5 * heavy_kg * (std::fabs(after_m_per_s) - speed_m_per_s) * (std::fabs(after_m_per_s) + speed_m_per_s);
 }
 
-/// More than a true wall lets it have on the way in, where the host looks a share of its period after the hand is in.
+/// More than a true wall allows on the inward path, where the host looks a share of its period after the hand is in.
 double given_J(double host_s, double share)
 {
   const double step_m = speed_m_per_s * host_s;
@@ -69,7 +69,7 @@ double given_J(double host_s, double share)
   return got_J + 0.5 * K * deep_m * deep_m;
 }
 
-/// Less than a true wall gives it on the way out.
+/// Less than a true wall gives it on the outward path.
 double taken_J(double host_s, double share)
 {
   const double from_m = -(behind - share) * speed_m_per_s * host_s;

@@ -45,16 +45,16 @@ double deepest_mm(const ToolScene& scene, const Pose& at_W)
   return most;
 }
 
-/// Error of the force of a virtual coupling, in units of what a hand can feel. Force is the coupling's stiffness times
-/// the way from the hand to the tool, so stiffness cancels. A hand that is drawn by less than 1 mm is counted as drawn
-/// by that: where nothing is to be felt the error is the force itself.
+/// Error of the force of a virtual coupling, in steps that a hand can feel. Force is the coupling's stiffness times the
+/// displacement from the hand to the tool, so stiffness cancels. A hand that is drawn by less than 1 mm is counted as
+/// drawn by that: where nothing is to be felt the error is the force itself.
 double errorOf_JND(const ToolScene& scene, const Pose& hand_W, double error_mm)
 {
   constexpr double felt = 0.07, least_mm = 1.0;
   return error_mm / (felt * std::max(least_mm, farthest_mm(scene, hand_W)));
 }
 
-/// Ways a tool can end that no hand takes for the right one.
+/// Results of a tool that no hand takes for the right one.
 Outcome outcomeOf(double error_JND, double inside_mm)
 {
   constexpr double through_mm = 0.5;

@@ -19,7 +19,7 @@ struct MethodTick
   Vec3 force_u = Vec3::Zero(); ///< force per unit of stiffness [u]; proxy - device for a god-object
 };
 
-/// A way to turn a device point into a force, one call a tick.
+/// A method that turns a device point into a force, one call a tick.
 class ContactMethod
 {
 public:

@@ -16,9 +16,9 @@ inline constexpr double gap_u = 1e-6;
 [[nodiscard]] std::unique_ptr<ContactMethod> makeHalfSpaces(const World& world);
 /// A god-object that meets at most one new plane a tick and stops there.
 [[nodiscard]] std::unique_ptr<ContactMethod> makeOneConstraint(const World& world);
-/// A god-object whose goal is found by projecting on the plane in the way, then the next one, at most 16 times.
+/// A god-object whose goal is found by projecting on the plane that is met, then the next one, at most 16 times.
 [[nodiscard]] std::unique_ptr<ContactMethod> makeAlternating(const World& world);
-/// A point that goes to the plane between it and the device: the way along that plane is not looked at.
+/// A point that goes to the plane between it and the device: the path along that plane is not looked at.
 [[nodiscard]] std::unique_ptr<ContactMethod> makePointWithoutSide(const World& world);
 /// The loop of Ruspini, Kolarov & Khatib 1997 in its printed form: planes are carried over from tick to tick.
 [[nodiscard]] std::unique_ptr<ContactMethod> makeTextbookLoop(const World& world);

@@ -146,7 +146,7 @@ TouchScene sphere(test::Random& random)
     { halfSpaces, textbookLoop, onEmbree, held } };
 }
 
-/// Thrown at the back of a sheet at 10 m/s, held behind it for 25 ticks, let go for 25.
+/// Thrown at the back of a sheet at 10 m/s, kept behind it for 25 ticks, let go for 25.
 TouchScene fastSheet(test::Random& random)
 {
   const auto device = [](int tick, double r_u)

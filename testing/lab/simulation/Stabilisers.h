@@ -11,7 +11,7 @@
 namespace palpate::lab
 {
 
-/// A method to keep a held wall from shaking, with its linear theory.
+/// A method to keep a sampled wall from shaking, with its linear theory.
 struct Stabiliser
 {
   std::string name;

@@ -106,7 +106,7 @@ std::vector<SurfacePoint> pointsOf(const ToolBody& body, double size_mm)
 }
 
 /// Each point in a voxel of the scene's surface is pushed to behind the plane through the voxel's middle along its own
-/// normal; deeper inside there is nothing that knows a way out.
+/// normal; deeper inside no direction outwards is known.
 class VoxelTool final : public SampledTool
 {
 public:
@@ -162,7 +162,7 @@ private:
   std::vector<SurfacePoint> points_;
 };
 
-/// Corners of either body in the other, pushed the shortest way out.
+/// Corners of either body in the other, pushed along the shortest path out.
 class PenaltyTool final : public SampledTool
 {
 public:

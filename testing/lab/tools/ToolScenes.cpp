@@ -105,7 +105,7 @@ ToolScene tippedCube()
   return scene;
 }
 
-/// The hand ends within the clearance, so that the peg can be where it is; on its way it wobbles, as hands do.
+/// The hand ends within the clearance, so that the peg can be where it is; on its path it wobbles, as hands do.
 ToolScene peg()
 {
   constexpr double half = 10.0, clearance = 0.1;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A rigid ball without friction in the middle of an elastic cylinder that is held below and free at its side: finite
+"""A rigid ball without friction in the middle of an elastic cylinder that is fixed below and free at its side: finite
 elements, which share nothing with the integral equation of BallOnLayer.h. Small strain, SI units."""
 
 import numpy as np

@@ -54,7 +54,7 @@ private:
   void settle(const Eigen::VectorXd& load_N, Eigen::VectorXd& u) const;
 
   std::vector<Tetrahedron> tetrahedra_;
-  std::vector<int> number_; ///< of each of three numbers a node among the free ones; -1: held
+  std::vector<int> number_; ///< of each of three numbers a node among the free ones; -1: fixed
   int free_ = 0;
   double mu_ = 0.0, lambda_ = 0.0, alpha_ = 1.0;
 };

@@ -51,7 +51,7 @@ private:
   [[nodiscard]] int middleOf(int a, int b);
   /// Of a tetrahedron, three rows a node.
   [[nodiscard]] Eigen::Matrix<double, 30, 30> stiffnessOf(std::size_t tetrahedron) const;
-  /// Adds the lower triangle of a tetrahedron's stiffness at the rows that `number` gives its nodes; -1: it is held.
+  /// Adds the lower triangle of a tetrahedron's stiffness at the rows that `number` gives its nodes; -1: it is fixed.
   void assemble(
     std::size_t tetrahedron, const std::vector<int>& number, std::vector<Eigen::Triplet<double>>& entries) const;
 

@@ -71,7 +71,7 @@ class Baseline:
     path: np.ndarray  # (n, 4): t, x, y, z [s, scene units]
     force_N: np.ndarray  # (n, 3)
     coverage: Coverage = None  # of the surface; None: it has no faces, or a field is felt
-    knows_pieces: bool = True  # False: it was written before baselines held the pieces of a surface
+    knows_pieces: bool = True  # False: it was written before baselines had the pieces of a surface
 
     @classmethod
     def of(cls, file, scene, touch, felt, surface):

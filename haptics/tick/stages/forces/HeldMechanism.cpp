@@ -12,7 +12,7 @@ namespace palpate::stage
 namespace
 {
 
-/// The hand's target pose of the held body: turned as the hand is when it takes the body. After a clutch, and in
+/// The hand's target pose of the body in it: turned as the hand is when it takes the body. After a clutch, and in
 /// another map, the target starts at the body's turn then.
 Pose lead_W(TickContext& tick) noexcept
 {
