@@ -212,7 +212,10 @@ std::optional<JointVector> Arm::inverse(const Vec3& p_D, const JointVector& near
       return inverseOf(geometry, p);
     }
   };
-  return this->checked(std::visit(solve, this->plan_.geometry));
+  const std::optional<JointVector> q = this->checked(std::visit(solve, this->plan_.geometry));
+  // Legs that reach a place may close elsewhere: on the other side of their elbows.
+  const std::optional<Pose> closed = q ? this->forward(*q) : std::nullopt;
+  return closed && (closed->p - p_D).norm() <= 1e-9 ? q : std::nullopt;
 }
 
 std::optional<JointVector> Arm::inverse(const Pose& tip_D, const JointVector& near) const noexcept

@@ -16,6 +16,14 @@ namespace palpate
 /// way.
 [[nodiscard]] JointVector gravityTorqueOf(const Arm& arm, const JointVector& q) noexcept;
 
+/// Torque that the speeds of the joints [rad/s] make by themselves, for the inertia is another in every posture:
+/// grad(q' M q') / 2 - M' q'. Slopes of M by differences.
+[[nodiscard]] JointVector velocityTorqueOf(const Arm& arm, const JointVector& q, const JointVector& rate) noexcept;
+
+/// Torque of the motors that a command becomes, with the arm where its encoders show it: gravity is held, and the force on
+/// the hand faded (Arm::forceFade), the whole cut to what every motor can give, in whole steps.
+[[nodiscard]] JointVector motorCommandOf(const Arm& arm, const JointVector& shown, const Wrench& wrench_D) noexcept;
+
 /// Potential energy [J]; 0 at the origin of D.
 [[nodiscard]] double heightEnergyOf(const Arm& arm, const JointVector& q) noexcept;
 

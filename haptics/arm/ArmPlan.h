@@ -67,13 +67,15 @@ struct ArmJoint
   std::int32_t calibrated = 0;  ///< count in the pose of calibration
   bool hasMotor = true;
   double maxTorque_Nm = std::numeric_limits<double>::infinity(); ///< of the motor
+  double torqueStep_Nm = 0.0; ///< of the motor's command; 0: any torque
   double torqueConstant_Nm_per_A = 0.0;                          ///< of the motor; 0: unknown
   double rotor_kg_m2 = 0.0;                                      ///< of the motor
   double damping_Nms = 0.0, friction_Nm = 0.0;                   ///< at the joint
 };
 
 /// A mass on a link: a point, or a thin even rod from one point of the link to another. On the links of a delta, of a
-/// five-bar and of WoodenHaptics x counts along the link, from the joint nearer to the base.
+/// five-bar and of WoodenHaptics x counts along the link, from the joint nearer to the base; a forearm with hinges
+/// apart is as long as both together.
 struct ArmMass
 {
   double mass_kg = 0.0;

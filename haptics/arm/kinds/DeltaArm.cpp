@@ -159,7 +159,7 @@ LinkPoint linkPointOf(
   base.p = arm.base_m * leg.out - arm.offset_m * leg.across;
   base.jacobian = PointJacobian::Zero(3, 3);
   end.p += arm.platform_m * leg.out;
-  const double forearm_m = (end.p - elbow.p).norm();
+  const double forearm_m = arm.forearm_m + arm.hinge_m;
   return link <= 3 ? between(base, elbow, at.x() / arm.arm_m) : between(elbow, end, at.x() / forearm_m);
 }
 
