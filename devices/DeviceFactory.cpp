@@ -63,10 +63,13 @@ std::vector<Kind> builtIn()
         return MadeDevice{ FedDevice::mouse(), "" };
       } },
   };
-  for (const DeviceModel& model : deviceModels())
+  for (const std::vector<DeviceModel>* models : { &deviceModels(), &armModels() })
   {
-    all.push_back({ model.name, "a simulated hand on " + model.what,
-      [&model](const DeviceOptions& options) { return makeSimulated(model, options); }, "", false, true, true });
+    for (const DeviceModel& model : *models)
+    {
+      all.push_back({ model.name, "a simulated hand on " + model.what,
+        [&model](const DeviceOptions& options) { return makeSimulated(model, options); }, "", false, true, true });
+    }
   }
   all.push_back({ "replay", "the hand of a recording", [](const DeviceOptions& o) {
                    return MadeDevice{ std::make_unique<ReplayDevice>(o.recordingFile), "" };

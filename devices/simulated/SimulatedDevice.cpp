@@ -35,6 +35,10 @@ SimulatedDevice::SimulatedDevice(DeviceModel model, HandModel hand, HandPath pat
   {
     this->turning_.emplace(this->model_.turning, this->hand_.turning, options.period_s);
   }
+  if (this->model_.arm)
+  {
+    this->arm_.emplace(*this->model_.arm, this->hand_, options.period_s);
+  }
 }
 
 std::string SimulatedDevice::refusal() const
@@ -92,6 +96,10 @@ std::string SimulatedDevice::open()
   if (this->turning_)
   {
     this->turning_->begin(Quat::Identity());
+  }
+  if (this->arm_ && !this->arm_->begin(this->position_D(), this->speed_D()))
+  {
+    return "the simulated hand's path begins out of the reach of the arm";
   }
   this->commands_.fill(DeviceCommand{});
   this->link_ = SerialLink(this->model_.link_B_per_s);
@@ -227,9 +235,21 @@ void SimulatedDevice::advance() noexcept
   const auto [before, after] = this->ledAlong();
   const Vec3 led = this->hand_.stiffness_N_per_m * after.p + this->hand_.damping_Ns_per_m / T * (after.p - before.p);
   const DeviceCommand command = this->link_.carry(this->due(), this->time_s_);
-  for (int pass = 0; pass < this->parts_; ++pass)
+  if (this->arm_)
   {
-    this->move(led + this->options_.push_D + this->motorForce(command));
+    this->arm_->step(led + this->options_.push_D, { this->motorForce(command), Vec3::Zero() });
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const auto i = static_cast<Eigen::Index>(axis);
+      this->axes_[axis] = { this->arm_->position_D()[i], this->arm_->speed_D()[i] };
+    }
+  }
+  else
+  {
+    for (int pass = 0; pass < this->parts_; ++pass)
+    {
+      this->move(led + this->options_.push_D + this->motorForce(command));
+    }
   }
   if (this->turning_)
   {
@@ -240,6 +260,10 @@ void SimulatedDevice::advance() noexcept
 
 Vec3 SimulatedDevice::shown_D() const noexcept
 {
+  if (this->arm_)
+  {
+    return this->arm_->shown_D();
+  }
   const double step = this->model_.encoderStep_m;
   return step > 0.0 ? Vec3((this->position_D() / step).array().floor() * step) : this->position_D();
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "devices/common/Condition.h"
+#include "devices/simulated/ArmPlant.h"
 #include "devices/simulated/DeviceModels.h"
 #include "devices/simulated/FrictionPlant.h"
 #include "devices/simulated/SerialLink.h"
@@ -69,6 +70,8 @@ public:
   /// The true state, which an encoder does not show [m, m/s].
   [[nodiscard]] Vec3 position_D() const noexcept;
   [[nodiscard]] Vec3 speed_D() const noexcept;
+  /// Nothing: what moves is the same along every axis.
+  [[nodiscard]] const std::optional<ArmPlant>& arm() const noexcept { return this->arm_; }
   /// Nothing: it does not turn.
   [[nodiscard]] const std::optional<TurningPart>& turning() const noexcept { return this->turning_; }
 
@@ -100,6 +103,7 @@ private:
   Pose reached_D_;                     ///< and led it in the period before
   bool led_ = false;                   ///< by a program
   std::optional<TurningPart> turning_; ///< none: it does not turn
+  std::optional<ArmPlant> arm_;        ///< what moves, where it is more than the mass of axes_
   std::array<FrictionPlant::State, 3> axes_;
   std::array<DeviceCommand, SimulationOptions::longestDelay_ticks + 1> commands_; ///< of the last periods
   int newest_ = 0;
