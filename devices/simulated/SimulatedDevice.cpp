@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "devices/common/BareSprings.h"
-#include "haptics/tool/motion/Turn.h"
 
 namespace palpate
 {
@@ -43,22 +42,10 @@ SimulatedDevice::SimulatedDevice(DeviceModel model, HandModel hand, HandPath pat
 
 std::string SimulatedDevice::refusal() const
 {
-  if (this->path_.points_D.empty())
+  std::string path = this->path_.refusal();
+  if (!path.empty())
   {
-    return "the simulated hand has no path: set a stroke with at least one point";
-  }
-  if (!std::all_of(
-        this->path_.points_D.begin(), this->path_.points_D.end(), [](const Vec3& p) { return p.allFinite(); }))
-  {
-    return "the simulated hand's stroke has a point that is not finite";
-  }
-  if (!this->path_.turn_D.allFinite())
-  {
-    return "the simulated hand's rotation [rad] is not finite";
-  }
-  if (!(this->path_.speed_m_per_s > 0.0))
-  {
-    return "the simulated hand's speed [m/s] must be above zero";
+    return path;
   }
   if (!(this->options_.period_s > 0.0))
   {
@@ -78,16 +65,9 @@ std::string SimulatedDevice::open()
   {
     return problem;
   }
-  this->reached_m_.assign(1, 0.0);
-  for (std::size_t i = 1; i < this->path_.points_D.size(); ++i)
-  {
-    this->reached_m_.push_back(
-      this->reached_m_.back() + (this->path_.points_D[i] - this->path_.points_D[i - 1]).norm());
-  }
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->axes_[static_cast<std::size_t>(axis)] = { this->path_.points_D.front()[axis],
-      this->options_.velocity_D[axis] };
+    this->axes_[static_cast<std::size_t>(axis)] = { this->path_.start_D()[axis], this->options_.velocity_D[axis] };
   }
   if (this->model_.planar)
   {
@@ -107,38 +87,16 @@ std::string SimulatedDevice::open()
   return {};
 }
 
-Pose SimulatedDevice::led_D(double time_s) const noexcept
-{
-  const double length = this->reached_m_.back();
-  double along = this->path_.speed_m_per_s * time_s;
-  if (this->path_.loops && length > 0.0)
-  {
-    const double turns = along / (2 * length);
-    along = (turns - static_cast<double>(static_cast<std::int64_t>(turns))) * 2 * length;
-    along = along > length ? 2 * length - along : along;
-  }
-  const double whole = length > 0.0 ? std::min(1.0, along / length) : 0.0;
-  const Quat turn_D = turnBy(whole * this->path_.turn_D);
-  const auto next = std::upper_bound(this->reached_m_.begin(), this->reached_m_.end(), along);
-  if (next == this->reached_m_.end())
-  {
-    return { this->path_.points_D.back(), turn_D };
-  }
-  const auto i = static_cast<std::size_t>(next - this->reached_m_.begin());
-  const double share = (along - this->reached_m_[i - 1]) / (this->reached_m_[i] - this->reached_m_[i - 1]);
-  return { this->path_.points_D[i - 1] + share * (this->path_.points_D[i] - this->path_.points_D[i - 1]), turn_D };
-}
-
 void SimulatedDevice::lead(const Vec3& target_D) noexcept
 {
-  this->lead(Pose{ target_D, this->led_ ? this->programmed_D_.q : this->led_D(this->time_s_).q });
+  this->lead(Pose{ target_D, this->led_ ? this->programmed_D_.q : this->path_.at_D(this->time_s_).q });
 }
 
 void SimulatedDevice::lead(const Pose& target_D) noexcept
 {
   if (!this->led_)
   {
-    this->reached_D_ = this->led_D(this->time_s_);
+    this->reached_D_ = this->path_.at_D(this->time_s_);
   }
   this->led_ = true;
   this->programmed_D_ = target_D;
@@ -148,7 +106,7 @@ std::pair<Pose, Pose> SimulatedDevice::ledAlong() noexcept
 {
   if (!this->led_)
   {
-    return { this->led_D(this->time_s_), this->led_D(this->time_s_ + this->options_.period_s) };
+    return { this->path_.at_D(this->time_s_), this->path_.at_D(this->time_s_ + this->options_.period_s) };
   }
   return { std::exchange(this->reached_D_, this->programmed_D_), this->programmed_D_ };
 }

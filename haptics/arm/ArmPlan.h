@@ -79,7 +79,7 @@ struct ArmJoint
 struct ArmMass
 {
   double mass_kg = 0.0;
-  int link = 0; ///< from 1; which ones there are is said where its kind moves (kinds/)
+  int link = 0; ///< from 1; which ones there are is said in the header of its kind
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
 };
 

@@ -10,6 +10,7 @@ namespace palpate::lab
 void runWallStability(const Conditions& conditions, Table& table);
 void runStabilityAtlas(const Conditions& conditions, Table& table);
 void runEnergyLeak(const Conditions& conditions, Table& table);
+void runAdmittance(const Conditions& conditions, Table& table);
 void runArms(const Conditions& conditions, Table& table);
 void runBounce(const Conditions& conditions, Table& table);
 void runLimitCycles(const Conditions& conditions, Table& table);

@@ -182,7 +182,8 @@ TEST(Arm, MovesAJointWithTheOneThatItFollows)
   // Work is the same at the joints and at the motors.
   JointVector torque = JointVector::Constant(2, 0.7);
   torque[1] = -0.2;
-  EXPECT_NEAR(arm.motorTorqueOf(torque).dot(turns), torque.dot(q), 1e-15);
+  const JointVector motors = arm.motorTorqueOf(torque);
+  EXPECT_NEAR(motors[0] * turns[0] + motors[1] * turns[1], torque[0] * q[0] + torque[1] * q[1], 1e-15);
 }
 
 TEST(Arm, LetsItsForceFadeBeforeAnEndAndBeforeASingularity)
