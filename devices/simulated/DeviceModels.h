@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "haptics/arm/ArmPlan.h"
 #include "haptics/core/DeviceInfo.h"
 
 namespace palpate
 {
+
+struct ArmPlan;
 
 /// Where the numbers of a model come from.
 enum class Provenance : std::uint8_t

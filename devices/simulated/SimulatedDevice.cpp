@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "devices/common/BareSprings.h"
+#include "devices/simulated/ArmPlant.h"
 
 namespace palpate
 {
@@ -36,9 +37,11 @@ SimulatedDevice::SimulatedDevice(DeviceModel model, HandModel hand, HandPath pat
   }
   if (this->model_.arm)
   {
-    this->arm_.emplace(*this->model_.arm, this->hand_, options.period_s);
+    this->arm_ = std::make_unique<ArmPlant>(*this->model_.arm, this->hand_, options.period_s);
   }
 }
+
+SimulatedDevice::~SimulatedDevice() = default;
 
 std::string SimulatedDevice::refusal() const
 {

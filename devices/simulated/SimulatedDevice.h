@@ -2,13 +2,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "devices/common/Condition.h"
-#include "devices/simulated/ArmPlant.h"
 #include "devices/simulated/DeviceModels.h"
 #include "devices/simulated/FrictionPlant.h"
 #include "devices/simulated/LedPath.h"
@@ -18,6 +18,8 @@
 
 namespace palpate
 {
+
+class ArmPlant;
 
 /// How a simulated device is run.
 struct SimulationOptions
@@ -41,6 +43,8 @@ public:
   /// Without a hand (its stiffness, damping and mass are zero) the path is only where the device starts.
   SimulatedDevice(DeviceModel model, HandModel hand, HandPath path, const SimulationOptions& options = {});
 
+  ~SimulatedDevice() override;
+
   [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
   /// Needs at least one point, all finite, a positive speed, a period and a delay within their limits.
   [[nodiscard]] std::string open() override;
@@ -62,8 +66,6 @@ public:
   /// The true state, which an encoder does not show [m, m/s].
   [[nodiscard]] Vec3 position_D() const noexcept;
   [[nodiscard]] Vec3 speed_D() const noexcept;
-  /// Nothing: what moves is the same along every axis.
-  [[nodiscard]] const std::optional<ArmPlant>& arm() const noexcept { return this->arm_; }
   /// Nothing: it does not turn.
   [[nodiscard]] const std::optional<TurningPart>& turning() const noexcept { return this->turning_; }
 
@@ -93,7 +95,7 @@ private:
   Pose reached_D_;                     ///< and led it in the period before
   bool led_ = false;                   ///< by a program
   std::optional<TurningPart> turning_; ///< none: it does not turn
-  std::optional<ArmPlant> arm_;        ///< what moves, where it is more than the mass of axes_
+  std::unique_ptr<ArmPlant> arm_;      ///< what moves, where it is more than the mass of axes_
   std::array<FrictionPlant::State, 3> axes_;
   std::array<DeviceCommand, SimulationOptions::longestDelay_ticks + 1> commands_; ///< of the last periods
   int newest_ = 0;

@@ -150,8 +150,26 @@ void judgeWall(const std::string& name, const Vec3& aside_D, Table& table)
     std::sqrt(low * high), formula, 0.05 * formula);
 }
 
-/// The Jacobian of libnifalcon has sin(theta2)^2 in place of sin(theta2) sin(theta3) in its third column: rows are
-/// speeds of joints over the speed of the tip, so that the force a hand gets is J^T (J_wrong^-T F).
+/// Speeds of the joints over the speed of the tip as libnifalcon has them: sin(theta2)^2 in place of
+/// sin(theta2) sin(theta3) in the third column.
+Mat3 librarysSpeeds(const DeltaGeometry& delta, const JointVector& q, const Vec3& p, const Mat3& right)
+{
+  Mat3 wrong = right;
+  for (int leg = 0; leg < 3; ++leg)
+  {
+    // theta3 between the rod and the leg's across axis; theta2 of the rod in the leg's plane.
+    const double c = std::cos(delta.legs_rad[static_cast<std::size_t>(leg)]);
+    const double s = std::sin(delta.legs_rad[static_cast<std::size_t>(leg)]);
+    const double v = -p.x() * s + p.y() * c + delta.offset_m;
+    const double sin3 = std::sqrt(1.0 - std::pow(v / delta.forearm_m, 2));
+    const double length = delta.forearm_m * sin3 + delta.hinge_m;
+    const double sin2 = (p.z() - delta.arm_m * std::sin(q[leg])) / length;
+    wrong(leg, 2) *= sin2 / sin3;
+  }
+  return wrong;
+}
+
+/// A host with that matrix gives torques by its inverse transposed; a hand gets their force by the true one.
 void judgeWrongJacobian(Table& table)
 {
   const ArmPlan plan = knownArm("falcon").value;
@@ -170,18 +188,7 @@ void judgeWrongJacobian(Table& table)
     }
     const Mat3 J = arm.jacobian(*q).topRows<3>();
     const Mat3 right = J.inverse();
-    Mat3 wrong = right;
-    for (int leg = 0; leg < 3; ++leg)
-    {
-      // theta3 between the rod and the leg's across axis; theta2 of the rod in the leg's plane.
-      const double c = std::cos(delta.legs_rad[static_cast<std::size_t>(leg)]);
-      const double s = std::sin(delta.legs_rad[static_cast<std::size_t>(leg)]);
-      const double v = -p.x() * s + p.y() * c + delta.offset_m;
-      const double sin3 = std::sqrt(1.0 - std::pow(v / delta.forearm_m, 2));
-      const double length = delta.forearm_m * sin3 + delta.hinge_m;
-      const double sin2 = (p.z() - delta.arm_m * std::sin((*q)[leg])) / length;
-      wrong(leg, 2) *= sin2 / sin3;
-    }
+    const Mat3 wrong = librarysSpeeds(delta, *q, p, right);
     for (int direction = 0; direction < 200; ++direction)
     {
       const Vec3 F = random.direction();
