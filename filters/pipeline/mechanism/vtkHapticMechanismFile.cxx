@@ -9,15 +9,15 @@
 #include <iterator>
 
 #include "haptics/compliance/material/ElasticLaw.h"
+#include "haptics/core/JsonNode.h"
 #include "vtkHapticBodyFile.h"
 #include "vtkHapticJson.h"
-#include "vtkHapticJsonNode.h"
 #include "vtkHapticMechanismBodies.h"
 
 namespace
 {
 using Json = nlohmann::json;
-using Node = vtkHapticJsonNode;
+using Node = palpate::JsonNode<Json>;
 
 constexpr const char* Format = "palpate mechanism";
 constexpr int Version = 1;
@@ -26,7 +26,7 @@ constexpr std::uintmax_t MostBytes = 1 << 20; ///< of a scene file; bodies are f
 template<class Kind>
 Kind KindOf(const Node& node, std::initializer_list<Kind> kinds)
 {
-  const std::string name = node.Needed("kind");
+  const std::string name = node.needed("kind");
   std::string all;
   for (const Kind kind : kinds)
   {
@@ -36,29 +36,29 @@ Kind KindOf(const Node& node, std::initializer_list<Kind> kinds)
     }
     all += (all.empty() ? "" : ", ") + std::string(palpate::nameOf(kind));
   }
-  node.Fail("kind", "unknown kind \"" + name + "\"; valid kinds: " + all);
+  node.fail("kind", "unknown kind \"" + name + "\"; valid kinds: " + all);
 }
 
 vtkHapticSoftDescription SoftOf(const Node& node, double unit_m)
 {
   vtkHapticSoftDescription soft;
-  soft.File = node.Text("file", "");
-  soft.BoxSize_u = node.Vector("box", palpate::Vec3::Zero());
-  soft.BoxMiddle_W = node.Vector("at", palpate::Vec3::Zero());
-  soft.Edge_u = node.Size("edge");
-  soft.Fixed = node.Text("fixed", "");
-  soft.Material.Young_Pa = node.Number("young_Pa", soft.Material.Young_Pa);
-  soft.Material.Poisson = node.Number("poisson", soft.Material.Poisson);
+  soft.File = node.text("file", "");
+  soft.BoxSize_u = node.vector("box", palpate::Vec3::Zero());
+  soft.BoxMiddle_W = node.vector("at", palpate::Vec3::Zero());
+  soft.Edge_u = node.size("edge");
+  soft.Fixed = node.text("fixed", "");
+  soft.Material.Young_Pa = node.number("young_Pa", soft.Material.Young_Pa);
+  soft.Material.Poisson = node.number("poisson", soft.Material.Poisson);
   soft.Material.Unit_m = unit_m;
-  node.Accept("young_Pa", palpate::refuseModulus(soft.Material.Young_Pa));
-  const std::string model = node.Text("model", "linear");
+  node.accept("young_Pa", palpate::refuseModulus(soft.Material.Young_Pa));
+  const std::string model = node.text("model", "linear");
   if (!vtkHapticModelOf(model, soft.Material.Model))
   {
-    node.Fail("model", "unknown model \"" + model + "\"; valid models: linear, corotational, neohookean");
+    node.fail("model", "unknown model \"" + model + "\"; valid models: linear, corotational, neohookean");
   }
-  if (soft.File.empty() == !node.Has("box"))
+  if (soft.File.empty() == !node.has("box"))
   {
-    node.Fail("", "a soft body needs either a \"file\" or a \"box\"");
+    node.fail("", "a soft body needs either a \"file\" or a \"box\"");
   }
   return soft;
 }
@@ -67,32 +67,32 @@ palpate::MechanismBody BodyOf(const Node& node)
 {
   using enum palpate::MechanismBodyKind;
   palpate::MechanismBody body;
-  body.name = node.Name();
+  body.name = node.name();
   body.kind = KindOf(node, { Held, Rigid, Soft, World });
   switch (body.kind)
   {
     case Held:
-      node.Knows({ "name", "kind", "length", "diameter", "turn" });
+      node.knows({ "name", "kind", "length", "diameter", "turn" });
       break;
     case Rigid:
-      node.Knows({ "name", "kind", "half_size", "at", "turn", "load_N" });
+      node.knows({ "name", "kind", "half_size", "at", "turn", "load_N" });
       break;
     case Soft:
-      node.Knows(
+      node.knows(
         { "name", "kind", "file", "box", "at", "edge", "fixed", "young_Pa", "poisson", "model", "tip_diameter" });
       break;
     case World:
-      node.Knows({ "name", "kind" });
+      node.knows({ "name", "kind" });
       break;
   }
-  body.length_u = node.Number("length", 0.0);
-  body.diameter_u = node.Number("diameter", 0.0);
-  body.halfSize_u = node.Vector("half_size", palpate::Vec3::Zero());
-  body.load_W = node.Vector("load_N", palpate::Vec3::Zero());
-  body.pose_W.q = node.Turn("turn");
+  body.length_u = node.number("length", 0.0);
+  body.diameter_u = node.number("diameter", 0.0);
+  body.halfSize_u = node.vector("half_size", palpate::Vec3::Zero());
+  body.load_W = node.vector("load_N", palpate::Vec3::Zero());
+  body.pose_W.q = node.turn("turn");
   if (body.kind == Rigid)
   {
-    body.pose_W.p = node.Vector("at", palpate::Vec3::Zero());
+    body.pose_W.p = node.vector("at", palpate::Vec3::Zero());
   }
   return body;
 }
@@ -100,47 +100,38 @@ palpate::MechanismBody BodyOf(const Node& node)
 palpate::MechanismConstraint ConstraintOf(const Node& node, double unit_m)
 {
   using enum palpate::ConstraintKind;
-  node.Knows({ "name", "kind", "a", "b", "point_a", "point_b", "axis_a", "axis_b", "strength_N", "tear_N", "friction",
+  node.knows({ "name", "kind", "a", "b", "point_a", "point_b", "axis_a", "axis_b", "strength_N", "tear_N", "friction",
     "dry_friction_N", "stiffness_N_per_m", "rest", "least", "most" });
   palpate::MechanismConstraint law;
-  law.name = node.Name();
+  law.name = node.name();
   law.kind = KindOf(
     node, { Contact, Attachment, Hinge, Slider, Break, Friction, DryFriction, Spring, Limit, Puncture, Insertion });
-  if ((law.kind == Break || law.kind == Puncture) && !node.Has("strength_N"))
+  if ((law.kind == Break || law.kind == Puncture) && !node.has("strength_N"))
   {
-    node.Fail("strength_N",
+    node.fail("strength_N",
       "this key is missing: set the force [N] at which the constraint breaks or the surface is punctured");
   }
-  law.a = node.Needed("a");
-  law.b = node.Needed("b");
-  law.point_A = node.Vector("point_a", law.point_A);
-  law.point_B = node.Vector("point_b", law.point_B);
-  law.axis_A = node.Vector("axis_a", law.axis_A);
-  law.axis_B = node.Vector("axis_b", law.axis_B);
-  law.strength_N = node.Number("strength_N", law.strength_N);
-  law.tear_N = node.Number("tear_N", law.tear_N);
-  law.friction = node.Number("friction", law.friction);
-  law.dryFriction_N = node.Number("dry_friction_N", law.dryFriction_N);
-  law.stiffness_N_per_u = unit_m * node.Number("stiffness_N_per_m", law.stiffness_N_per_u / unit_m);
-  law.rest_u = node.Number("rest", law.rest_u);
-  law.least_u = node.Number("least", law.least_u);
-  law.most_u = node.Number("most", law.most_u);
+  law.a = node.needed("a");
+  law.b = node.needed("b");
+  law.point_A = node.vector("point_a", law.point_A);
+  law.point_B = node.vector("point_b", law.point_B);
+  law.axis_A = node.vector("axis_a", law.axis_A);
+  law.axis_B = node.vector("axis_b", law.axis_B);
+  law.strength_N = node.number("strength_N", law.strength_N);
+  law.tear_N = node.number("tear_N", law.tear_N);
+  law.friction = node.number("friction", law.friction);
+  law.dryFriction_N = node.number("dry_friction_N", law.dryFriction_N);
+  law.stiffness_N_per_u = unit_m * node.number("stiffness_N_per_m", law.stiffness_N_per_u / unit_m);
+  law.rest_u = node.number("rest", law.rest_u);
+  law.least_u = node.number("least", law.least_u);
+  law.most_u = node.number("most", law.most_u);
   return law;
 }
 
 void CheckHead(const Node& root)
 {
-  root.Knows({ "format", "version", "unit_m", "bodies", "laws" });
-  if (root.Needed("format") != Format)
-  {
-    root.Fail("format", std::string("must be \"") + Format + "\"");
-  }
-  const double version = root.Number("version", 0.0);
-  if (version != Version)
-  {
-    root.Fail("version", "this program reads version " + std::to_string(Version) +
-                           (version > Version ? "; the file has a later version: update Palpate" : ""));
-  }
+  root.knows({ "format", "version", "unit_m", "bodies", "laws" });
+  palpate::checkHead(root, Format, Version);
 }
 
 constexpr double NoTipGiven = -1.0;
@@ -163,12 +154,12 @@ vtkHapticMechanismResult Build(
   CheckHead(root);
   vtkHapticMechanismResult result;
   auto inputs = std::make_shared<palpate::MechanismInputs>();
-  inputs->unit_m = root.Number("unit_m", 1.0);
+  inputs->unit_m = root.number("unit_m", 1.0);
   if (!(inputs->unit_m >= 1e-12 && inputs->unit_m <= 1e6))
   {
-    root.Fail("unit_m", "must be a number of metres from 1e-12 to 1e6");
+    root.fail("unit_m", "must be a number of metres from 1e-12 to 1e6");
   }
-  for (const Node& node : root.List("bodies"))
+  for (const Node& node : root.list("bodies"))
   {
     inputs->mechanism.bodies.push_back(BodyOf(node));
     const palpate::MechanismBody& body = inputs->mechanism.bodies.back();
@@ -179,44 +170,21 @@ vtkHapticMechanismResult Build(
     vtkHapticDescribedSoft made = vtkHapticMakeSoft(SoftOf(node, inputs->unit_m), folder);
     if (!made.Input)
     {
-      node.Fail("", body.name + " cannot be a soft body: " + made.Problem);
+      node.fail("", body.name + " cannot be a soft body: " + made.Problem);
     }
-    const double tip_u = node.Has("tip_diameter") ? 0.5 * node.Size("tip_diameter") : NoTipGiven;
+    const double tip_u = node.has("tip_diameter") ? 0.5 * node.size("tip_diameter") : NoTipGiven;
     inputs->soft.push_back({ body.name, made.Input, tip_u });
     result.SoftGrids.push_back(made.Grid);
   }
   inputs->soft = read.empty() ? inputs->soft : read;
   PressByHeld(*inputs);
-  for (const Node& node : root.List("laws"))
+  for (const Node& node : root.list("laws"))
   {
     inputs->mechanism.laws.push_back(ConstraintOf(node, inputs->unit_m));
   }
   result.Inputs = inputs;
   return result;
 }
-/// The result of a function that reads JSON: "" or the fault of the text.
-template<class Read>
-std::string ProblemOf(const Read& read)
-{
-  try
-  {
-    read();
-    return "";
-  }
-  catch (const Json::parse_error& error)
-  {
-    return "not JSON: byte " + std::to_string(error.byte) + " is unexpected";
-  }
-  catch (const Json::exception&)
-  {
-    return "the JSON text has a number that is too large";
-  }
-  catch (const vtkHapticJsonProblem& problem)
-  {
-    return problem.what();
-  }
-}
-
 /// Those of the file, or those in their place.
 Json ConstraintsOf(const std::string& text, const std::string& laws)
 {
@@ -224,7 +192,7 @@ Json ConstraintsOf(const std::string& text, const std::string& laws)
   const Json list = laws.empty() ? (file.is_object() ? file.value("laws", Json::array()) : Json()) : Json::parse(laws);
   if (!list.is_array())
   {
-    throw vtkHapticJsonProblem("laws: must be a list, [ ... ]");
+    throw palpate::JsonProblem("laws: must be a list, [ ... ]");
   }
   return list;
 }
@@ -242,7 +210,7 @@ vtkHapticMechanismResult vtkHapticParseMechanism(const std::string& text, const 
   const std::string& laws, const std::vector<palpate::MechanismSoftInput>& read)
 {
   vtkHapticMechanismResult result;
-  result.Problem = ProblemOf(
+  result.Problem = palpate::jsonProblemOf<Json>(
     [&]
     {
       Json json = Json::parse(text);
@@ -260,7 +228,7 @@ std::string vtkHapticWithConstraint(
   const std::string& text, const std::string& laws, const std::string& law, std::string& problem)
 {
   std::string with;
-  problem = ProblemOf(
+  problem = palpate::jsonProblemOf<Json>(
     [&]
     {
       const Json added = Json::parse(law);
@@ -275,13 +243,13 @@ std::string vtkHapticWithoutConstraint(
   const std::string& text, const std::string& laws, const std::string& name, std::string& problem)
 {
   std::string without;
-  problem = ProblemOf(
+  problem = palpate::jsonProblemOf<Json>(
     [&]
     {
       const Json list = ConstraintsOf(text, laws), others = Without(list, name);
       if (others.size() == list.size())
       {
-        throw vtkHapticJsonProblem("there is no constraint \"" + name + "\"");
+        throw palpate::JsonProblem("there is no constraint \"" + name + "\"");
       }
       without = others.dump();
     });

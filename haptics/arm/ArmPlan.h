@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "haptics/arm/ArmTypes.h"
+
+namespace palpate
+{
+
+/// Hinges in a chain, as URDF has them: each has its place in the link before and turns the link behind it.
+struct SerialGeometry
+{
+  struct Hinge
+  {
+    Pose origin;               ///< in the frame of the link before [m]
+    Vec3 axis = Vec3::UnitZ(); ///< in the hinge's own frame, of length 1
+  };
+  int count = 0; ///< of hinges
+  std::array<Hinge, mostJoints> hinges;
+  Pose tip; ///< in the frame of the last link [m]
+};
+
+/// The arm of WoodenHaptics and Polhem (Forsslund Systems): a column turns by A about z; an upper link leans from
+/// upright by B, a forearm from hanging by C, each by a motor on the column, so that B and C do not add.
+struct WoodenGeometry
+{
+  double column_m = 0.0, upper_m = 0.0, fore_m = 0.0;
+};
+
+/// Three legs that keep a platform unturned (Clavel 1991), or with hinges apart as those of Stamper (A three degree of
+/// freedom parallel manipulator with only translational degrees of freedom, 1997), which the Novint Falcon has.
+struct DeltaGeometry
+{
+  std::array<double, 3> legs_rad{}; ///< azimuths about z
+  double base_m = 0.0;              ///< from the axis to the joints of the base
+  double platform_m = 0.0;          ///< and to those of the platform
+  double arm_m = 0.0, forearm_m = 0.0;
+  double hinge_m = 0.0;  ///< of each forearm, in its arm's plane, beside the parallelogram
+  double offset_m = 0.0; ///< of each leg across its azimuth
+  double side = 1.0;     ///< of the base where the platform is: 1 or -1 along z; arms turn that way
+};
+
+/// Two arms from the points -base/2 and base/2 of the x axis, joined at the tip; elbows outwards, the tip on the side
+/// of y. Angles from x, towards y.
+struct FiveBarGeometry
+{
+  double base_m = 0.0, arm_m = 0.0, forearm_m = 0.0;
+};
+
+using ArmGeometry = std::variant<SerialGeometry, WoodenGeometry, DeltaGeometry, FiveBarGeometry>;
+
+/// A joint, with its encoder and its motor.
+struct ArmJoint
+{
+  double low_rad = -std::numeric_limits<double>::infinity();
+  double high_rad = std::numeric_limits<double>::infinity();
+  double zero_rad = 0.0;        ///< at count 0
+  double counts_per_turn = 0.0; ///< of the encoder; 0: it tells angles
+  double gear = 1.0;            ///< turns of encoder and motor a turn of the joint; below 0: against it
+  int follows = -1;             ///< a joint whose encoder's turn moves this one too, from 0; -1: none
+  double followShare = 0.0;     ///< turns of this joint for one that that joint's own encoder gives to its joint
+  std::int32_t calibrated = 0;  ///< count in the pose of calibration
+  bool hasMotor = true;
+  double maxTorque_Nm = std::numeric_limits<double>::infinity(); ///< of the motor
+  double torqueStep_Nm = 0.0;                                    ///< of the motor's command; 0: any torque
+  double torqueConstant_Nm_per_A = 0.0;                          ///< of the motor; 0: unknown
+  double rotor_kg_m2 = 0.0;                                      ///< of the motor
+  double damping_Nms = 0.0, friction_Nm = 0.0;                   ///< at the joint
+};
+
+/// A mass on a link: a point, or a thin even rod from one point of the link to another. On the links of a delta, of a
+/// five-bar and of WoodenHaptics x counts along the link, from the joint nearer to the base; a forearm with hinges
+/// apart is as long as both together.
+struct ArmMass
+{
+  double mass_kg = 0.0;
+  int link = 0; ///< from 1; which ones there are is said in the header of its kind
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+};
+
+/// The part of its reach that an arm is used in: a ball, or a disc for one that moves in a plane.
+struct ArmWorkSpace
+{
+  Vec3 centre_D = Vec3::Zero();
+  double radius_m = 0.0; ///< 0: not known
+};
+
+/// An arm as a file describes it. Frame D is the device's: the geometry stands in it at `base_D`.
+struct ArmPlan
+{
+  std::string name;
+  std::string source; ///< of the numbers
+  ArmGeometry geometry;
+  Pose base_D;
+  std::array<ArmJoint, mostJoints> joints; ///< those with motors first
+  std::vector<ArmMass> masses;
+  Vec3 gravity_D{ 0.0, 0.0, -9.81 }; ///< [m/s2]
+  ArmWorkSpace workSpace;
+  double maxForce_N = std::numeric_limits<double>::infinity();
+  double maxStiffness_N_per_m = std::numeric_limits<double>::infinity();
+  double maxDamping_Ns_per_m = std::numeric_limits<double>::infinity();
+  double maxCondition = 20.0; ///< of the Jacobian; beyond it there is no force
+};
+
+/// serial, woodenhaptics, delta, five-bar.
+[[nodiscard]] const char* nameOf(const ArmGeometry& geometry) noexcept;
+[[nodiscard]] int jointCountOf(const ArmGeometry& geometry) noexcept;
+/// It moves in the plane z = 0 of its frame alone.
+[[nodiscard]] bool isPlanar(const ArmGeometry& geometry) noexcept;
+
+/// Empty, or one sentence with the reason why no arm can be like that.
+[[nodiscard]] std::string refuse(const ArmPlan& plan);
+
+} // namespace palpate

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "haptics/arm/ArmPlan.h"
+#include "haptics/core/Outcome.h"
+
+namespace palpate
+{
+
+/// An arm as JSON text, "palpate arm", version 1: docs/devices.md has its keys. Not trusted: one sentence with the
+/// place and the reason, and no arm, where something is missing, unknown or impossible.
+[[nodiscard]] Outcome<ArmPlan> parseArm(const std::string& text);
+
+/// The same of a file, whose name the sentence begins with.
+[[nodiscard]] Outcome<ArmPlan> readArmFile(const std::string& file);
+
+/// Arms whose files are built in (data/arms), by the names of these files: falcon, woodenhaptics-2015, polhem-v1,
+/// aluhaptics-v2, pantograph.
+[[nodiscard]] const std::vector<std::string>& knownArms();
+[[nodiscard]] Outcome<ArmPlan> knownArm(const std::string& name);
+
+} // namespace palpate

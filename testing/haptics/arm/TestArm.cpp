@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "haptics/arm/ArmMeasures.h"
+#include "haptics/arm/ArmSkeleton.h"
+#include "haptics/core/PoseMath.h"
+#include "testing/oracles/arm/ArmOracle.h"
+#include "testing/support/AllocationGuard.h"
+#include "testing/support/Arms.h"
+
+namespace palpate
+{
+namespace
+{
+
+JointVector randomWay(const Arm& arm, test::Random& random)
+{
+  JointVector way(arm.joints());
+  for (int k = 0; k < arm.joints(); ++k)
+  {
+    way[k] = k < arm.motors() ? random.uniform(-1, 1) : 0.0;
+  }
+  return way;
+}
+
+/// Calls visit(arm, q, random) for so many postures of each arm.
+template<class Visit>
+void forEachPosture(std::uint64_t seed, const Visit& visit)
+{
+  for (const ArmPlan& plan : test::allArms())
+  {
+    ASSERT_EQ(refuse(plan), "") << plan.name;
+    SCOPED_TRACE(plan.name);
+    const Arm arm(plan);
+    test::Random random(test::testSeed(seed));
+    for (std::size_t i = 0; i < test::testCount(2000) && !testing::Test::HasFailure(); ++i)
+    {
+      visit(arm, test::randomJoints(arm, random), random);
+    }
+  }
+}
+
+TEST(Arm, BringsTheTipWhereTheConstraintsOfItsLinksPutIt)
+{
+  forEachPosture(871,
+    [](const Arm& arm, const JointVector& q, test::Random&)
+    {
+      const Vec3 p = arm.forward(q)->p;
+      const Vec3 true_D = test::tipInQuad(arm.plan(), q.cast<test::Quad>(), p).cast<double>();
+      EXPECT_LE((p - true_D).norm(), 1e-12 * true_D.norm());
+    });
+}
+
+TEST(Arm, ReachesAgainWhereItWas)
+{
+  forEachPosture(872,
+    [](const Arm& arm, const JointVector& q, test::Random&)
+    {
+      const Pose tip = *arm.forward(q);
+      const std::optional<JointVector> back =
+        arm.joints() == 6 ? arm.inverse(tip, q + JointVector::Constant(6, 0.05)) : arm.inverse(tip.p);
+      ASSERT_TRUE(back) << q.transpose();
+      EXPECT_TRUE(arm.withinLimits(*back));
+      const Pose again = *arm.forward(*back);
+      EXPECT_LE((again.p - tip.p).norm(), 1e-12 * tip.p.norm());
+      EXPECT_LE(again.q.angularDistance(tip.q), 1e-11);
+    });
+}
+
+TEST(Arm, HasTheJacobianOfDifferencesAndDoesTheWorkOfItsTorques)
+{
+  forEachPosture(873,
+    [](const Arm& arm, const JointVector& q, test::Random& random)
+    {
+      const Posture posture = arm.posture(q);
+      const JointVector way = randomWay(arm, random);
+      const Vec3 slope = test::tipSlope(arm.plan(), q, way, posture.tip.p);
+      EXPECT_LE((posture.jacobian.topRows<3>() * way - slope).norm(), 1e-8 * slope.norm());
+      const Vec3 force = random.inCube(5.0);
+      const double work = force.dot(slope), given = arm.torqueOf(q, { force, Vec3::Zero() }).dot(way);
+      EXPECT_LE(std::fabs(work - given), 1e-12 * force.norm() * slope.norm());
+    });
+}
+
+TEST(Arm, TurnsTheTipAsItsJacobianSays)
+{
+  const Arm arm(test::sixJoints());
+  test::Random random(test::testSeed(874));
+  for (std::size_t i = 0; i < test::testCount(200); ++i)
+  {
+    const JointVector q = test::randomJoints(arm, random), way = randomWay(arm, random);
+    constexpr double h = 1e-5;
+    const Quat turn = arm.forward(q + h * way)->q * arm.forward(q - h * way)->q.conjugate();
+    const Vec3 rate = 2.0 / (2.0 * h) * std::copysign(1.0, turn.w()) * turn.vec();
+    EXPECT_LE((arm.jacobian(q).bottomRows<3>() * way - rate).norm(), 1e-8);
+    const Vec3 torque = random.inCube(1.0);
+    EXPECT_NEAR(arm.torqueOf(q, { Vec3::Zero(), torque }).dot(way), torque.dot(rate), 1e-8);
+  }
+}
+
+TEST(Arm, GivesNoNumberThatIsNotFiniteWhereverItsJointsAre)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const ArmPlan& plan : test::allArms())
+  {
+    SCOPED_TRACE(plan.name);
+    const Arm arm(plan);
+    test::Random random(test::testSeed(875));
+    for (std::size_t i = 0; i < test::testCount(20000); ++i)
+    {
+      JointVector q(arm.joints());
+      for (int k = 0; k < arm.joints(); ++k)
+      {
+        // Right angles too, where arms are stretched, folded or level.
+        q[k] = random.below(2) == 0 ? random.uniform(-10, 10) : 0.5 * M_PI * (static_cast<int>(random.below(9)) - 4);
+      }
+      if (i % 10 == 0)
+      {
+        q[random.below(static_cast<std::uint32_t>(arm.joints()))] = i % 20 == 0 ? nan : 1.0 / 0.0;
+      }
+      const Posture posture = arm.posture(q);
+      ASSERT_TRUE(posture.tip.p.allFinite() && posture.jacobian.allFinite()) << q.transpose();
+      ASSERT_TRUE(arm.torqueOf(q, { Vec3(1, 2, 3), Vec3(3, 2, 1) }).allFinite());
+      const double fade = arm.forceFade(q, posture);
+      ASSERT_TRUE(fade >= 0.0 && fade <= 1.0) << fade;
+      ASSERT_TRUE(i % 10 != 0 || !posture.exists);
+    }
+    for (int i = 0; i < 300; ++i)
+    {
+      const std::optional<JointVector> q = arm.inverse(Vec3(random.inCube(1.0)));
+      ASSERT_TRUE(!q || q->allFinite());
+    }
+    EXPECT_FALSE(arm.inverse(Vec3(nan, 0, 0)));
+    EXPECT_FALSE(arm.inverse(Vec3(9.0, 0.0, 0.0))) << "out of reach";
+  }
+}
+
+TEST(Arm, ReadsItsCountsAsItShowsThem)
+{
+  for (const ArmPlan& plan : test::allArms())
+  {
+    SCOPED_TRACE(plan.name);
+    const Arm arm(plan);
+    test::Random random(test::testSeed(876));
+    for (int i = 0; i < 200 && plan.joints[0].counts_per_turn > 0.0; ++i)
+    {
+      JointCounts counts{};
+      for (int k = 0; k < arm.joints(); ++k)
+      {
+        counts[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(random.below(8000)) - 4000;
+      }
+      // From the middle of a step, so that rounding decides nothing.
+      JointVector turns(arm.joints());
+      for (int k = 0; k < arm.joints(); ++k)
+      {
+        turns[k] = 2.0 * M_PI * (counts[static_cast<std::size_t>(k)] + 0.5) /
+                   plan.joints[static_cast<std::size_t>(k)].counts_per_turn;
+      }
+      const JointVector q = arm.jointsOfEncoders(turns);
+      EXPECT_EQ(arm.countsOf(q), counts);
+      EXPECT_LE((arm.shown(q) - arm.jointsOf(counts)).norm(), 1e-15);
+    }
+  }
+}
+
+TEST(Arm, MovesAJointWithTheOneThatItFollows)
+{
+  // A forearm that keeps its direction while the upper arm turns (a parallel rod): joint 2 = own encoder - encoder 1.
+  ArmPlan plan = test::twoLinks();
+  plan.joints[0].gear = 10.0;
+  plan.joints[1].gear = -8.0;
+  plan.joints[1].follows = 0;
+  plan.joints[1].followShare = -1.0;
+  const Arm arm(plan);
+  JointVector turns = JointVector::Zero(2);
+  turns << 3.0, -4.0;
+  const JointVector q = arm.jointsOfEncoders(turns);
+  EXPECT_NEAR(q[0], 0.3, 1e-15);
+  EXPECT_NEAR(q[1], 0.5 - 0.3, 1e-15);
+  // Work is the same at the joints and at the motors.
+  JointVector torque = JointVector::Constant(2, 0.7);
+  torque[1] = -0.2;
+  const JointVector motors = arm.motorTorqueOf(torque);
+  EXPECT_NEAR(motors[0] * turns[0] + motors[1] * turns[1], torque[0] * q[0] + torque[1] * q[1], 1e-15);
+}
+
+TEST(Arm, LetsItsForceFadeBeforeAnEndAndBeforeASingularity)
+{
+  ArmPlan plan = test::twoLinks();
+  plan.joints[0].low_rad = 0.0;
+  plan.joints[0].high_rad = 2.0;
+  plan.maxCondition = 5.0;
+  const Arm arm(plan);
+  const auto fadeAt = [&arm](double first, double elbow)
+  {
+    JointVector q(2);
+    q << first, elbow;
+    return arm.forceFade(q, arm.posture(q));
+  };
+  EXPECT_EQ(fadeAt(1.0, 1.5), 1.0);
+  EXPECT_NEAR(fadeAt(0.05, 1.5), 0.5, 1e-12) << "the last 5 % of 2 rad";
+  EXPECT_NEAR(fadeAt(1.975, 1.5), 0.25, 1e-12);
+  EXPECT_EQ(fadeAt(2.1, 1.5), 0.0) << "beyond the end";
+  // A stretched elbow is a singularity: no force from a condition of 5 on, all of it up to 4.75, half between them.
+  const auto conditionAt = [](double e)
+  {
+    // Singular values of two equal links l: s1 s2 = l^2 |sin e|, s1^2 + s2^2 = l^2 (3 + 2 cos e).
+    const double sum = 3.0 + 2.0 * std::cos(e), root = std::sqrt(sum * sum - 4.0 * std::pow(std::sin(e), 2));
+    return std::sqrt((sum + root) / (sum - root));
+  };
+  const auto elbowOf = [&conditionAt](double condition)
+  {
+    double low = 1e-3, high = 1.5;
+    for (int i = 0; i < 60; ++i)
+    {
+      (conditionAt(0.5 * (low + high)) > condition ? low : high) = 0.5 * (low + high);
+    }
+    return low;
+  };
+  EXPECT_EQ(fadeAt(1.0, elbowOf(4.7)), 1.0);
+  EXPECT_NEAR(fadeAt(1.0, elbowOf(4.875)), 0.5, 1e-9);
+  EXPECT_EQ(fadeAt(1.0, elbowOf(5.01)), 0.0);
+  EXPECT_EQ(fadeAt(1.0, 0.0), 0.0);
+}
+
+TEST(ArmSkeleton, HasLinksThatKeepTheirLengthsInEveryPosture)
+{
+  for (const ArmPlan& plan : test::allArms())
+  {
+    SCOPED_TRACE(plan.name);
+    const Arm arm(plan);
+    test::Random random(test::testSeed(878));
+    std::vector<double> lengths;
+    for (int i = 0; i < 100; ++i)
+    {
+      const JointVector q = test::randomJoints(arm, random);
+      std::vector<double> found;
+      for (const std::vector<Vec3>& line : skeletonOf(arm, q))
+      {
+        for (std::size_t k = 1; k < line.size(); ++k)
+        {
+          found.push_back((line[k] - line[k - 1]).norm());
+        }
+      }
+      ASSERT_FALSE(found.empty());
+      lengths = i == 0 ? found : lengths;
+      // With hinges apart a forearm in the picture is the straight line between its ends, up to a tenth shorter.
+      const auto* const delta = std::get_if<DeltaGeometry>(&plan.geometry);
+      const double slack = delta != nullptr && delta->hinge_m > 0.0 ? 0.1 : 1e-12;
+      for (std::size_t k = 0; k < found.size(); ++k)
+      {
+        ASSERT_NEAR(found[k], lengths[k], slack * lengths[k] + 1e-12) << k;
+      }
+    }
+  }
+}
+
+TEST(Arm, AllocatesNothingInATick)
+{
+  for (const ArmPlan& plan : test::allArms())
+  {
+    const Arm arm(plan);
+    test::Random random(test::testSeed(877));
+    const JointVector q = test::randomJoints(arm, random);
+    test::AllocationGuard guard;
+    const Posture posture = arm.posture(arm.shown(q));
+    const JointVector torque = arm.torqueOf(posture, { Vec3(1, 2, 3), Vec3::Zero() });
+    const double share = arm.forceFade(q, posture) * arm.shareWithinMotors(torque);
+    const JointVector current = arm.currentOf(share * torque);
+    const std::optional<JointVector> back = arm.inverse(posture.tip.p, q);
+    EXPECT_EQ(guard.allocations(), 0u) << plan.name << current.size() << back.has_value();
+  }
+}
+
+} // namespace
+} // namespace palpate

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+
+#include "haptics/arm/ArmPlan.h"
+
+namespace palpate::test
+{
+
+/// Kinematics from the constraints of each kind in 113 bits, by other formulas than those of the arms: chains by
+/// Rodrigues' formula, legs by Newton steps on the lengths of their rods.
+
+using Quad = boost::multiprecision::cpp_bin_float_quad;
+using QuadVector = Eigen::Matrix<Quad, Eigen::Dynamic, 1>;
+using QuadPoint = Eigen::Matrix<Quad, 3, 1>;
+
+/// Where the tip is with these joints [m], in D. `near` says which of the places that close the links is meant.
+[[nodiscard]] QuadPoint tipInQuad(const ArmPlan& plan, const QuadVector& q, const Vec3& near_D);
+
+/// How the tip moves with the joints along `way`: a central difference, exact to about 1e-20.
+[[nodiscard]] Vec3 tipSlope(const ArmPlan& plan, const JointVector& q, const JointVector& way, const Vec3& near_D);
+
+} // namespace palpate::test

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/arm/Arm.h"
+#include "testing/support/Random.h"
+
+namespace palpate::test
+{
+
+/// Arms of textbooks, with 10 N m at each joint.
+
+/// Two links of 150 mm in a plane: rotors of 1e-4 kg m2, and the second motor, of 0.1 kg, at the elbow.
+[[nodiscard]] ArmPlan twoLinks();
+/// A five-bar of 150 mm links, 100 mm between its motors of 1e-4 kg m2.
+[[nodiscard]] ArmPlan fiveBar();
+/// A delta with base .1, platform .04, arms .15 and forearms .25 m, hanging.
+[[nodiscard]] ArmPlan hangingDelta();
+/// The chain of a stylus arm with six joints, all with motors.
+[[nodiscard]] ArmPlan sixJoints();
+
+/// All of these and those that are built in.
+[[nodiscard]] std::vector<ArmPlan> allArms();
+
+/// Joints within the limits, or within half a turn, in which the arm has a posture with a condition below the largest.
+[[nodiscard]] JointVector randomJoints(const Arm& arm, Random& random);
+
+} // namespace palpate::test
