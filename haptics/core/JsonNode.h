@@ -240,7 +240,7 @@ void checkHead(const JsonNode<Json>& root, const char* format, int newest)
   }
 }
 
-/// What the reading of such a text found wrong, or "".
+/// The fault that the reading of such a text found, or "".
 template<class Json, class Read>
 [[nodiscard]] std::string jsonProblemOf(const Read& read)
 {

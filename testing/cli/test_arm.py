@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`palpate arm`: an arm file is checked, and what the arm can do in its work space is printed."""
+"""`palpate arm`: an arm file is checked, and the forces and masses of its work space are printed."""
 
 import json
 import os

@@ -13,7 +13,7 @@ namespace palpate
 namespace
 {
 
-/// What a host without anything to touch commands: to go where the virtual mass is.
+/// The command of a host without anything to touch: to go where the virtual mass is.
 DeviceCommand inAir(const DeviceSample& sample)
 {
   DeviceCommand command;

@@ -17,7 +17,7 @@ namespace
 
 constexpr double tick_s = 1e-3;
 
-/// Without friction, damping, steps: what keeps its energy.
+/// An arm that keeps its energy: without friction, damping, steps.
 ArmPlan lossless(ArmPlan plan)
 {
   for (ArmJoint& joint : plan.joints)
@@ -93,7 +93,7 @@ TEST(ArmPlant, HoldsItselfAgainstGravityAndPushesAsCommanded)
     {
       joint.friction_Nm = joint.counts_per_turn = joint.torqueStep_Nm = 0.0;
     }
-    // A hand that gives way as a spring: it holds what the device pushes with.
+    // A hand that yields as a spring: it bears the push of the device.
     const HandModel hand = *handModel("firm");
     ArmPlant plant(plan, hand, tick_s);
     const Vec3 start = plan.workSpace.centre_D;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The source Haptic Arm: links that end at the hand, and the points of the work space with what the arm can do there."""
+"""The source Haptic Arm: links that end at the hand, and the points of the work space with condition, force and mass."""
 
 import json
 import math

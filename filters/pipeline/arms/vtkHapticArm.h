@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkHapticArm
- * @brief   a haptic arm, and what it can do in its work space
+ * @brief   a haptic arm, and condition, force and mass in its work space
  *
  * Output 0: the links as lines, with the tip where the hand is. Output 1: points of the work space that the arm
  * reaches, with the arrays Condition, LargestForce [N] (in the worst direction) and ApparentMass [kg] (in the heaviest

@@ -185,6 +185,7 @@ vtkHapticMechanismResult Build(
   result.Inputs = inputs;
   return result;
 }
+
 /// Those of the file, or those in their place.
 Json ConstraintsOf(const std::string& text, const std::string& laws)
 {

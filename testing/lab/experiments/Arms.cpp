@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 87: what an arm's links make of its motors and masses: maps of two arms of the same links beside each other, the
+// Row 87: forces and masses that an arm's links make of its motors and masses: maps of two arms of the same links beside each other, the
 // stiffest wall of the simulated arms, and a Jacobian that is wrong.
 #include <cmath>
 #include <string>
@@ -206,7 +206,7 @@ void judgeWrongJacobian(Table& table)
   table.within({ "1 N asked for", "sin(theta2) twice", "force across, at most", "N" }, across, 0.31, 0.02);
 }
 
-/// What a tick pays.
+/// Cost of the kinematics in a tick.
 void judgeCost(Table& table)
 {
   for (const ArmPlan& plan : test::allArms())
