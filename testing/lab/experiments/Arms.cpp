@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 87: forces and masses that an arm's links make of its motors and masses: maps of two arms of the same links beside each other, the
-// stiffest wall of the simulated arms, and a Jacobian that is wrong.
+// Row 87: forces and masses that an arm's links make of its motors and masses: maps of two arms of the same links
+// beside each other, the stiffest wall of the simulated arms, and a Jacobian that is wrong.
 #include <cmath>
 #include <string>
 
