@@ -81,6 +81,7 @@ struct DeviceInfo
   /// Without torque: the stiffness at least with which the hand's rotation is held, for no wrist gives way; 0: it is
   /// free.
   double heldTurning_N_m_per_rad = 0.0;
+  bool knowsAxes = false; ///< its kinematics say what is where: a check confirms its axes and finds none
   bool simulated = false; ///< lateness is counted, never a fault
   DeviceAbilities abilities;
   bool offersWalls = false; ///< so it says; with viscosity
