@@ -19,6 +19,7 @@
 #include "devices/io/HidDiscovery.h"
 #include "devices/io/PidDevice.h"
 #include "devices/io/SpaceMouseDevice.h"
+#include "devices/simulated/AdmittanceDevice.h"
 
 namespace palpate
 {
@@ -34,22 +35,44 @@ struct Kind
   bool hasTwin = false, hasGrip = false, forPrograms = false;
 };
 
+/// Calls make(hand) with the hand that holds the device, if there is one of that name.
+template<class Make>
+MadeDevice makeHeld(const DeviceOptions& options, const Make& make)
+{
+  if (const HandModel* const hand = handModel(options.hand))
+  {
+    return { make(*hand), "" };
+  }
+  std::string names;
+  for (const HandModel& known : handModels())
+  {
+    names += (names.empty() ? "" : ", ") + known.name;
+  }
+  return { nullptr, "hand \"" + options.hand + "\" is unknown; valid names: " + names };
+}
+
 MadeDevice makeSimulated(const DeviceModel& model, const DeviceOptions& options)
 {
-  const HandModel* const hand = handModel(options.hand);
-  if (hand == nullptr)
-  {
-    std::string names;
-    for (const HandModel& known : handModels())
+  return makeHeld(options,
+    [&](const HandModel& hand)
     {
-      names += (names.empty() ? "" : ", ") + known.name;
-    }
-    return { nullptr, "hand \"" + options.hand + "\" is unknown; valid names: " + names };
-  }
-  SimulationOptions simulation;
-  simulation.period_s = options.period_s;
-  simulation.delay_ticks = options.delay_ticks;
-  return { std::make_unique<SimulatedDevice>(model, *hand, options.stroke, simulation), "" };
+      SimulationOptions simulation;
+      simulation.period_s = options.period_s;
+      simulation.delay_ticks = options.delay_ticks;
+      return std::make_unique<SimulatedDevice>(model, hand, options.stroke, simulation);
+    });
+}
+
+MadeDevice makeAdmittance(const DeviceOptions& options)
+{
+  return makeHeld(options,
+    [&](const HandModel& hand)
+    {
+      AdmittancePlan plan;
+      plan.period_s = options.period_s;
+      plan.noise_N = 0.02; // typical of a small sensor of 50 N
+      return std::make_unique<AdmittanceDevice>(plan, hand, options.stroke);
+    });
 }
 
 std::vector<Kind> builtIn()
@@ -65,11 +88,16 @@ std::vector<Kind> builtIn()
         return MadeDevice{ FedDevice::mouse(), "" };
       } },
   };
-  for (const DeviceModel& model : deviceModels())
+  for (const std::vector<DeviceModel>* models : { &deviceModels(), &armModels() })
   {
-    all.push_back({ model.name, "a simulated hand on " + model.what,
-      [&model](const DeviceOptions& options) { return makeSimulated(model, options); }, "", false, true, true });
+    for (const DeviceModel& model : *models)
+    {
+      all.push_back({ model.name, "a simulated hand on " + model.what,
+        [&model](const DeviceOptions& options) { return makeSimulated(model, options); }, "", false, true, true });
+    }
   }
+  all.push_back({ "simulated-admittance", "a simulated hand on a robot with a force sensor: 2 kg and 10 N s/m, virtual",
+    makeAdmittance, "", false, true, true });
   all.push_back({ "replay", "the hand of a recording", [](const DeviceOptions& o) {
                    return MadeDevice{ std::make_unique<ReplayDevice>(o.recordingFile), "" };
                  } });

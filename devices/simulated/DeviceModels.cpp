@@ -109,7 +109,8 @@ const std::vector<HandModel>& handModels()
 
 const DeviceModel* deviceModel(const std::string& name)
 {
-  return byName(deviceModels(), name);
+  const DeviceModel* const ball = byName(deviceModels(), name);
+  return ball != nullptr ? ball : byName(armModels(), name);
 }
 
 const HandModel* handModel(const std::string& name)

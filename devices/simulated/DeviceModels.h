@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,8 @@
 
 namespace palpate
 {
+
+struct ArmPlan;
 
 /// Where the numbers of a model come from.
 enum class Provenance : std::uint8_t
@@ -31,13 +34,13 @@ struct TurningModel
   double stiffness_Nm_per_rad = 0.0; ///< of a hand, to how it is led
 };
 
-/// A device's moving part, the same along every axis. A fixture for tests and for people without hardware: real
-/// devices differ from axis to axis and pose to pose.
+/// A device's moving part: the same along every axis, or an arm, which differs from axis to axis and pose to pose. A
+/// fixture for tests and for people without hardware.
 struct DeviceModel
 {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-  std::string id;   ///< D0 .. D8
+  std::string id;   ///< D0 .. D11
   std::string name; ///< the name the factory knows
   std::string what; ///< one line for a person
   double mass_kg = 0.1;
@@ -56,6 +59,9 @@ struct DeviceModel
     false; ///< it closes walls with springs that pull as well as push, and have no limit (BareSprings.h)
   double link_B_per_s = unlimited; ///< what its link carries (SerialLink.h)
   TurningModel turning = {};       ///< without inertia: it neither turns nor tells how it is turned
+  /// What moves, where it is more than a mass; then mass, damping, friction and step above are those of its worst
+  /// direction, and the work space is about the origin of D.
+  std::shared_ptr<const ArmPlan> arm = {};
 
   [[nodiscard]] bool turns() const noexcept { return this->turning.inertia_kg_m2 > 0.0; }
 };
@@ -65,6 +71,15 @@ struct DeviceModel
 /// those of the joystick assumed. D7 is D3 with a handle that turns and is turned, its turning part assumed. D8 is the
 /// joystick as it was in the nineties: bare springs behind a serial link.
 [[nodiscard]] const std::vector<DeviceModel>& deviceModels();
+
+/// D9 a Falcon, D10 a WoodenHaptics, D11 a pantograph, from the files of these arms.
+[[nodiscard]] const std::vector<DeviceModel>& armModels();
+
+/// A model of such an arm. Mass, damping and friction are those of the direction and the place in the work space where
+/// the stiffest wall that holds at 1 kHz is softest; the force is one that the motors give everywhere in every
+/// direction. Not an arm that refuseSimulation refuses.
+[[nodiscard]] DeviceModel armModel(
+  const std::string& id, const std::string& name, const std::string& what, const ArmPlan& plan);
 
 /// What the device says about itself. Limits count as known where they are listed; how the hardware moves, its encoder
 /// and the workspace, a ball in place of its true shape, as assumed.

@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr double longestPart_s = 1e-3;
-constexpr int levels = 20;
+constexpr int levels = 20; // halvings of a part
 /// Reversals in one part: a real one has at most two, and each ends at rest or on its way.
 constexpr int mostReversals = 8;
 
@@ -22,9 +22,9 @@ FrictionPlant::FrictionPlant(
     parts_(std::max(1, static_cast<int>(std::ceil(period_s / longestPart_s * (1.0 - 1e-9))))),
     whole_(mass_kg, damping_Ns_per_m, stiffness_N_per_m, period_s)
 {
-  for (int level = 0; level <= levels; ++level)
+  for (int level = 0; level <= levels && friction_N > 0.0; ++level)
   {
-    this->halvings_.emplace_back(
+    this->halvings_[static_cast<std::size_t>(level)] = LinearPlant(
       mass_kg, damping_Ns_per_m, stiffness_N_per_m, period_s / this->parts_ / static_cast<double>(1 << level));
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
+#include <array>
 
 #include "haptics/force/LinearPlant.h"
 
@@ -33,9 +33,9 @@ private:
 
   double stiffness_N_per_m_;
   double friction_N_;
-  int parts_;                         ///< of a period: each too short for a speed to pass zero twice
-  LinearPlant whole_;                 ///< the period at once, for no friction
-  std::vector<LinearPlant> halvings_; ///< a part, half of it, a quarter, ...
+  int parts_;                            ///< of a period: each too short for a speed to pass zero twice
+  LinearPlant whole_;                    ///< the period at once, for no friction
+  std::array<LinearPlant, 21> halvings_; ///< a part, half of it, a quarter, ...
 };
 
 } // namespace palpate

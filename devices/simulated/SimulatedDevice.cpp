@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "devices/common/BareSprings.h"
-#include "haptics/tool/motion/Turn.h"
+#include "devices/simulated/ArmPlant.h"
 
 namespace palpate
 {
@@ -35,26 +35,20 @@ SimulatedDevice::SimulatedDevice(DeviceModel model, HandModel hand, HandPath pat
   {
     this->turning_.emplace(this->model_.turning, this->hand_.turning, options.period_s);
   }
+  if (this->model_.arm)
+  {
+    this->arm_ = std::make_unique<ArmPlant>(*this->model_.arm, this->hand_, options.period_s);
+  }
 }
+
+SimulatedDevice::~SimulatedDevice() = default;
 
 std::string SimulatedDevice::refusal() const
 {
-  if (this->path_.points_D.empty())
+  std::string path = this->path_.refusal();
+  if (!path.empty())
   {
-    return "the simulated hand has no path: set a stroke with at least one point";
-  }
-  if (!std::all_of(
-        this->path_.points_D.begin(), this->path_.points_D.end(), [](const Vec3& p) { return p.allFinite(); }))
-  {
-    return "the simulated hand's stroke has a point that is not finite";
-  }
-  if (!this->path_.turn_D.allFinite())
-  {
-    return "the simulated hand's rotation [rad] is not finite";
-  }
-  if (!(this->path_.speed_m_per_s > 0.0))
-  {
-    return "the simulated hand's speed [m/s] must be above zero";
+    return path;
   }
   if (!(this->options_.period_s > 0.0))
   {
@@ -74,16 +68,9 @@ std::string SimulatedDevice::open()
   {
     return problem;
   }
-  this->reached_m_.assign(1, 0.0);
-  for (std::size_t i = 1; i < this->path_.points_D.size(); ++i)
-  {
-    this->reached_m_.push_back(
-      this->reached_m_.back() + (this->path_.points_D[i] - this->path_.points_D[i - 1]).norm());
-  }
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->axes_[static_cast<std::size_t>(axis)] = { this->path_.points_D.front()[axis],
-      this->options_.velocity_D[axis] };
+    this->axes_[static_cast<std::size_t>(axis)] = { this->path_.start_D()[axis], this->options_.velocity_D[axis] };
   }
   if (this->model_.planar)
   {
@@ -93,44 +80,26 @@ std::string SimulatedDevice::open()
   {
     this->turning_->begin(Quat::Identity());
   }
+  if (this->arm_ && !this->arm_->begin(this->position_D(), this->speed_D()))
+  {
+    return "the simulated hand's path begins out of the reach of the arm";
+  }
   this->commands_.fill(DeviceCommand{});
   this->link_ = SerialLink(this->model_.link_B_per_s);
   this->time_s_ = 0.0;
   return {};
 }
 
-Pose SimulatedDevice::led_D(double time_s) const noexcept
-{
-  const double length = this->reached_m_.back();
-  double along = this->path_.speed_m_per_s * time_s;
-  if (this->path_.loops && length > 0.0)
-  {
-    const double turns = along / (2 * length);
-    along = (turns - static_cast<double>(static_cast<std::int64_t>(turns))) * 2 * length;
-    along = along > length ? 2 * length - along : along;
-  }
-  const double whole = length > 0.0 ? std::min(1.0, along / length) : 0.0;
-  const Quat turn_D = turnBy(whole * this->path_.turn_D);
-  const auto next = std::upper_bound(this->reached_m_.begin(), this->reached_m_.end(), along);
-  if (next == this->reached_m_.end())
-  {
-    return { this->path_.points_D.back(), turn_D };
-  }
-  const auto i = static_cast<std::size_t>(next - this->reached_m_.begin());
-  const double share = (along - this->reached_m_[i - 1]) / (this->reached_m_[i] - this->reached_m_[i - 1]);
-  return { this->path_.points_D[i - 1] + share * (this->path_.points_D[i] - this->path_.points_D[i - 1]), turn_D };
-}
-
 void SimulatedDevice::lead(const Vec3& target_D) noexcept
 {
-  this->lead(Pose{ target_D, this->led_ ? this->programmed_D_.q : this->led_D(this->time_s_).q });
+  this->lead(Pose{ target_D, this->led_ ? this->programmed_D_.q : this->path_.at_D(this->time_s_).q });
 }
 
 void SimulatedDevice::lead(const Pose& target_D) noexcept
 {
   if (!this->led_)
   {
-    this->reached_D_ = this->led_D(this->time_s_);
+    this->reached_D_ = this->path_.at_D(this->time_s_);
   }
   this->led_ = true;
   this->programmed_D_ = target_D;
@@ -140,7 +109,7 @@ std::pair<Pose, Pose> SimulatedDevice::ledAlong() noexcept
 {
   if (!this->led_)
   {
-    return { this->led_D(this->time_s_), this->led_D(this->time_s_ + this->options_.period_s) };
+    return { this->path_.at_D(this->time_s_), this->path_.at_D(this->time_s_ + this->options_.period_s) };
   }
   return { std::exchange(this->reached_D_, this->programmed_D_), this->programmed_D_ };
 }
@@ -227,9 +196,21 @@ void SimulatedDevice::advance() noexcept
   const auto [before, after] = this->ledAlong();
   const Vec3 led = this->hand_.stiffness_N_per_m * after.p + this->hand_.damping_Ns_per_m / T * (after.p - before.p);
   const DeviceCommand command = this->link_.carry(this->due(), this->time_s_);
-  for (int pass = 0; pass < this->parts_; ++pass)
+  if (this->arm_)
   {
-    this->move(led + this->options_.push_D + this->motorForce(command));
+    this->arm_->step(led + this->options_.push_D, { this->motorForce(command), Vec3::Zero() });
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const auto i = static_cast<Eigen::Index>(axis);
+      this->axes_[axis] = { this->arm_->position_D()[i], this->arm_->speed_D()[i] };
+    }
+  }
+  else
+  {
+    for (int pass = 0; pass < this->parts_; ++pass)
+    {
+      this->move(led + this->options_.push_D + this->motorForce(command));
+    }
   }
   if (this->turning_)
   {
@@ -240,6 +221,10 @@ void SimulatedDevice::advance() noexcept
 
 Vec3 SimulatedDevice::shown_D() const noexcept
 {
+  if (this->arm_)
+  {
+    return this->arm_->shown_D();
+  }
   const double step = this->model_.encoderStep_m;
   return step > 0.0 ? Vec3((this->position_D() / step).array().floor() * step) : this->position_D();
 }

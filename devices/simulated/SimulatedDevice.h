@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "devices/common/Condition.h"
 #include "devices/simulated/DeviceModels.h"
 #include "devices/simulated/FrictionPlant.h"
+#include "devices/simulated/LedPath.h"
 #include "devices/simulated/SerialLink.h"
 #include "devices/simulated/TurningPart.h"
 #include "haptics/core/HapticDevice.h"
@@ -17,14 +19,7 @@
 namespace palpate
 {
 
-/// Where the hand is led, in the device frame.
-struct HandPath
-{
-  std::vector<Vec3> points_D; ///< polyline [m]; one point: the hand holds still there
-  double speed_m_per_s = 0.05;
-  bool loops = true;          ///< goes back and forth along it; else it stops at the end
-  Vec3 turn_D = Vec3::Zero(); ///< by which it has turned at its end, evenly along it [rad]
-};
+class ArmPlant;
 
 /// How a simulated device is run.
 struct SimulationOptions
@@ -48,6 +43,8 @@ public:
   /// Without a hand (its stiffness, damping and mass are zero) the path is only where the device starts.
   SimulatedDevice(DeviceModel model, HandModel hand, HandPath path, const SimulationOptions& options = {});
 
+  ~SimulatedDevice() override;
+
   [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
   /// Needs at least one point, all finite, a positive speed, a period and a delay within their limits.
   [[nodiscard]] std::string open() override;
@@ -56,7 +53,7 @@ public:
   void write(const DeviceCommand& command) noexcept override;
 
   /// Where the hand is led to at a time since the start [s], in D.
-  [[nodiscard]] Vec3 target(double time_s) const noexcept { return this->led_D(time_s).p; }
+  [[nodiscard]] Vec3 target(double time_s) const noexcept { return this->path_.at_D(time_s).p; }
 
   /// From the next period on the hand is led here instead of along its path, for a program that decides as it goes [m].
   void lead(const Vec3& target_D) noexcept;
@@ -75,7 +72,6 @@ public:
 private:
   [[nodiscard]] std::string refusal() const;
   void advance() noexcept;
-  [[nodiscard]] Pose led_D(double time_s) const noexcept;
   /// Where the hand is led in the coming period, and from where.
   [[nodiscard]] std::pair<Pose, Pose> ledAlong() noexcept;
   /// The command that is due after the delay.
@@ -91,15 +87,15 @@ private:
   DeviceInfo info_;
   DeviceModel model_;
   HandModel hand_;
-  HandPath path_;
+  LedPath path_;
   SimulationOptions options_;
   int parts_; ///< of a period: passes of the device's own loop, or one
   FrictionPlant plant_;
-  std::vector<double> reached_m_;      ///< length of the path up to each point
   Pose programmed_D_;                  ///< where a program leads the hand [m]
   Pose reached_D_;                     ///< and led it in the period before
   bool led_ = false;                   ///< by a program
   std::optional<TurningPart> turning_; ///< none: it does not turn
+  std::unique_ptr<ArmPlant> arm_;      ///< what moves, where it is more than the mass of axes_
   std::array<FrictionPlant::State, 3> axes_;
   std::array<DeviceCommand, SimulationOptions::longestDelay_ticks + 1> commands_; ///< of the last periods
   int newest_ = 0;

@@ -8,10 +8,10 @@
 #include <Eigen/LU>
 
 #include "haptics/arm/ArmMeasures.h"
-#include "haptics/arm/kinds/DeltaArm.h"
-#include "haptics/arm/kinds/FiveBar.h"
-#include "haptics/arm/kinds/SerialArm.h"
-#include "haptics/arm/kinds/WoodenArm.h"
+#include "haptics/arm/DeltaArm.h"
+#include "haptics/arm/FiveBar.h"
+#include "haptics/arm/SerialArm.h"
+#include "haptics/arm/WoodenArm.h"
 #include "haptics/core/PoseMath.h"
 
 namespace palpate

@@ -20,8 +20,8 @@ namespace palpate
 /// grad(q' M q') / 2 - M' q'. Slopes of M by differences.
 [[nodiscard]] JointVector velocityTorqueOf(const Arm& arm, const JointVector& q, const JointVector& rate) noexcept;
 
-/// Torque of the motors that a command becomes, with the arm where its encoders show it: gravity is held, and the force on
-/// the hand faded (Arm::forceFade), the whole cut to what every motor can give, in whole steps.
+/// Torque of the motors that a command becomes, with the arm where its encoders show it: gravity is held, and the force
+/// on the hand faded (Arm::forceFade), the whole cut to what every motor can give, in whole steps.
 [[nodiscard]] JointVector motorCommandOf(const Arm& arm, const JointVector& shown, const Wrench& wrench_D) noexcept;
 
 /// Potential energy [J]; 0 at the origin of D.

@@ -64,6 +64,34 @@ double mostForceOf(const Eigen::MatrixXd& J, const Eigen::VectorXd& most)
   return largest;
 }
 
+void addForces(const Arm& arm, const Eigen::MatrixXd& J, ArmMeasures& measures)
+{
+  // In motors' torques, so that one that moves two joints counts for both.
+  const JointMatrix gears = arm.gears().topLeftCorner(arm.motors(), arm.motors());
+  const Eigen::MatrixXd motorJ = J * gears;
+  Eigen::VectorXd most(arm.motors());
+  measures.leastForce_N = unlimited;
+  for (int k = 0; k < arm.motors(); ++k)
+  {
+    most[k] = arm.plan().joints[static_cast<std::size_t>(k)].maxTorque_Nm;
+    measures.leastForce_N = std::min(measures.leastForce_N, most[k] / motorJ.col(k).norm());
+  }
+  measures.mostForce_N = mostForceOf(motorJ, most);
+}
+
+void addMasses(const Arm& arm, const JointVector& q, const Eigen::MatrixXd& J, ArmMeasures& measures)
+{
+  const Eigen::MatrixXd inertia = inertiaOf(arm, q).topLeftCorner(arm.motors(), arm.motors());
+  const Eigen::LDLT<Eigen::MatrixXd> solver(inertia);
+  if (inertia.diagonal().minCoeff() > 0.0 && solver.isPositive())
+  {
+    const Eigen::MatrixXd mobility = J * solver.solve(J.transpose());
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> masses(mobility, Eigen::EigenvaluesOnly);
+    measures.leastMass_kg = 1.0 / masses.eigenvalues()[J.rows() - 1];
+    measures.mostMass_kg = 1.0 / masses.eigenvalues()[0];
+  }
+}
+
 } // namespace
 
 double conditionOf(const Arm& arm, const Posture& posture) noexcept
@@ -109,26 +137,8 @@ ArmMeasures measure(const Arm& arm, const JointVector& q)
     return measures;
   }
   measures.condition = svd.singularValues()[0] / least;
-  // In motors' torques, so that one that moves two joints counts for both.
-  const JointMatrix gears = arm.gears().topLeftCorner(arm.motors(), arm.motors());
-  const Eigen::MatrixXd motorJ = J * gears;
-  Eigen::VectorXd most(arm.motors());
-  measures.leastForce_N = unlimited;
-  for (int k = 0; k < arm.motors(); ++k)
-  {
-    most[k] = arm.plan().joints[static_cast<std::size_t>(k)].maxTorque_Nm;
-    measures.leastForce_N = std::min(measures.leastForce_N, most[k] / motorJ.col(k).norm());
-  }
-  measures.mostForce_N = mostForceOf(motorJ, most);
-  const Eigen::MatrixXd inertia = inertiaOf(arm, q).topLeftCorner(arm.motors(), arm.motors());
-  const Eigen::LDLT<Eigen::MatrixXd> solver(inertia);
-  if (inertia.diagonal().minCoeff() > 0.0 && solver.isPositive())
-  {
-    const Eigen::MatrixXd mobility = J * solver.solve(J.transpose());
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> masses(mobility, Eigen::EigenvaluesOnly);
-    measures.leastMass_kg = 1.0 / masses.eigenvalues()[directions - 1];
-    measures.mostMass_kg = 1.0 / masses.eigenvalues()[0];
-  }
+  addForces(arm, J, measures);
+  addMasses(arm, q, J, measures);
   return measures;
 }
 

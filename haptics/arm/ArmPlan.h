@@ -67,7 +67,7 @@ struct ArmJoint
   std::int32_t calibrated = 0;  ///< count in the pose of calibration
   bool hasMotor = true;
   double maxTorque_Nm = std::numeric_limits<double>::infinity(); ///< of the motor
-  double torqueStep_Nm = 0.0; ///< of the motor's command; 0: any torque
+  double torqueStep_Nm = 0.0;                                    ///< of the motor's command; 0: any torque
   double torqueConstant_Nm_per_A = 0.0;                          ///< of the motor; 0: unknown
   double rotor_kg_m2 = 0.0;                                      ///< of the motor
   double damping_Nms = 0.0, friction_Nm = 0.0;                   ///< at the joint
@@ -79,7 +79,7 @@ struct ArmJoint
 struct ArmMass
 {
   double mass_kg = 0.0;
-  int link = 0; ///< from 1; which ones there are is said where its kind moves (kinds/)
+  int link = 0; ///< from 1; which ones there are is said in the header of its kind
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
 };
 

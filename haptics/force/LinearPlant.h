@@ -13,6 +13,8 @@ namespace palpate
 class LinearPlant
 {
 public:
+  /// One whose state is 0 after a period.
+  LinearPlant() = default;
   /// Mass [kg] > 0, damping [N s/m] >= 0, stiffness to the origin [N/m] >= 0, period [s] > 0.
   LinearPlant(double mass_kg, double damping_Ns_per_m, double stiffness_N_per_m, double period_s);
 
@@ -24,8 +26,8 @@ public:
   [[nodiscard]] const Eigen::Vector2d& held() const noexcept { return this->held_; }
 
 private:
-  Eigen::Matrix2d free_;
-  Eigen::Vector2d held_;
+  Eigen::Matrix2d free_ = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d held_ = Eigen::Vector2d::Zero();
 };
 
 } // namespace palpate

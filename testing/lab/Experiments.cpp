@@ -31,6 +31,11 @@ std::vector<Experiment> forceExperiments()
     { "impact-walls",
       "a pulse that brakes and a transient make an impact feel hard: how hard, and what a wrong mass or speed costs",
       { 89 }, runImpactWalls },
+    { "admittance",
+      "a robot with a force sensor is rigid at a wall, heavy in air, and shakes in a grip that is too stiff", { 86 },
+      runAdmittance },
+    { "arms", "of the same links and motors a parallel arm is lighter and more even, a serial one has more room",
+      { 87 }, runArms },
   };
 }
 

@@ -26,7 +26,18 @@ struct Arguments
   vtkHapticCliReplayOptions Replay;
   vtkHapticCliLabyrinthOptions Labyrinth;
   vtkHapticCliTurnOptions Turn;
+  std::string Arm;
+  bool ArmJson = false;
 };
+
+void AddArm(CLI::App& app, Arguments& arguments)
+{
+  CLI::App* command = app.add_subcommand(
+    "arm", "Check an arm file, and print condition, largest force and apparent mass over the work space");
+  command->add_option("FILE", arguments.Arm, "Arm file (json), or the name of a built-in arm, such as falcon")
+    ->required();
+  command->add_flag("--json", arguments.ArmJson, "Print JSON");
+}
 
 void AddDevices(CLI::App& app, Arguments& arguments)
 {
@@ -293,8 +304,12 @@ int Run(const CLI::App& app, const Arguments& arguments)
   {
     return Turn(arguments.Turn);
   }
+  if (app.got_subcommand("arm"))
+  {
+    return vtkHapticCliArm(arguments.Arm, arguments.ArmJson);
+  }
   throw vtkHapticCliProblem(
-    "missing command: use devices, check, touch, turn, replay or labyrinth (see palpate --help)");
+    "missing command: use devices, check, touch, turn, arm, replay or labyrinth (see palpate --help)");
 }
 
 int Refuse(std::string reason)
@@ -319,6 +334,7 @@ int main(int argc, char** argv)
   AddReplay(app, arguments);
   AddLabyrinth(app, arguments);
   AddTurn(app, arguments);
+  AddArm(app, arguments);
   try
   {
     app.parse(argc, argv);

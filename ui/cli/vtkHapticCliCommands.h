@@ -20,6 +20,9 @@ int vtkHapticCliDevices(bool json);
 /// passed, 1: it did not.
 int vtkHapticCliSelfTest(const std::string& device, bool keep, bool wheel);
 
+/// What an arm of that file, or of that name, can do in its work space. 0: it can be used; a fault throws.
+int vtkHapticCliArm(const std::string& file, bool json);
+
 struct vtkHapticCliTurnOptions
 {
   std::string File;

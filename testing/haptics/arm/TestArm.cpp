@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/arm/ArmMeasures.h"
+#include "haptics/arm/ArmSkeleton.h"
 #include "haptics/core/PoseMath.h"
 #include "testing/oracles/arm/ArmOracle.h"
 #include "testing/support/AllocationGuard.h"
@@ -179,9 +180,10 @@ TEST(Arm, MovesAJointWithTheOneThatItFollows)
   EXPECT_NEAR(q[0], 0.3, 1e-15);
   EXPECT_NEAR(q[1], 0.5 - 0.3, 1e-15);
   // Work is the same at the joints and at the motors.
-  JointVector torque = JointVector::Zero(2);
-  torque << 0.7, -0.2;
-  EXPECT_NEAR(arm.motorTorqueOf(torque).dot(turns), torque.dot(q), 1e-15);
+  JointVector torque = JointVector::Constant(2, 0.7);
+  torque[1] = -0.2;
+  const JointVector motors = arm.motorTorqueOf(torque);
+  EXPECT_NEAR(motors[0] * turns[0] + motors[1] * turns[1], torque[0] * q[0] + torque[1] * q[1], 1e-15);
 }
 
 TEST(Arm, LetsItsForceFadeBeforeAnEndAndBeforeASingularity)
@@ -221,6 +223,38 @@ TEST(Arm, LetsItsForceFadeBeforeAnEndAndBeforeASingularity)
   EXPECT_NEAR(fadeAt(1.0, elbowOf(4.875)), 0.5, 1e-9);
   EXPECT_EQ(fadeAt(1.0, elbowOf(5.01)), 0.0);
   EXPECT_EQ(fadeAt(1.0, 0.0), 0.0);
+}
+
+TEST(ArmSkeleton, HasLinksThatKeepTheirLengthsInEveryPosture)
+{
+  for (const ArmPlan& plan : test::allArms())
+  {
+    SCOPED_TRACE(plan.name);
+    const Arm arm(plan);
+    test::Random random(test::testSeed(878));
+    std::vector<double> lengths;
+    for (int i = 0; i < 100; ++i)
+    {
+      const JointVector q = test::randomJoints(arm, random);
+      std::vector<double> found;
+      for (const std::vector<Vec3>& line : skeletonOf(arm, q))
+      {
+        for (std::size_t k = 1; k < line.size(); ++k)
+        {
+          found.push_back((line[k] - line[k - 1]).norm());
+        }
+      }
+      ASSERT_FALSE(found.empty());
+      lengths = i == 0 ? found : lengths;
+      // With hinges apart a forearm in the picture is the straight line between its ends, up to a tenth shorter.
+      const auto* const delta = std::get_if<DeltaGeometry>(&plan.geometry);
+      const double slack = delta != nullptr && delta->hinge_m > 0.0 ? 0.1 : 1e-12;
+      for (std::size_t k = 0; k < found.size(); ++k)
+      {
+        ASSERT_NEAR(found[k], lengths[k], slack * lengths[k] + 1e-12) << k;
+      }
+    }
+  }
 }
 
 TEST(Arm, AllocatesNothingInATick)

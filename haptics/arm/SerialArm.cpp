@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/arm/kinds/SerialArm.h"
+#include "haptics/arm/SerialArm.h"
 
 #include <cmath>
 #include <limits>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/arm/kinds/WoodenArm.h"
+#include "haptics/arm/WoodenArm.h"
 
 #include <cmath>
 
-#include "haptics/arm/kinds/Triangle.h"
+#include "haptics/arm/Triangle.h"
 
 namespace palpate
 {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/arm/kinds/DeltaArm.h"
+#include "haptics/arm/DeltaArm.h"
 
 #include <array>
 #include <cmath>
 
 #include <Eigen/LU>
 
-#include "haptics/arm/kinds/LegPoint.h"
-#include "haptics/arm/kinds/Triangle.h"
+#include "haptics/arm/LegPoint.h"
+#include "haptics/arm/Triangle.h"
 
 namespace palpate
 {

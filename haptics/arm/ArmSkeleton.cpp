@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/arm/ArmSkeleton.h"
+
+#include "haptics/core/PoseMath.h"
+
+namespace palpate
+{
+namespace
+{
+
+using Lines = std::vector<std::vector<Vec3>>;
+
+/// The polylines of each kind.
+struct Skeleton
+{
+  const Arm& arm;
+  const JointVector& q;
+  Vec3 tip_D;
+
+  [[nodiscard]] Vec3 at(int link, double along_m) const
+  {
+    return this->arm.linkPoint(this->q, link, Vec3(along_m, 0.0, 0.0)).p;
+  }
+  [[nodiscard]] Vec3 base(const Vec3& p) const { return this->arm.plan().base_D * p; }
+
+  Lines operator()(const SerialGeometry& chain) const
+  {
+    std::vector<Vec3> line{ this->base(Vec3::Zero()) };
+    for (int link = 1; link <= chain.count; ++link)
+    {
+      line.push_back(this->at(link, 0.0));
+    }
+    line.push_back(this->tip_D);
+    return { line };
+  }
+  Lines operator()(const WoodenGeometry& wooden) const
+  {
+    return { { this->base(Vec3::Zero()), this->at(1, 0.0), this->at(1, wooden.upper_m), this->tip_D } };
+  }
+  Lines operator()(const DeltaGeometry& delta) const
+  {
+    Lines lines;
+    for (int leg = 1; leg <= 3; ++leg)
+    {
+      lines.push_back({ this->base(Vec3::Zero()), this->at(leg, 0.0), this->at(leg, delta.arm_m),
+        this->at(3 + leg, delta.forearm_m + delta.hinge_m), this->tip_D });
+    }
+    return lines;
+  }
+  Lines operator()(const FiveBarGeometry& bars) const
+  {
+    return { { this->at(1, 0.0), this->at(1, bars.arm_m), this->tip_D, this->at(2, bars.arm_m), this->at(2, 0.0) } };
+  }
+};
+
+} // namespace
+
+std::vector<std::vector<Vec3>> skeletonOf(const Arm& arm, const JointVector& q)
+{
+  const std::optional<Pose> tip = arm.forward(q);
+  return tip ? std::visit(Skeleton{ arm, q, tip->p }, arm.plan().geometry) : Lines();
+}
+
+} // namespace palpate

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`palpate arm`: an arm file is checked, and what the arm can do in its work space is printed."""
+
+import json
+import os
+import subprocess
+import unittest
+from pathlib import Path
+
+from palpate_cli import PROGRAM, CommandLineTest
+
+ARMS = Path(os.environ["PALPATE_SOURCE_DIR"]) / "data" / "arms"
+
+
+def described(*words):
+    run = subprocess.run([PROGRAM, "arm", *words], capture_output=True, text=True, timeout=120)
+    assert run.returncode == 0, run.stderr
+    return run.stdout
+
+
+class Arm(CommandLineTest):
+    def test_a_file_says_the_same_as_the_arm_that_is_built_in(self):
+        for file in sorted(ARMS.glob("*.json")):
+            with self.subTest(file=file.name):
+                self.assertEqual(described(str(file), "--json"), described(file.stem, "--json"))
+
+    def test_the_numbers_lie_within_what_the_file_allows(self):
+        falcon = json.loads((ARMS / "falcon.json").read_text())
+        said = json.loads(described("falcon", "--json"))
+        self.assertEqual((said["kind"], said["joints"], said["motors"]), ("delta", 3, 3))
+        least, most = said["condition"]
+        self.assertTrue(1.0 <= least <= most < falcon["max_condition"])
+        self.assertEqual(said["usable_places"], said["places"])
+        self.assertGreater(said["force_N"][0], 0.0)
+        self.assertLess(said["apparent_mass_kg"][0], said["apparent_mass_kg"][1])
+        centre, radius = falcon["work_space"]["centre_m"], falcon["work_space"]["radius_m"]
+        self.assertLessEqual(sum((a - b) ** 2 for a, b in zip(said["best_m"], centre)) ** 0.5, radius * (1 + 1e-9))
+
+    def test_a_work_space_with_a_singularity_is_told(self):
+        arm = json.loads((ARMS / "pantograph.json").read_text())
+        arm["work_space"]["radius_m"] = 0.06
+        file = self.folder / "wide.json"
+        file.write_text(json.dumps(arm))
+        self.assertIn("note: the arm does not reach", described(str(file)))
+
+    def test_bad_input_is_named(self):
+        text = (ARMS / "falcon.json").read_text()
+        short = self.folder / "short.json"
+        short.write_text(text[: len(text) // 2])
+        self.refused("arm", "nowhere.json", saying=["nowhere.json", "cannot be read"])
+        self.refused("arm", str(short), saying=["short.json", "not JSON"])
+        short.write_text(text.replace('"arm_m": 0.06', '"arm_m": -0.06'))
+        self.refused("arm", str(short), saying=["short.json", 'the length "arm" must be above 0'])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticCliCommands.h"
+
+#include <iostream>
+
+#include "haptics/arm/ArmWorkSpaceMap.h"
+#include "haptics/arm/file/ArmFile.h"
+#include "vtkHapticCliProblem.h"
+#include "vtkHapticJson.h"
+
+namespace
+{
+constexpr int Steps = 20; ///< along the diameter of the work space
+
+nlohmann::ordered_json ToJson(const palpate::Arm& arm, const palpate::ArmRange& range, const std::string& note)
+{
+  nlohmann::ordered_json json;
+  json["name"] = arm.plan().name;
+  json["kind"] = palpate::nameOf(arm.plan().geometry);
+  json["joints"] = arm.joints();
+  json["motors"] = arm.motors();
+  json["source"] = arm.plan().source;
+  if (range.usable > 0)
+  {
+    json["places"] = range.places;
+    json["usable_places"] = range.usable;
+    json["condition"] = { range.leastCondition, range.mostCondition };
+    json["force_N"] = { range.leastForce_N, range.mostForce_N };
+    json["apparent_mass_kg"] = { range.leastMass_kg, range.mostMass_kg };
+    json["best_m"] = { range.best_D.x(), range.best_D.y(), range.best_D.z() };
+  }
+  json["note"] = note;
+  return json;
+}
+
+void Print(const palpate::Arm& arm, const palpate::ArmRange& range, const std::string& note)
+{
+  std::cout << arm.plan().name << ": " << palpate::nameOf(arm.plan().geometry) << ", " << arm.joints() << " joints, "
+            << arm.motors() << " motors\n";
+  if (!arm.plan().source.empty())
+  {
+    std::cout << "  source: " << arm.plan().source << '\n';
+  }
+  if (range.usable > 0)
+  {
+    std::cout << "  condition of the Jacobian: " << range.leastCondition << " to " << range.mostCondition << '\n'
+              << "  largest force in the worst direction: " << range.leastForce_N << " to " << range.mostForce_N
+              << " N\n"
+              << "  apparent mass: " << range.leastMass_kg << " to " << range.mostMass_kg << " kg\n"
+              << "  best place: " << 1e3 * range.best_D.x() << ", " << 1e3 * range.best_D.y() << ", "
+              << 1e3 * range.best_D.z() << " mm\n";
+  }
+  if (!note.empty())
+  {
+    std::cout << "  note: " << note << '\n';
+  }
+}
+} // namespace
+
+int vtkHapticCliArm(const std::string& file, bool json)
+{
+  const palpate::Outcome<palpate::ArmPlan> plan = palpate::armNamed(file);
+  if (!plan.ok())
+  {
+    throw vtkHapticCliProblem(plan.problem);
+  }
+  const palpate::Arm arm(plan.value);
+  const palpate::ArmRange range = palpate::rangeOf(arm, palpate::mapWorkSpace(arm, Steps));
+  const std::string note = palpate::noteOn(arm, range);
+  if (json)
+  {
+    std::cout << ToJson(arm, range, note).dump(2) << '\n';
+  }
+  else
+  {
+    Print(arm, range, note);
+  }
+  return 0;
+}
