@@ -7,6 +7,8 @@
 
 #include "devices/FedDevice.h"
 #include "devices/ReplayDevice.h"
+#include "devices/arm/ArmDevice.h"
+#include "devices/arm/kit/Kits.h"
 #include "devices/calibration/CalibratedDevice.h"
 #include "devices/calibration/CalibrationFiles.h"
 #include "devices/evdev/EvdevDevice.h"
@@ -134,6 +136,25 @@ Kind kindOf(const FoundEvdev& found, const std::shared_ptr<EvdevBus>& bus)
   return { found.name, what + found.entry.name, make, found.problem, found.hasTwin };
 }
 
+Kind kindOf(const FoundArm& found)
+{
+  const auto make = [name = found.name, entry = found.entry, hasTwin = found.hasTwin, kit = *found.kit](
+                      const DeviceOptions&) {
+    return MadeDevice{ std::make_unique<ArmDevice>(name, kit.bus, entry, kit.setup), "", "", hasTwin };
+  };
+  return { found.name, found.kit->setup.what, make, found.problem, found.hasTwin, found.kit->setup.grips };
+}
+
+/// What arms are looked for where.
+std::shared_ptr<const std::vector<ArmKit>> armKits(const DeviceOptions& options)
+{
+  if (options.arms != nullptr || options.hid != nullptr || options.evdev != nullptr)
+  {
+    return options.arms;
+  }
+  return std::make_shared<const std::vector<ArmKit>>(systemArmKits());
+}
+
 std::shared_ptr<EvdevBus> eventDevices(const DeviceOptions& options)
 {
   return options.hid != nullptr || options.evdev != nullptr ? options.evdev : systemEvdevBus();
@@ -157,6 +178,11 @@ std::vector<Kind> pluggedIn(const DeviceOptions& options)
   for (const FoundEvdev& found : driven)
   {
     all.push_back(kindOf(found, events));
+  }
+  const std::shared_ptr<const std::vector<ArmKit>> kits = armKits(options);
+  for (const FoundArm& found : kits != nullptr ? findArms(*kits) : std::vector<FoundArm>{})
+  {
+    all.push_back(kindOf(found));
   }
   return all;
 }

@@ -15,6 +15,7 @@ namespace palpate
 {
 
 class EvdevBus; // its header has the kernel's macros
+struct ArmKit;
 
 /// Options for the creation of a device; each kind uses its own part.
 struct DeviceOptions
@@ -28,7 +29,8 @@ struct DeviceOptions
   std::optional<Calibration> felt; ///< result of a check in this session for a device without a distinct serial number
   bool wheel = false;              ///< the person says that it is one, whatever it calls itself
   std::shared_ptr<EvdevBus> evdev; ///< the same, behind the kernel's drivers; null: this computer unless `hid` is given
-  std::string calibrationFolder;   ///< folder of calibrations that are applied; empty: none
+  std::shared_ptr<const std::vector<ArmKit>> arms; ///< the same of arms; null: this computer's unless `hid` is given
+  std::string calibrationFolder;                   ///< folder of calibrations that are applied; empty: none
 };
 
 /// One device this build knows.

@@ -16,13 +16,14 @@ namespace palpate
 namespace
 {
 
-constexpr double still_s = 0.5;     // this long still counts as having stopped
-constexpr double noise_s = 1.0;     // watched for noise
-constexpr double patience_s = 30.0; // with a person who is to move it
-constexpr double silent_s = 30.0;   // with a device that says where the hand is once it is moved
-constexpr double latest_s = 0.020;  // between two ticks under force
-constexpr double leaves = 0.1;      // radii: less is not going to an end
-constexpr double middleHalf = 0.6;  // of the way to an end
+constexpr double still_s = 0.5;      // this long still counts as having stopped
+constexpr double noise_s = 1.0;      // watched for noise
+constexpr double patience_s = 30.0;  // with a person who is to move it
+constexpr double silent_s = 30.0;    // with a device that says where the hand is once it is moved
+constexpr double prepared_s = 600.0; // with a person who prepares an arm
+constexpr double latest_s = 0.020;   // between two ticks under force
+constexpr double leaves = 0.1;       // radii: less is not going to an end
+constexpr double middleHalf = 0.6;   // of the way to an end
 
 double stillWithin_m(const SelfTestPlan& plan)
 {
@@ -53,11 +54,11 @@ void follow(const SelfTestPlan& plan, const Vec3& p_D, double dt_s, SelfTestStat
 }
 
 /// Some devices say nothing until they are moved; nobody is asked to for ever.
-void awaitHand(double dt_s, SelfTestState& state) noexcept
+void awaitHand(const SelfTestPlan& plan, double dt_s, SelfTestState& state) noexcept
 {
   state.waiting_s += dt_s;
   state.seen = false;
-  if (state.waiting_s > silent_s)
+  if (state.waiting_s > (plan.knowsAxes ? prepared_s : silent_s))
   {
     end(state, SelfTestVerdict::Inconclusive, SelfTestReason::Silent);
   }
@@ -93,14 +94,25 @@ SelfTestReason danger(
   return state.velocity_D.norm() > plan.fastest_m_per_s ? SelfTestReason::TooFast : SelfTestReason::None;
 }
 
-void awaitStill(SelfTestState& state) noexcept
+/// Of an arm the ends are those of its work space.
+void goToPushes(const SelfTestPlan& plan, SelfTestState& state) noexcept
+{
+  for (int axis = 0; axis < plan.axes; ++axis)
+  {
+    state.high_D[static_cast<std::size_t>(axis)] = plan.radius_m * Vec3::Unit(axis);
+    state.low_D[static_cast<std::size_t>(axis)] = -plan.radius_m * Vec3::Unit(axis);
+  }
+  enter(state, SelfTestStage::Settle);
+}
+
+void awaitStill(const SelfTestPlan& plan, SelfTestState& state) noexcept
 {
   if (state.still_s >= noise_s)
   {
     state.noise_m = (state.most_D - state.least_D).maxCoeff();
     state.axis = 0;
     state.up = false;
-    enter(state, SelfTestStage::End);
+    plan.knowsAxes ? goToPushes(plan, state) : enter(state, SelfTestStage::End);
   }
   else if (state.stage_s > restless_s)
   {
@@ -198,7 +210,7 @@ void advance(const SelfTestPlan& plan, SelfTestState& state) noexcept
   switch (state.stage)
   {
     case SelfTestStage::Still:
-      return awaitStill(state);
+      return awaitStill(plan, state);
     case SelfTestStage::End:
       return awaitEnd(plan, state);
     case SelfTestStage::Middle:
@@ -235,7 +247,7 @@ int axesOf(const DeviceInfo& device)
 
 SelfTestPlan SelfTestPlan::forDevice(const DeviceInfo& device, const DeadMan& deadMan, bool wheel)
 {
-  constexpr double assumedForce_N = 5.0, shareOfForce = 0.1, shareOfWay = 0.35;
+  constexpr double assumedForce_N = 5.0, shareOfForce = 0.1, shareOfWay = 0.35, pushOfArm_N = 0.5;
   SelfTestPlan plan;
   plan.axes = device.rendersForce && device.causality == Causality::Impedance ? axesOf(device) : 0;
   plan.wheel = wheel || device.deviceClass == DeviceClass::Wheel1D;
@@ -245,7 +257,9 @@ SelfTestPlan SelfTestPlan::forDevice(const DeviceInfo& device, const DeadMan& de
   plan.simulated = device.simulated;
   plan.radius_m = device.workspaceRadius_m.value;
   plan.resolution_m = device.resolution_m.value;
-  plan.push_N = shareOfForce * std::min(device.maxForce_N.value, assumedForce_N);
+  plan.knowsAxes = device.knowsAxes;
+  plan.push_N = device.knowsAxes ? std::min(device.maxForce_N.value, pushOfArm_N)
+                                 : shareOfForce * std::min(device.maxForce_N.value, assumedForce_N);
   plan.stiffest_N_per_m = device.heldStiffness_N_per_m.value;
   plan.farthest_m = shareOfWay * plan.radius_m;
   plan.fastest_m_per_s = handLimits(plan.radius_m, plan.push_N).speed_m_per_s;
@@ -273,7 +287,7 @@ DeviceCommand stepSelfTest(
   }
   if (status == DeviceStatus::Waiting)
   {
-    awaitHand(dt_s, state);
+    awaitHand(plan, dt_s, state);
     return {};
   }
   if (status != DeviceStatus::Ok || !isFinite(sample))

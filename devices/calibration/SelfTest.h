@@ -24,11 +24,12 @@ struct SelfTestPlan
   bool wheel = false;       ///< the device has one axis, however many it says it has
   bool offersWalls = false; ///< with viscosity
   bool shakes = false;
+  bool knowsAxes = false; ///< each push must move the hand where it points; nobody is sent to the ends
   bool simulated = false;         ///< ticks may come late
   double effectsEndAfter_s = 0.0; ///< unless they are renewed; 0: they do not end
   double radius_m = 0.0;          ///< of the workspace, as it is assumed so far
   double resolution_m = 0.0;
-  double push_N = 0.0;           ///< at most a tenth of the device's largest force
+  double push_N = 0.0;           ///< at most a tenth of the device's largest force; of an arm 0.5 N
   double stiffest_N_per_m = 0.0; ///< of the walls that the device holds
   double farthest_m = 0.0;       ///< a push that moves the hand further ends the test
   double fastest_m_per_s = 0.0;  ///< and so does a faster hand under force
@@ -80,6 +81,8 @@ enum class SelfTestReason : std::uint8_t
   Sometimes,    ///< some pushes only move the axis
   Fades,        ///< the second push moved the axis much less
   NoExpiry,     ///< commands that are not renewed continue
+  Reversed,     ///< of an arm: a push moves the hand the other way
+  Turned,       ///< of an arm: a push moves the hand along another axis
   TooFar,
   TooFast,
   NotFinite,

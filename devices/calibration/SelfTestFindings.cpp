@@ -268,8 +268,8 @@ SelfTestReason reasonOf(MotorMotion motion)
 /// What hides what comes after it in the list.
 SelfTestReason graver(SelfTestReason a, SelfTestReason b)
 {
-  constexpr std::array<SelfTestReason, 10> order{ SelfTestReason::PushUnclear, SelfTestReason::BothAxes,
-    SelfTestReason::AnswersLate, SelfTestReason::Sometimes, SelfTestReason::Fades, SelfTestReason::SharedAxis,
+  constexpr std::array<SelfTestReason, 12> order{ SelfTestReason::PushUnclear, SelfTestReason::BothAxes,
+    SelfTestReason::Turned, SelfTestReason::Reversed, SelfTestReason::AnswersLate, SelfTestReason::Sometimes, SelfTestReason::Fades, SelfTestReason::SharedAxis,
     SelfTestReason::NoExpiry, SelfTestReason::NotMoved, SelfTestReason::NoMotion, SelfTestReason::None };
   const auto rank = [&](SelfTestReason reason) { return std::find(order.begin(), order.end(), reason); };
   return rank(a) < rank(b) ? a : b;
@@ -295,6 +295,15 @@ SelfTestReason judgeOneAxis(const SelfTestPlan& plan, const SelfTestState& state
   return motorOf(plan, state, sensor) < 0 ? graver(worst, SelfTestReason::NoMotion) : worst;
 }
 
+/// Of an arm, whose kinematics say where a push leads.
+SelfTestReason contradictionOf(const MotorFinding& found, int motor)
+{
+  return found.motion != MotorMotion::Clear ? SelfTestReason::None
+         : found.sensor != motor            ? SelfTestReason::Turned
+         : found.sign < 0                   ? SelfTestReason::Reversed
+                                            : SelfTestReason::None;
+}
+
 SelfTestReason judgeEachAxis(const SelfTestPlan& plan, const SelfTestState& state)
 {
   SelfTestReason worst = SelfTestReason::None;
@@ -304,6 +313,7 @@ SelfTestReason judgeEachAxis(const SelfTestPlan& plan, const SelfTestState& stat
     const MotorFinding found = findMotor(plan, state, motor);
     const int bit = found.motion == MotorMotion::Clear ? 1 << found.sensor : 0;
     worst = graver(worst, (moved & bit) != 0 ? SelfTestReason::SharedAxis : reasonOf(found.motion));
+    worst = graver(worst, plan.knowsAxes ? contradictionOf(found, motor) : SelfTestReason::None);
     moved |= bit;
   }
   return worst;

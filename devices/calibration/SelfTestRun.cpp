@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "devices/calibration/CalibratedDevice.h"
 #include "devices/common/DeviceLoop.h"
+#include "devices/common/DeviceSteps.h"
 #include "devices/common/HeldTrust.h"
 #include "devices/simulated/SimulatedDevice.h"
 
@@ -48,7 +50,8 @@ struct SelfTestRun::Run
     {
       this->hand.follow(askedPlace_D(this->plan, state), dt_s);
     }
-    DeviceCommand step(const DeviceSample& sample, DeviceStatus status, double dt_s, SelfTestState& state) const noexcept
+    DeviceCommand step(
+      const DeviceSample& sample, DeviceStatus status, double dt_s, SelfTestState& state) const noexcept
     {
       return stepSelfTest(this->plan, sample, status, dt_s, state);
     }
@@ -108,6 +111,32 @@ void SelfTestRun::stop()
   const auto* const linked = dynamic_cast<const LinkedDevice*>(&this->run_->loop.device());
   this->link_ = linked != nullptr ? linked->linkReport() : LinkReport{};
   this->run_.reset();
+}
+
+namespace
+{
+
+/// The device itself, also behind a calibration of before.
+const PreparedDevice* preparedIn(const HapticDevice& device)
+{
+  const auto* const calibrated = dynamic_cast<const CalibratedDevice*>(&device);
+  return dynamic_cast<const PreparedDevice*>(calibrated != nullptr ? &calibrated->inner() : &device);
+}
+
+} // namespace
+
+std::optional<DeviceStep> SelfTestRun::need() const
+{
+  const PreparedDevice* const prepared = this->run_ ? preparedIn(this->run_->loop.device()) : nullptr;
+  return prepared != nullptr ? prepared->step() : std::nullopt;
+}
+
+void SelfTestRun::needDone(const std::string& file)
+{
+  if (const PreparedDevice* const prepared = this->run_ ? preparedIn(this->run_->loop.device()) : nullptr)
+  {
+    prepared->stepDone(file);
+  }
 }
 
 void SelfTestRun::step(int ticks)

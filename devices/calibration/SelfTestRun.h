@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "devices/calibration/SelfTest.h"
+#include "devices/common/DeviceSteps.h"
 #include "devices/common/LinkedDevice.h"
 #include "haptics/realtime/RealtimeThread.h"
 
@@ -40,6 +42,11 @@ public:
   [[nodiscard]] bool running() const noexcept { return this->run_ != nullptr; }
   /// Virtual time: computes up to that many ticks now.
   void step(int ticks);
+
+  /// What the person has to do before the device can be pushed; none: nothing.
+  [[nodiscard]] std::optional<DeviceStep> need() const;
+  /// The person has done it.
+  void needDone(const std::string& file);
 
   /// The newest state; after stop() the last one.
   [[nodiscard]] const SelfTestState& state();

@@ -75,6 +75,12 @@ std::string because(SelfTestReason reason)
     case SelfTestReason::NoExpiry:
       return "force commands do not expire: if this program stops, the force continues; switch the device off with its "
              "power switch";
+    case SelfTestReason::Reversed:
+      return "a push moves the handle against its direction: a motor or an encoder of the arm is reversed, or the arm "
+             "is described by the file of another arm";
+    case SelfTestReason::Turned:
+      return "a push moves the hand along another axis: motors or encoders of the arm are mixed, or the "
+             "arm is described by the file of another arm";
     case SelfTestReason::TooFar:
       return "a gentle push moved the device too far: rest a hand on it; if a hand did rest on it, the device may push "
              "in the wrong direction";

@@ -23,6 +23,8 @@ public:
     Vec3 p_D = Vec3::Zero(); ///< [m]
     std::uint32_t buttons = 0;
     bool grip = false; ///< its safety switch is closed, as far as it has said so
+    Quat q_D = Quat::Identity();
+    Twist velocity_D; ///< [m/s, rad/s]; zero where the device does not tell it
   };
   struct Heard
   {

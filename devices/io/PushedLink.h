@@ -165,7 +165,10 @@ protected:
   {
     this->counts_.outOfRange += hand.outOfRange ? 1 : 0;
     const PidScale& scale = this->options_.scale;
-    return { { scale.toMetres(0, hand.at[0]), scale.toMetres(1, hand.at[1]), 0.0 }, hand.buttons };
+    Hand here;
+    here.p_D = { scale.toMetres(0, hand.at[0]), scale.toMetres(1, hand.at[1]), 0.0 };
+    here.buttons = hand.buttons;
+    return here;
   }
   [[nodiscard]] const Clock& clock() const noexcept { return this->clock_; }
 

@@ -100,6 +100,7 @@ const std::map<std::string_view, const char* (*)(I&)> Texts = {
   { "ContactArrays", [](I& s) { return s.Contact.Arrays.c_str(); } },
   { "ContactSource", [](I& s) { return s.Contact.Found ? s.Contact.Found->Source.c_str() : ""; } },
   { "ContactText", [](I& s) { return s.Contact.Text.c_str(); } },
+  { "DeviceButton", [](I& s) { return s.SayDeviceButton(); } },
   { "DeviceKind", [](I& s) { return s.SayDeviceKind(); } },
   { "DeviceNotes", [](I& s) { return s.SayDeviceNotes(); } },
   { "FaultText", [](I& s) { return s.SayFaultText(); } },

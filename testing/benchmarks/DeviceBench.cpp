@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// palpate-device-bench: cost of a USB joystick for the servo in a tick, with its threads at work, beside a tick of
-// contact.
+// palpate-device-bench: cost of a USB joystick or an arm for the servo in a tick, with its threads at work, beside a
+// tick of contact.
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -14,6 +14,9 @@
 #include "haptics/geometry/scene/SceneBuilder.h"
 #include "haptics/realtime/PeriodicTimer.h"
 #include "haptics/tick/ForceRenderer.h"
+#include "testing/devices/arm/FalconRig.h"
+#include "testing/devices/arm/TwoDiyRig.h"
+#include "testing/devices/arm/WoodenHapticsRig.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/CostSample.h"
 #include "testing/support/Eventually.h"
@@ -143,6 +146,62 @@ private:
   std::vector<Vec3> hand_m_;
 };
 
+/// An arm of a kit with its thread at work, whose board answers at once.
+struct BenchedArm
+{
+  const char* name;
+  ArmDevice& device;
+};
+
+Cost costOf(ArmDevice& device, std::size_t ticks)
+{
+  return pacedCost(ticks,
+    [&device](std::size_t i)
+    {
+      DeviceSample sample;
+      static_cast<void>(device.read(1e-3 * static_cast<double>(i), sample));
+      DeviceCommand command;
+      command.wrench_D.force.x() = 1e-3 * static_cast<double>(i % 1000);
+      device.write(command);
+    });
+}
+
+/// False: too dear, or it did not answer.
+bool benchmarkArm(const BenchedArm& arm, Sliding& sliding, std::size_t ticks)
+{
+  if (const std::string problem = arm.device.open(); !problem.empty())
+  {
+    std::printf("%s cannot be opened: %s\n", arm.name, problem.c_str());
+    return false;
+  }
+  const auto [io, tick] = costsInTurn([&] { return costOf(arm.device, ticks); }, [&] { return sliding.cost(); });
+  const LinkReport link = arm.device.linkReport();
+  arm.device.close();
+  const double ratioAtP99 = io.p99_us / tick.p99_us;
+  std::printf("read and write of %-15s p50 %6.3f us  p99 %6.3f us, %.2f of a tick's; %llu exchanges meanwhile\n",
+    arm.name, io.p50_us, io.p99_us, ratioAtP99, static_cast<unsigned long long>(link.inputs));
+  return link.inputs >= fewestReports && ratioAtP99 <= largestRatioAtP99;
+}
+
+/// Each kit has a protocol of its own and the same servo's side.
+bool benchmarkArms(std::size_t ticks)
+{
+  Sliding sliding(ticks);
+  WoodenHapticsRig wooden;
+  ArmDevice woodenDevice("woodenhaptics", wooden.kit.bus, wooden.port.entry, wooden.kit.setup);
+  FalconRig falcon;
+  ArmDevice falconDevice("falcon", falcon.rig.bus, falcon.rig.entry, falconSetup());
+  TwoDiyRig diy;
+  ArmDevice diyDevice("2diy", diy.rig.bus, diy.rig.entry, twoDiySetup());
+  bool within = true;
+  for (const BenchedArm& arm :
+    { BenchedArm{ "woodenhaptics", woodenDevice }, { "falcon", falconDevice }, { "2diy", diyDevice } })
+  {
+    within = benchmarkArm(arm, sliding, ticks) && within;
+  }
+  return within;
+}
+
 /// False: too dear, or the threads had nothing to do and the figures say nothing.
 bool benchmark(std::size_t ticks)
 {
@@ -185,5 +244,6 @@ int main(int argc, char** argv)
   app.add_option("--ticks", ticks, "ticks timed of each")->check(CLI::PositiveNumber);
   app.add_flag("--assert", withAssertions, "exit 1 if it costs more than a part of a tick of contact");
   CLI11_PARSE(app, argc, argv);
-  return palpate::test::benchmark(ticks) || !withAssertions ? 0 : 1;
+  const bool stick = palpate::test::benchmark(ticks), arms = palpate::test::benchmarkArms(ticks);
+  return (stick && arms) || !withAssertions ? 0 : 1;
 }

@@ -9,7 +9,9 @@ from pathlib import Path
 
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
-from palpate.vtkHapticPipeline import vtkHapticArm
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+from palpate.vtkHapticPipeline import vtkHapticArm, vtkHapticPlaceInWorkSpace
 
 ARMS = Path(os.environ["PALPATE_SOURCE_DIR"]) / "data" / "arms"
 
@@ -46,6 +48,28 @@ class Arm(unittest.TestCase):
             self.assertLess(arrays["Condition"].GetValue(i), falcon["max_condition"])
             self.assertGreater(arrays["LargestForce"].GetValue(i), 0.0)
             self.assertGreater(arrays["ApparentMass"].GetValue(i), 0.0)
+
+    def test_data_are_placed_where_the_condition_is_least(self):
+        ball = vtkSphereSource()
+        ball.SetCenter(5.0, 6.0, 7.0)
+        ball.SetRadius(3.0)
+        placed = vtkHapticPlaceInWorkSpace()
+        placed.SetInputConnection(ball.GetOutputPort())
+        placed.SetScale(10.0)
+        placed.Update()
+        output = placed.GetOutput()
+        _, space = drawn("falcon", scale=10.0)
+        condition = space.GetPointData().GetArray("Condition")
+        nearest = min(range(space.GetNumberOfPoints()), key=lambda i: math.dist(space.GetPoint(i), output.GetCenter()))
+        least, most = condition.GetRange()
+        self.assertLess(condition.GetValue(nearest), least + 0.1 * (most - least))
+        falcon = json.loads((ARMS / "falcon.json").read_text())["work_space"]
+        centre = [10.0 * c for c in falcon["centre_m"]]
+        for i in range(output.GetNumberOfPoints()):
+            self.assertLess(math.dist(output.GetPoint(i), centre), 10.0 * falcon["radius_m"] * 1.2)
+        placed.FitOff()
+        placed.Update()
+        self.assertAlmostEqual(placed.GetOutput().GetLength(), ball.GetOutput().GetLength(), 4)
 
     def test_a_file_that_is_no_arm_is_named(self):
         window = vtkStringOutputWindow()

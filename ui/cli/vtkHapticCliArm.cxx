@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticCliCommands.h"
 
-#include <algorithm>
 #include <iostream>
 
 #include "haptics/arm/ArmWorkSpaceMap.h"
@@ -12,19 +11,6 @@
 namespace
 {
 constexpr int Steps = 20; ///< along the diameter of the work space
-
-/// A file, or the name of an arm that is built in.
-palpate::ArmPlan PlanOf(const std::string& file)
-{
-  const std::vector<std::string>& known = palpate::knownArms();
-  const bool isKnown = std::find(known.begin(), known.end(), file) != known.end();
-  const palpate::Outcome<palpate::ArmPlan> read = isKnown ? palpate::knownArm(file) : palpate::readArmFile(file);
-  if (!read.ok())
-  {
-    throw vtkHapticCliProblem(read.problem);
-  }
-  return read.value;
-}
 
 nlohmann::ordered_json ToJson(const palpate::Arm& arm, const palpate::ArmRange& range, const std::string& note)
 {
@@ -73,7 +59,12 @@ void Print(const palpate::Arm& arm, const palpate::ArmRange& range, const std::s
 
 int vtkHapticCliArm(const std::string& file, bool json)
 {
-  const palpate::Arm arm(PlanOf(file));
+  const palpate::Outcome<palpate::ArmPlan> plan = palpate::armNamed(file);
+  if (!plan.ok())
+  {
+    throw vtkHapticCliProblem(plan.problem);
+  }
+  const palpate::Arm arm(plan.value);
   const palpate::ArmRange range = palpate::rangeOf(arm, palpate::mapWorkSpace(arm, Steps));
   const std::string note = palpate::noteOn(arm, range);
   if (json)

@@ -16,15 +16,34 @@
 
 namespace
 {
+/// Has the person do the step that the device needs first, and confirm it.
+void Prepare(palpate::SelfTestRun& run, const palpate::DeviceStep& need)
+{
+  std::cout << need.sentence << std::endl;
+  if (!need.button.empty())
+  {
+    std::cout << (need.wantsFile ? "Type the name of the file" : need.button + ": press Enter") << std::endl;
+    std::string line;
+    std::getline(std::cin, line);
+    run.needDone(line);
+  }
+}
+
 /// Until there is a verdict; the person who holds the device reads the instructions. A simulated hand needs no time of
 /// ours.
 void Follow(palpate::SelfTestRun& run, bool simulated)
 {
   constexpr int ticksAtOnce = 100;
   constexpr auto pause = std::chrono::milliseconds(20);
-  std::string said;
+  std::string said, prepared;
   while (run.state().verdict == palpate::SelfTestVerdict::None)
   {
+    const std::optional<palpate::DeviceStep> need = run.need();
+    if (need && need->sentence != prepared)
+    {
+      prepared = need->sentence;
+      Prepare(run, *need);
+    }
     const std::string ask = palpate::askOf(run.plan(), run.state());
     if (ask != said)
     {

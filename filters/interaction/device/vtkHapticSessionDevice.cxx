@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The chosen device: its numbers, its limits, and the state of its link.
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "devices/calibration/CalibratedDevice.h"
 #include "devices/calibration/CalibrationFiles.h"
 #include "devices/common/DeviceNotes.h"
+#include "devices/common/DeviceSteps.h"
 #include "devices/common/LinkNotes.h"
 #include "devices/common/LinkedDevice.h"
 #include "vtkHapticSessionInternals.h"
@@ -148,4 +150,25 @@ const char* vtkHapticSession::Internals::SayLinkText()
     text = palpate::describeLink(this->Link());
   }
   return text.c_str();
+}
+
+const char* vtkHapticSession::Internals::SayDeviceButton()
+{
+  const auto* const prepared = dynamic_cast<const palpate::PreparedDevice*>(this->Linked());
+  const std::optional<palpate::DeviceStep> step = prepared ? prepared->step() : std::nullopt;
+  this->DeviceButton = step ? step->button : "";
+  return this->DeviceButton.c_str();
+}
+
+void vtkHapticSession::SetDeviceFile(const char* file)
+{
+  this->Impl->DeviceFile = file ? file : "";
+}
+
+void vtkHapticSession::PrepareDevice()
+{
+  if (const auto* const prepared = dynamic_cast<const palpate::PreparedDevice*>(this->Impl->Linked()))
+  {
+    prepared->stepDone(this->Impl->DeviceFile);
+  }
 }

@@ -111,6 +111,9 @@ public:
   /// Gives up the scene that is being made of the newest data: the scene before stays, and the warning says so until
   /// there is another scene or touching begins.
   void CancelScene();
+  /// The step of DeviceButton is done, with that file where the button ends with dots. Nothing without such a step.
+  void SetDeviceFile(const char* file);
+  void PrepareDevice();
 
   /**
    * Puts a surface that was added under `name` where `matrix` says (null: as its data is), with the next CommitScene().

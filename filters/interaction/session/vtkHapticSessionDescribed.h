@@ -10,6 +10,7 @@
   vtkHapticTextMacro(DeviceKind) \
   vtkHapticTextMacro(DeviceNotes) \
   vtkHapticTextMacro(LinkText) \
+  vtkHapticTextMacro(DeviceButton) \
   vtkHapticReadoutMacro(LargestStiffness, double) \
   vtkHapticTextMacro(StabilityText) \
   vtkHapticTextMacro(StateText) \

@@ -97,7 +97,8 @@ public:
   palpate::LoopReport Report;
   palpate::StabilityLimits Limits;
   std::string StabilityText;
-  std::string DeviceKind, DeviceNotes, LinkText, LossText;
+  std::string DeviceKind, DeviceNotes, LinkText, LossText, DeviceButton;
+  std::string DeviceFile; ///< that a person chose for a device's step
   std::string Scheduling;
   std::string Warning;
   std::string Cancelled; ///< that the newest data are not touched; "" once there are others
@@ -276,6 +277,7 @@ public:
   const char* SayFrictionText();
   const char* SayMaterialText();
   const char* SayLinkText();
+  const char* SayDeviceButton();
   const char* SayPlanText();
   const char* SayToolContacts();
 

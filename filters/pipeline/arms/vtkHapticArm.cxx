@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticArm.h"
 
-#include <algorithm>
-
 #include "haptics/arm/ArmSkeleton.h"
 #include "haptics/arm/ArmWorkSpaceMap.h"
 #include "haptics/arm/file/ArmFile.h"
@@ -87,10 +85,7 @@ void vtkHapticArm::PrintSelf(ostream& os, vtkIndent indent)
 
 int vtkHapticArm::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
-  const std::vector<std::string>& known = palpate::knownArms();
-  const bool isKnown = std::find(known.begin(), known.end(), this->Arm) != known.end();
-  const palpate::Outcome<palpate::ArmPlan> plan =
-    isKnown ? palpate::knownArm(this->Arm) : palpate::readArmFile(this->Arm);
+  const palpate::Outcome<palpate::ArmPlan> plan = palpate::armNamed(this->Arm);
   if (!plan.ok())
   {
     vtkErrorMacro(<< plan.problem);

@@ -22,4 +22,7 @@ namespace palpate
 [[nodiscard]] const std::vector<std::string>& knownArms();
 [[nodiscard]] Outcome<ArmPlan> knownArm(const std::string& name);
 
+/// An arm by the name of one that is built in, else of that file.
+[[nodiscard]] Outcome<ArmPlan> armNamed(const std::string& nameOrFile);
+
 } // namespace palpate

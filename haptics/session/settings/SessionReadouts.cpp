@@ -14,6 +14,7 @@ const Readout readouts[] = {
   { "DeviceNotes", Text, "", "", "Reason why the device cannot be used, and functions it lacks" },
   { "LinkText", Text, "", "",
     "USB link: reports per second, effects re-armed before expiry, stalled writes, disconnects, malformed reports" },
+  { "DeviceButton", Text, "", "", "Button for the step that the device waits for; empty without such a step" },
   { "LargestStiffness", Number, "N/m", "",
     "Largest wall stiffness that the chosen device can render stably, known before touching; infinite without a known "
     "limit" },

@@ -47,6 +47,7 @@ struct Says
 {
   bool wheel = false;
   double effectsEndAfter_s = 0.0;
+  bool knowsAxes = false;
 };
 
 inline SelfTested run(const DeviceModel& model, const std::string& hand, const Wiring& wiring,
@@ -58,6 +59,7 @@ inline SelfTested run(const DeviceModel& model, const std::string& hand, const W
   EXPECT_EQ(device.open(), "");
   DeviceInfo info = device.info();
   info.effectsEndAfter_s = says.effectsEndAfter_s;
+  info.knowsAxes = says.knowsAxes;
   SelfTested outcome{ SelfTestPlan::forDevice(info, {}, says.wheel), {}, info };
   Vec3 hand_D = Vec3::Zero();
   double push_s = 0.0;

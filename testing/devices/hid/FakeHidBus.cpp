@@ -196,6 +196,14 @@ FakePort& FakeHidBus::plug(std::shared_ptr<FirmwareModel> model, std::vector<std
   return port;
 }
 
+FakePort& FakeHidBus::plug(std::shared_ptr<VirtualHid> other, HidEntry entry)
+{
+  const std::lock_guard lock(this->mutex_);
+  FakePort& port = this->place(std::move(entry));
+  port.other = std::move(other);
+  return port;
+}
+
 std::vector<HidEntry> FakeHidBus::devices()
 {
   const std::lock_guard lock(this->mutex_);

@@ -21,9 +21,10 @@ namespace palpate::test
 struct FakePort
 {
   HidEntry entry;
-  std::shared_ptr<VirtualPidDevice> device; ///< one of the three
+  std::shared_ptr<VirtualPidDevice> device; ///< one of the four
   std::shared_ptr<FirmwareModel> model;
   std::shared_ptr<VirtualSpaceMouse> spaceMouse;
+  std::shared_ptr<VirtualHid> other;
   std::vector<std::uint8_t> descriptor;
   bool present = true;
   std::string descriptorProblem; ///< why its descriptor cannot be had
@@ -43,6 +44,7 @@ struct FakePort
   {
     return this->device != nullptr  ? static_cast<VirtualHid&>(*this->device)
            : this->model != nullptr ? static_cast<VirtualHid&>(*this->model)
+           : this->other != nullptr ? *this->other
                                     : *this->spaceMouse;
   }
 };
@@ -69,6 +71,7 @@ public:
   FakePort& plug(const PidLayout& layout, const std::string& serial = "0001");
   FakePort& plug(const CapLayout& layout, const std::string& serial = "0001");
   FakePort& plug(std::shared_ptr<FirmwareModel> model, std::vector<std::uint8_t> descriptor);
+  FakePort& plug(std::shared_ptr<VirtualHid> other, HidEntry entry);
 
   [[nodiscard]] std::vector<HidEntry> devices() override;
   [[nodiscard]] Descriptor descriptor(const HidEntry& entry) override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticDeviceRows.h"
 
+#include "pqHapticButton.h"
 #include "pqHapticFields.h"
 #include "pqHapticLabel.h"
 #include "pqHapticLink.h"
@@ -11,6 +12,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -61,6 +63,10 @@ pqHapticDeviceRows::pqHapticDeviceRows(QFormLayout* form) : Superclass(form->par
   this->Link = pqHapticLabel(parent, "link",
     tr("USB link: reports per second, effects re-armed before expiry, stalled writes, disconnects, malformed reports"));
   form->addRow(this->Link);
+  this->Step = pqHapticButton(parent, "deviceStep", QString(), tr("The step that the device waits for is done"));
+  this->Step->hide();
+  form->addRow(this->Step);
+  QObject::connect(this->Step, &QPushButton::clicked, this, &pqHapticDeviceRows::prepare);
   QObject::connect(this->Wheel, &QCheckBox::toggled, this, &pqHapticDeviceRows::sayWheel);
   QObject::connect(
     this->DeadMan, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &pqHapticDeviceRows::choose);
@@ -87,6 +93,20 @@ void pqHapticDeviceRows::sayWheel(bool on)
   }
 }
 
+/// A button whose text ends with dots asks for a file first.
+void pqHapticDeviceRows::prepare()
+{
+  const bool wantsFile = this->Step->text().endsWith("...");
+  const QString file = wantsFile ? QFileDialog::getOpenFileName(this->Step, this->Step->text()) : QString();
+  if (!this->Proxy || (wantsFile && file.isEmpty()))
+  {
+    return;
+  }
+  vtkSMPropertyHelper(this->Proxy, "DeviceFile").Set(file.toUtf8().constData());
+  this->Proxy->UpdateVTKObjects();
+  this->Proxy->InvokeCommand("PrepareDevice");
+}
+
 void pqHapticDeviceRows::refresh(vtkHapticSession* session)
 {
   const auto text = [](const char* utf8) { return QString::fromUtf8(utf8); };
@@ -98,6 +118,9 @@ void pqHapticDeviceRows::refresh(vtkHapticSession* session)
   }
   pqHapticSay(this->Notes, notes);
   pqHapticSay(this->Link, session ? text(session->GetLinkText()) : QString());
+  const QString step = session ? text(session->GetDeviceButton()) : QString();
+  this->Step->setText(step);
+  this->Step->setVisible(!step.isEmpty());
   const QSignalBlocker blocker(this->DeadMan), wheelBlocker(this->Wheel);
   this->Wheel->setChecked(session && session->IsOn("Wheel"));
   this->DeadMan->setCurrentIndex(
@@ -106,5 +129,5 @@ void pqHapticDeviceRows::refresh(vtkHapticSession* session)
 
 QList<QWidget*> pqHapticDeviceRows::fields() const
 {
-  return { this->Wheel, this->DeadMan };
+  return { this->Wheel, this->DeadMan, this->Step };
 }

@@ -9,12 +9,13 @@ class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
+class QPushButton;
 class QWidget;
 class vtkHapticSession;
 class vtkSMProxy;
 
 /// Rows of the panel about the chosen device: its kind and missing functions, whether it is a wheel, how its link goes,
-/// and its dead-man switch.
+/// the step that it waits for, and its dead-man switch.
 class pqHapticDeviceRows : public QObject
 {
   Q_OBJECT
@@ -32,12 +33,14 @@ public:
 private:
   void choose(int row);
   void sayWheel(bool on);
+  void prepare();
 
   vtkSMProxy* Proxy = nullptr;
   QLabel* Notes;
   QCheckBox* Wheel;
   QComboBox* DeadMan;
   QLabel* Link;
+  QPushButton* Step;
 };
 
 #endif

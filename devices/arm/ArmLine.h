@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "devices/arm/protocol/WireProtocol.h"
+#include "devices/common/DeviceSteps.h"
+#include "devices/hid/HidConnection.h"
+#include "haptics/core/Outcome.h"
+
+namespace palpate
+{
+
+/// An arm that is open, whatever carries its messages: one order out, one reading back. Calls may block; one thread,
+/// but stepDone().
+class ArmLine
+{
+public:
+  enum class Said : std::uint8_t
+  {
+    Reading,
+    Nothing,  ///< no answer came in time
+    Nonsense, ///< something came that is no answer
+    Gone,
+  };
+  struct Answer
+  {
+    Said said = Said::Gone;
+    WireReading reading;
+  };
+
+  virtual ~ArmLine() = default;
+
+  [[nodiscard]] virtual Answer exchange(const WireOrder& order, int timeout_ms) = 0;
+  /// Says "no force" once more, without waiting for an answer.
+  virtual void letGo() noexcept = 0;
+  /// The cause of the last answer that was none, for a person.
+  [[nodiscard]] virtual std::string error() const = 0;
+  /// What is to be done before the first exchange; none: nothing.
+  [[nodiscard]] virtual std::optional<DeviceStep> step() const { return std::nullopt; }
+  virtual void stepDone(const std::string& /*file*/) {}
+  /// Does what the person asked for by that. Exchange thread.
+  virtual void proceed() {}
+};
+
+/// Where arms of one kind come from: a link of the system, a library, or a test. A descriptor is empty where the link
+/// has none.
+class ArmBus : public DeviceListing
+{
+public:
+  using Opened = Outcome<std::unique_ptr<ArmLine>>; ///< or why it cannot be opened and what to do
+  [[nodiscard]] virtual Opened open(const HidEntry& entry) = 0;
+  /// Empty, or why it could not be opened now and what to do. Tells the device nothing.
+  [[nodiscard]] virtual std::string refusal(const HidEntry& entry) = 0;
+};
+
+} // namespace palpate

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/arm/FirmwareLine.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "devices/arm/link/FtdiByteLink.h"
+#include "devices/arm/protocol/FalconStart.h"
+#include "devices/arm/protocol/FalconWire.h"
+#include "devices/common/AttributeFile.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr std::uintmax_t longestFirmware = 1U << 20U;
+constexpr int probes = 5, probe_ms = 20;
+
+} // namespace
+
+std::string FirmwareLine::begin()
+{
+  if (!setForPackets(*this->port_))
+  {
+    return "the chip of the device does not take its settings: " + this->port_->error();
+  }
+  return this->runs() ? this->guarded() : std::string();
+}
+
+/// The order for no force is the question, so no guard is needed for it.
+bool FirmwareLine::runs()
+{
+  WireLine line(std::make_unique<FtdiByteLink>(this->port_), std::make_shared<FalconWire>());
+  for (int i = 0; i < probes; ++i)
+  {
+    if (line.exchange({}, probe_ms).said == Said::Reading)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string FirmwareLine::guarded()
+{
+  const auto wire = std::make_shared<FalconWire>();
+  WireBytes noTorque;
+  wire->encode({}, noTorque);
+  Outcome<Guard> guard = Guard::start(this->port_->handle(), FtdiPort::out, noTorque);
+  if (!guard.ok())
+  {
+    return guard.problem;
+  }
+  this->line_ = std::make_unique<WireLine>(std::make_unique<FtdiByteLink>(this->port_), wire, std::move(guard.value));
+  this->running_ = true;
+  return {};
+}
+
+std::string FirmwareLine::load(const std::string& file)
+{
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error || size == 0 || size > longestFirmware)
+  {
+    return error ? "it cannot be read: " + error.message() : "its size is not that of a firmware";
+  }
+  const std::string bytes = contentOf(file);
+  std::string problem =
+    loadFalconFirmware(*this->port_, { reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size() });
+  if (problem.empty() && !(setForPackets(*this->port_) && this->runs()))
+  {
+    problem = "the device took it, but does not answer: the file is not its firmware";
+  }
+  return problem.empty() ? this->guarded() : problem;
+}
+
+void FirmwareLine::proceed()
+{
+  std::optional<std::string> file;
+  {
+    const std::lock_guard lock(this->mutex_);
+    file = std::exchange(this->chosen_, std::nullopt);
+  }
+  if (!file || this->running_)
+  {
+    return;
+  }
+  const std::string problem = this->load(*file);
+  const std::lock_guard lock(this->mutex_);
+  this->failed_ = problem.empty() ? "" : "The firmware " + *file + " was not loaded: " + problem + ". ";
+}
+
+std::optional<DeviceStep> FirmwareLine::step() const
+{
+  if (this->running_)
+  {
+    return std::nullopt;
+  }
+  const std::lock_guard lock(this->mutex_);
+  return DeviceStep{ this->failed_ + "The device has no firmware: choose the maker's file that you have for it.",
+    "Choose Firmware...", true };
+}
+
+void FirmwareLine::stepDone(const std::string& file)
+{
+  const std::lock_guard lock(this->mutex_);
+  this->chosen_ = file;
+}
+
+ArmLine::Answer FirmwareLine::exchange(const WireOrder& order, int timeout_ms)
+{
+  return this->line_ != nullptr ? this->line_->exchange(order, timeout_ms) : Answer{};
+}
+
+void FirmwareLine::letGo() noexcept
+{
+  if (this->line_ != nullptr)
+  {
+    this->line_->letGo();
+  }
+}
+
+std::string FirmwareLine::error() const
+{
+  return this->line_ != nullptr ? this->line_->error() : "the device has no firmware";
+}
+
+} // namespace palpate

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "devices/arm/ArmLine.h"
+#include "devices/arm/WireLine.h"
+#include "devices/arm/link/FtdiPort.h"
+
+namespace palpate
+{
+
+/// A Falcon from its chip on: it takes packets at once if its firmware runs already; else a person chooses the file.
+/// There is no exchange before a guard stands by.
+class FirmwareLine final : public ArmLine
+{
+public:
+  explicit FirmwareLine(std::unique_ptr<FtdiPort> port) : port_(std::move(port)) {}
+
+  /// Sets the chip, looks whether the firmware runs. Empty, or why the device cannot be used at all.
+  [[nodiscard]] std::string begin();
+
+  [[nodiscard]] Answer exchange(const WireOrder& order, int timeout_ms) override;
+  void letGo() noexcept override;
+  [[nodiscard]] std::string error() const override;
+  [[nodiscard]] std::optional<DeviceStep> step() const override;
+  void stepDone(const std::string& file) override;
+  void proceed() override;
+
+private:
+  [[nodiscard]] bool runs();
+  [[nodiscard]] std::string load(const std::string& file);
+  [[nodiscard]] std::string guarded();
+
+  std::shared_ptr<FtdiPort> port_;
+  std::unique_ptr<WireLine> line_;
+  std::atomic<bool> running_ = false;
+  mutable std::mutex mutex_; ///< of what follows
+  std::optional<std::string> chosen_;
+  std::string failed_; ///< the last loading, as a phrase
+};
+
+} // namespace palpate

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/arm/kit/ArmKit.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "devices/hid/NamedDevices.h"
+
+namespace palpate
+{
+
+std::vector<FoundArm> findArms(const std::vector<ArmKit>& kits)
+{
+  std::vector<FoundArm> found;
+  for (const ArmKit& kit : kits)
+  {
+    std::vector<HidEntry> entries = kit.bus->devices();
+    std::sort(entries.begin(), entries.end(), [](const HidEntry& a, const HidEntry& b) { return a.path < b.path; });
+    for (HidEntry& entry : entries)
+    {
+      std::string problem = kit.problem.empty() ? kit.bus->refusal(entry) : kit.problem;
+      addNamed(found, kit.road, FoundArm{ {}, std::move(entry), &kit, std::move(problem) },
+        [](const FoundArm& a, const FoundArm& b) { return a.kit == b.kit && sameKind(a.entry, b.entry); });
+    }
+  }
+  return found;
+}
+
+} // namespace palpate

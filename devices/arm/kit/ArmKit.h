@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "devices/arm/ArmLine.h"
+#include "devices/arm/ArmSetup.h"
+
+namespace palpate
+{
+
+/// One kind of arm that is looked for: where, and what is known of it.
+struct ArmKit
+{
+  std::string road; ///< first word of the names of its devices
+  std::shared_ptr<ArmBus> bus;
+  ArmSetup setup;
+  std::string problem; ///< why none of them can be used here and what to do; empty: they can
+};
+
+/// An arm that is attached, usable or not.
+struct FoundArm
+{
+  std::string name; ///< for the factory: the same as long as the same devices are plugged in
+  HidEntry entry;
+  const ArmKit* kit = nullptr;
+  std::string problem;  ///< empty, or why it cannot be used and what to do
+  bool hasTwin = false; ///< another one is attached that neither kind nor serial number tells apart
+};
+
+/// The arms of these kits that are attached. Tells no device anything.
+[[nodiscard]] std::vector<FoundArm> findArms(const std::vector<ArmKit>& kits);
+
+} // namespace palpate

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "devices/arm/ListedArmBus.h"
+#include "devices/arm/ServiceLine.h"
+#include "devices/arm/kit/Kits.h"
+#include "devices/arm/link/WebSocketLink.h"
+#include "devices/arm/protocol/HaplyServiceWire.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr int connect_ms = 300, inventory_ms = 500;
+constexpr const char* absent = "the vendor's service is installed but does not run: start haply-inverse-service";
+constexpr std::size_t longestInventory = 1U << 20U;
+
+/// A connection and the message that it begins with.
+struct Entered
+{
+  std::unique_ptr<ByteLink> link;
+  std::vector<HaplyDevice> devices;
+  std::string problem;
+};
+
+Entered enter(const HaplyPorts& ports)
+{
+  Outcome<std::unique_ptr<ByteLink>> link = openLoopbackSocket(ports.states, connect_ms);
+  if (link.value == nullptr)
+  {
+    return { nullptr, {},
+      "the vendor's service does not accept a connection on port " + std::to_string(ports.states) +
+        " of this computer: " + link.problem };
+  }
+  WireBytes message(longestInventory);
+  const int count = link.value->receive(message, inventory_ms);
+  std::optional<std::vector<HaplyDevice>> devices =
+    count > 0 ? haplyInventory({ reinterpret_cast<const char*>(message.data()), static_cast<std::size_t>(count) })
+              : std::nullopt;
+  if (!devices)
+  {
+    return { nullptr, {}, "the vendor's service does not say which devices it has" };
+  }
+  return { std::move(link.value), std::move(*devices), {} };
+}
+
+std::string refusalOf(const HaplyDevice& device)
+{
+  return device.inUse ? "another program uses this device through the vendor's service, and forces would add: close it"
+                      : "";
+}
+
+/// 3.5 answers on the port of states, older ones on a port of their own.
+Outcome<bool> hasVector(const HaplyPorts& ports)
+{
+  for (const std::uint16_t port : { ports.states, ports.questions })
+  {
+    const Outcome<std::string> version = askLoopback(port, "/3.0/version", connect_ms);
+    const std::optional<bool> vector = version.ok() ? haplyHasVector(version.value) : std::nullopt;
+    if (vector)
+    {
+      return { *vector, {} };
+    }
+  }
+  return { false, "the vendor's service does not tell its version, so how it takes forces is unknown" };
+}
+
+ArmBus::Opened openHaply(const HidEntry& entry, const HaplyPorts& ports)
+{
+  const Outcome<bool> vector = hasVector(ports);
+  Entered entered = vector.ok() ? enter(ports) : Entered{ nullptr, {}, vector.problem };
+  if (entered.link == nullptr)
+  {
+    return { nullptr, entered.problem };
+  }
+  const auto found = std::find_if(entered.devices.begin(), entered.devices.end(),
+    [&entry](const HaplyDevice& device) { return device.id == entry.serial; });
+  std::string problem =
+    found != entered.devices.end() ? refusalOf(*found) : "the vendor's service has no device " + entry.serial;
+  if (!problem.empty())
+  {
+    return { nullptr, problem };
+  }
+  auto wire =
+    std::make_unique<WireLine>(std::move(entered.link), std::make_shared<HaplyServiceWire>(entry.serial, vector.value));
+  problem = wire->begin();
+  if (!problem.empty())
+  {
+    return { nullptr, problem };
+  }
+  return { std::make_unique<ServiceLine>(
+             std::move(wire), openLoopbackSocket(ports.events, connect_ms).value, haplySafetyEvent),
+    {} };
+}
+
+HidEntry entryOf(const HaplyDevice& device)
+{
+  return { device.id, 0, 0, device.id, "Haply " + device.type };
+}
+
+/// A service that is installed and silent is told of; one that is not there is not.
+std::vector<HidEntry> listHaply(const HaplyPorts& ports)
+{
+  std::vector<HidEntry> entries;
+  const Entered entered = enter(ports);
+  for (const HaplyDevice& device : entered.devices)
+  {
+    entries.push_back(entryOf(device));
+  }
+  std::error_code ignored;
+  if (entered.link == nullptr && std::filesystem::exists(ports.installed, ignored))
+  {
+    entries.push_back({ "service", 0, 0, "", "Haply Inverse3 or Minverse" });
+  }
+  return entries;
+}
+
+std::string refuseHaply(const HidEntry& entry, const HaplyPorts& ports)
+{
+  if (entry.serial.empty())
+  {
+    return absent;
+  }
+  const Entered entered = enter(ports);
+  const auto found = std::find_if(entered.devices.begin(), entered.devices.end(),
+    [&entry](const HaplyDevice& device) { return device.id == entry.serial; });
+  return entered.link == nullptr ? entered.problem : found == entered.devices.end() ? "" : refusalOf(*found);
+}
+
+} // namespace
+
+ArmSetup haplySetup()
+{
+  constexpr double inverse3Radius_m = 0.1, watchedForce_N = 5.0;
+  ArmSetup setup;
+  setup.what = "Haply Inverse3, Inverse3X or Minverse";
+  setup.turns = true;
+  setup.centre_D = Vec3(0.0, -0.12, 0.15); // where the samples of the vendor rest, of an origin in the base
+  setup.radius_m = { inverse3Radius_m, false };
+  setup.force_N = { watchedForce_N, false };
+  setup.homing = "Calibrate the device as the vendor's program says, until it is ready.";
+  return setup;
+}
+
+ArmKit haplyKit(const HaplyPorts& ports)
+{
+  return { "haply",
+    std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [ports] { return listHaply(ports); },
+      [ports](const HidEntry& entry) { return openHaply(entry, ports); },
+      [ports](const HidEntry& entry) { return refuseHaply(entry, ports); } }),
+    haplySetup(), {} };
+}
+
+} // namespace palpate

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdlib>
+#include <utility>
+
+#include "devices/arm/ListedArmBus.h"
+#include "devices/arm/kit/Kits.h"
+#include "devices/arm/library/DhdLine.h"
+#include "devices/arm/library/HdLine.h"
+#include "devices/arm/link/Plugs.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// What the library sees; without it what is plugged in, so that its absence is said.
+std::vector<HidEntry> listDhd(const DhdFunctions& dhd, const UsbIds& plugs)
+{
+  std::vector<HidEntry> all = usbPlugs(plugs);
+  if (dhd.library.problem().empty())
+  {
+    all.clear();
+    const int count = dhd.count();
+    for (int i = 0; i < count; ++i)
+    {
+      all.push_back({ std::to_string(i), plugs.front().first, 0, "", "Force Dimension device" });
+    }
+  }
+  return all;
+}
+
+} // namespace
+
+ArmKit forceDimensionKit(const std::string& library)
+{
+  constexpr double omegaRadius_m = 0.075, omegaForce_N = 12.0;
+  const auto dhd = std::make_shared<DhdFunctions>(library);
+  const UsbIds plugs{ { 0x1451, 0 } };
+  ArmSetup setup;
+  setup.what = "Force Dimension omega, delta, sigma or lambda";
+  setup.turns = true;
+  setup.radius_m = { omegaRadius_m, false };
+  setup.force_N = { omegaForce_N, false };
+  setup.endsAfter_s = 0.2;
+  return { "dhd",
+    std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [dhd, plugs] { return listDhd(*dhd, plugs); },
+      [dhd](const HidEntry& entry) { return DhdLine::open(dhd, std::atoi(entry.path.c_str())); },
+      [dhd](const HidEntry&) { return dhd->library.problem(); } }),
+    std::move(setup), {} };
+}
+
+ArmKit openHapticsKit(const std::string& library)
+{
+  constexpr double touchRadius_m = 0.06, touchForce_N = 3.3;
+  const auto hd = std::make_shared<HdFunctions>(library);
+  const UsbIds plugs{ { 0x0301, 0x2988 } };
+  ArmSetup setup;
+  setup.what = "3D Systems Touch, Sensable Phantom";
+  setup.turns = true;
+  setup.radius_m = { touchRadius_m, false };
+  setup.force_N = { touchForce_N, false };
+  setup.pacing = Pacing::Callback;
+  setup.period_s = 0.0; // the scheduler's calls are waited for
+  // Whether a device is there is known once it is opened: the vendor's default one is offered where the library is.
+  const auto list = [hd, plugs]
+  {
+    return hd->library.found()
+             ? std::vector<HidEntry>{ { "default", 0x0301, 0x2988, "", "the vendor's default device" } }
+             : usbPlugs(plugs);
+  };
+  return { "openhaptics",
+    std::make_shared<ListedArmBus>(ListedArmBus::Ways{ list, [hd](const HidEntry&) { return HdLine::open(hd, ""); },
+      [hd](const HidEntry&) { return hd->library.problem(); } }),
+    std::move(setup), {} };
+}
+
+} // namespace palpate

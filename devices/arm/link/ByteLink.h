@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace palpate
+{
+
+/// An open link that carries bytes. Calls may block; one thread.
+class ByteLink
+{
+public:
+  virtual ~ByteLink() = default;
+
+  /// False: the link is gone or has not taken all of it in time.
+  [[nodiscard]] virtual bool send(std::span<const std::uint8_t> bytes) noexcept = 0;
+  /// What came, waited for that long at most: how many bytes, 0 when none came, below 0 when the link is gone.
+  [[nodiscard]] virtual int receive(std::span<std::uint8_t> bytes, int timeout_ms) noexcept = 0;
+  /// The system's message for the last failure, for a person.
+  [[nodiscard]] virtual std::string error() const = 0;
+  /// What receive() returns is one message; else it is a part of a stream.
+  [[nodiscard]] virtual bool keepsBorders() const noexcept = 0;
+};
+
+} // namespace palpate

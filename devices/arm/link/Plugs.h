@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "devices/hid/HidConnection.h"
+
+namespace palpate
+{
+
+using UsbIds = std::vector<std::pair<std::uint16_t, std::uint16_t>>; ///< maker and product, 0: any
+
+/// USB devices with these numbers, as the kernel lists them below `sys`; a path is a file of /dev/bus/usb. Needs no
+/// permission.
+[[nodiscard]] std::vector<HidEntry> usbPlugs(const UsbIds& ids, const std::string& sys = "/sys");
+/// Serial lines of USB devices with these numbers; a path is a file of /dev.
+[[nodiscard]] std::vector<HidEntry> serialPlugs(const UsbIds& ids, const std::string& sys = "/sys");
+
+/// Why the system would not open this file now and what to do; empty: it would.
+[[nodiscard]] std::string fileRefusal(const std::string& path);
+
+} // namespace palpate

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "devices/arm/protocol/WireProtocol.h"
+
+namespace palpate
+{
+
+/// The messages of Haply's service for Inverse3, Inverse3X and Minverse, versions 3.0 to 3.5
+/// (docs.haply.co/inverseSDK): JSON, a state for each command. The place and turn of the hand are those of the service;
+/// forces of several programs would add.
+class HaplyServiceWire final : public WireProtocol
+{
+public:
+  /// `vector`: forces stand under "vector", which they do since 3.5; else under "values".
+  HaplyServiceWire(std::string device, bool vector) : device_(std::move(device)), vector_(vector) {}
+
+  void encode(const WireOrder& order, WireBytes& bytes) const override;
+  [[nodiscard]] std::optional<WireReading> decode(std::span<const std::uint8_t> answer) const override;
+  /// Names the program and sets the transform, which the service keeps of whoever set it before, to identity.
+  [[nodiscard]] WireBytes greeting() const override;
+
+private:
+  std::string device_;
+  bool vector_;
+};
+
+/// A device in the message that the service begins with.
+struct HaplyDevice
+{
+  std::string id, type;
+  bool inUse = false;
+  bool centred = false; ///< its origin is the middle of its work space
+};
+/// None: it is no such message.
+[[nodiscard]] std::optional<std::vector<HaplyDevice>> haplyInventory(std::string_view message);
+
+/// Forces stand under "vector" in the service whose answer to the question for its version that is; none: it says no
+/// version.
+[[nodiscard]] std::optional<bool> haplyHasVector(std::string_view versionAnswer);
+
+/// What a message of the channel of events stops the device for; empty: nothing.
+[[nodiscard]] std::string haplySafetyEvent(std::string_view message);
+
+} // namespace palpate

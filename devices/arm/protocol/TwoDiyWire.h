@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "devices/arm/protocol/WireProtocol.h"
+
+namespace palpate
+{
+
+/// The messages of the hAPI boards of Haply's 2DIY (facts of HaplyHaptics/Haply-Arduino-Firmware-Versions): no borders,
+/// no checksum. The board keeps the last torque for ever; only a message of zeros ends it. A message of zeros says
+/// nothing to a board that was not set up, so the greeting comes first; it is said again where the angles are to begin.
+class TwoDiyWire final : public WireProtocol
+{
+public:
+  static constexpr double largest_Nm = 0.123; ///< where the firmware clamps
+
+  /// How the board is wired; both motors stand on the first two ports.
+  struct Setup
+  {
+    std::uint8_t device = 5;
+    std::array<std::uint8_t, 2> motorTurned{}, encoderTurned{}; ///< 1: the other way round
+    std::array<double, 2> offset_deg{ 180.0, 0.0 };             ///< where the arms stand when it is set up
+    double countsPerTurn = 13824.0;
+  };
+  explicit TwoDiyWire(const Setup& setup) : setup_(setup) {}
+
+  void encode(const WireOrder& order, WireBytes& bytes) const override;
+  [[nodiscard]] WireFrame frame(std::span<const std::uint8_t> bytes) const noexcept override;
+  /// Degrees of the two encoders.
+  [[nodiscard]] std::optional<WireReading> decode(std::span<const std::uint8_t> answer) const override;
+  [[nodiscard]] WireBytes greeting() const override;
+
+private:
+  Setup setup_;
+};
+
+} // namespace palpate

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A library with the names of Force Dimension's. PALPATE_FAKE_OLD: without those of newer versions.
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+namespace
+{
+std::atomic<double> force[6];
+std::atomic<int> watchdog = -1, enabled = -1, opened = 0, failing = 0, blocking_ms = 0;
+} // namespace
+
+extern "C"
+{
+  int dhdGetDeviceCount()
+  {
+    return 1;
+  }
+  int dhdOpenID(char id)
+  {
+    return failing > 0 ? -1 : (++opened, id);
+  }
+  int dhdClose(char)
+  {
+    return --opened;
+  }
+  const char* dhdErrorGetLastStr()
+  {
+    return "made-up failure";
+  }
+  int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double (*frame)[3], char)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(blocking_ms));
+    *x = 0.01;
+    *y = 0.02;
+    *z = -0.03;
+    frame[0][0] = 0.0, frame[0][1] = -1.0, frame[0][2] = 0.0; // a quarter turn about z
+    frame[1][0] = 1.0, frame[1][1] = 0.0, frame[1][2] = 0.0;
+    frame[2][0] = 0.0, frame[2][1] = 0.0, frame[2][2] = 1.0;
+    return failing > 0 ? -1 : 0;
+  }
+  int dhdGetLinearVelocity(double* x, double* y, double* z, char)
+  {
+    *x = 0.1;
+    *y = *z = 0.0;
+    return 0;
+  }
+  int dhdGetButtonMask(char)
+  {
+    return 3;
+  }
+  int dhdEnableForce(unsigned char on, char)
+  {
+    enabled = on;
+    return 0;
+  }
+#ifndef PALPATE_FAKE_OLD
+  int dhdSetWatchdog(unsigned char tens_ms, char)
+  {
+    watchdog = tens_ms;
+    return 0;
+  }
+#endif
+  int dhdSetForceAndTorqueAndGripperForce(
+    double fx, double fy, double fz, double tx, double ty, double tz, double, char)
+  {
+    const double all[6] = { fx, fy, fz, tx, ty, tz };
+    for (int i = 0; i < 6; ++i)
+    {
+      force[i] = all[i];
+    }
+    return 0;
+  }
+  // What a test asks and says.
+  double fakeForce(int axis)
+  {
+    return force[axis];
+  }
+  int fakeWatchdog()
+  {
+    return watchdog;
+  }
+  int fakeOpened()
+  {
+    return opened;
+  }
+  void fakeFail(int on)
+  {
+    failing = on;
+  }
+  void fakeBlock(int duration_ms)
+  {
+    blocking_ms = duration_ms;
+  }
+}

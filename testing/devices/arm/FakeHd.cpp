@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A library with the names of OpenHaptics', whose scheduler calls back from a thread of its own.
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <thread>
+
+namespace
+{
+
+using Callback = std::uint32_t (*)(void*);
+
+struct Error
+{
+  std::uint32_t code;
+  int internal;
+  std::uint32_t device;
+};
+
+std::atomic<double> force[3];
+std::atomic<std::uint32_t> failure = 0;
+std::atomic<int> rate_Hz = 1000, outputOn = 0, calls = 0;
+std::atomic<bool> runs = false;
+Callback callback = nullptr;
+void* data = nullptr;
+std::thread scheduler;
+
+} // namespace
+
+extern "C"
+{
+  std::uint32_t hdInitDevice(const char*)
+  {
+    return 5;
+  }
+  void hdDisableDevice(std::uint32_t)
+  {
+    outputOn = 0;
+  }
+  void hdMakeCurrentDevice(std::uint32_t) {}
+  void hdBeginFrame(std::uint32_t) {}
+  void hdEndFrame(std::uint32_t) {}
+  void hdEnable(std::uint32_t what)
+  {
+    outputOn = what == 0x4000 ? 1 : 0;
+  }
+  void hdGetDoublev(std::uint32_t what, double* values)
+  {
+    if (what == 0x2050)
+    {
+      values[0] = 10.0, values[1] = 20.0, values[2] = -30.0;
+    }
+    else if (what == 0x2051)
+    {
+      values[0] = 100.0, values[1] = values[2] = 0.0;
+    }
+    else if (what == 0x2052)
+    {
+      for (int i = 0; i < 16; ++i)
+      {
+        values[i] = i % 5 == 0 ? 1.0 : 0.0;
+      }
+      values[0] = values[5] = 0.0, values[1] = 1.0, values[4] = -1.0; // a quarter turn about z, column by column
+    }
+  }
+  void hdGetIntegerv(std::uint32_t, int* values)
+  {
+    values[0] = 2;
+  }
+  void hdSetDoublev(std::uint32_t what, const double* values)
+  {
+    for (int i = 0; i < 3 && what == 0x2700; ++i)
+    {
+      force[i] = values[i];
+    }
+  }
+  std::uint64_t hdScheduleAsynchronous(Callback call, void* of, std::uint16_t)
+  {
+    callback = call;
+    data = of;
+    return 1;
+  }
+  void hdUnschedule(std::uint64_t)
+  {
+    callback = nullptr;
+  }
+  void hdStartScheduler()
+  {
+    runs = true;
+    scheduler = std::thread(
+      []
+      {
+        while (runs)
+        {
+          if (rate_Hz > 0)
+          {
+            callback(data);
+            ++calls;
+          }
+          std::this_thread::sleep_for(std::chrono::microseconds(rate_Hz > 0 ? 1000000 / rate_Hz : 1000));
+        }
+      });
+  }
+  void hdStopScheduler()
+  {
+    runs = false;
+    scheduler.join();
+  }
+  Error hdGetError()
+  {
+    return { failure, 0, 5 };
+  }
+  // What a test asks and says.
+  double fakeForce(int axis)
+  {
+    return force[axis];
+  }
+  int fakeCalls()
+  {
+    return calls;
+  }
+  int fakeOutput()
+  {
+    return outputOn;
+  }
+  void fakeRate(int Hz)
+  {
+    rate_Hz = Hz;
+  }
+  void fakeFail(std::uint32_t code)
+  {
+    failure = code;
+  }
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "haptics/core/Types.h"
+
+namespace palpate::test
+{
+
+/// A service like that of Haply's arms on a port of this computer, with one arm: an inventory on connecting, then a
+/// state for each message; commands are applied once. It understands a force by one key alone, that of its version.
+class FakeService
+{
+public:
+  /// What it is, and what is wrong with it.
+  struct Says
+  {
+    std::string version = "3.5.2";
+    Vec3 position_m{ 0.01, -0.1, 0.15 };
+    Quat turn = Quat::Identity(); ///< of the grip
+    bool ready = true, calibrated = true, inUse = false, power = true;
+    bool keepsTransform = false; ///< of another program's
+    unsigned buttons = 0;
+    enum class Answer
+    {
+      State,
+      Nothing,
+      Broken,   ///< JSON that ends in its middle
+      Huge,     ///< two megabytes
+      Endless,  ///< a message that never ends
+      OtherArm, ///< a state without this arm
+      Closes,
+    } answer = Answer::State;
+    std::string event; ///< to be sent once on the channel of events
+  };
+
+  FakeService();
+  ~FakeService();
+  FakeService(const FakeService&) = delete;
+  FakeService& operator=(const FakeService&) = delete;
+
+  [[nodiscard]] std::uint16_t port() const noexcept;
+  [[nodiscard]] std::uint16_t eventPort() const noexcept;
+  void say(const Says& says);
+  /// The force of the last message; none if it had no command that this version knows [N].
+  [[nodiscard]] Vec3 force_N() const;
+  [[nodiscard]] bool transformIsIdentity() const;
+  [[nodiscard]] std::string programsName() const;
+  [[nodiscard]] int messages() const;
+
+private:
+  struct Parts; ///< Boost's
+
+  std::unique_ptr<Parts> parts_;
+};
+
+} // namespace palpate::test

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The guard of a device that keeps its torque when its host dies: a process of its own, on a real serial line.
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <sys/wait.h>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "devices/arm/kit/Kits.h"
+#include "devices/arm/link/Guard.h"
+#include "devices/arm/link/SerialPort.h"
+#include "testing/devices/arm/PtyBoard.h"
+#include "testing/devices/arm/TwoDiyModel.h"
+#include "testing/support/Eventually.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr double pushed_Nm = 0.05;
+
+/// Pushes until it is killed. With a child that holds a copy of everything that it has.
+[[noreturn]] void pushForEver(const std::string& path, bool withChild)
+{
+  const ArmBus::Opened opened = openTwoDiy(path);
+  if (opened.value == nullptr)
+  {
+    _exit(3);
+  }
+  if (withChild && fork() == 0)
+  {
+    pause();
+    _exit(0);
+  }
+  WireOrder order;
+  order.joint_Nm = { pushed_Nm, -pushed_Nm, 0.0 };
+  for (;;)
+  {
+    static_cast<void>(opened.value->exchange(order, 5));
+  }
+}
+
+/// A program that pushes a board, and is killed in the middle of it.
+void expectNoTorqueAfterDeath(bool withChild)
+{
+  test::TwoDiyModel model;
+  test::PtyBoard board(model);
+  const pid_t program = fork();
+  if (program == 0)
+  {
+    setsid();
+    close(board.file());
+    pushForEver(board.path(), withChild);
+  }
+  const auto serveUntil = [&](auto over)
+  {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (!over() && std::chrono::steady_clock::now() < until)
+    {
+      board.serve(1);
+    }
+    return over();
+  };
+  ASSERT_TRUE(serveUntil([&] { return model.torque_Nm[0] > 0.9 * pushed_Nm && model.answers > 50; }));
+  const auto killed = std::chrono::steady_clock::now();
+  kill(program, SIGKILL);
+  EXPECT_TRUE(serveUntil([&] { return model.torque_Nm[0] == 0.0 && model.torque_Nm[1] == 0.0; }));
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - killed;
+  std::printf("no torque %.1f ms after the death of the program\n", took.count());
+  kill(-program, SIGKILL);
+  EXPECT_EQ(waitpid(program, nullptr, 0), program);
+  for (int i = 0; i < 50; ++i)
+  {
+    board.serve(1);
+  }
+  EXPECT_EQ(model.torque_Nm[0], 0.0) << "and it stays so";
+}
+
+TEST(Guard, EndsTheTorqueOfAProgramThatIsKilled)
+{
+  expectNoTorqueAfterDeath(false);
+}
+
+TEST(Guard, EndsItAlsoWhereAChildOfTheProgramHoldsItsPipe)
+{
+  expectNoTorqueAfterDeath(true);
+}
+
+TEST(Guard, ThatIsEndedItselfEndsTheForce)
+{
+  test::TwoDiyModel model;
+  test::PtyBoard board(model);
+  Outcome<std::unique_ptr<SerialPort>> port = SerialPort::open(board.path());
+  ASSERT_TRUE(port.ok()) << port.problem;
+  const WireBytes noTorque{ 2, 5, 0, 0, 0, 0, 0, 0, 0, 0 };
+  Outcome<Guard> guard = Guard::start(port.value->handle(), 0, noTorque);
+  ASSERT_TRUE(guard.ok()) << guard.problem;
+  EXPECT_TRUE(guard.value.watches());
+  kill(guard.value.process(), SIGTERM);
+  kill(guard.value.process(), SIGINT);
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_TRUE(guard.value.watches()) << "what ends programs politely does not end it";
+  kill(guard.value.process(), SIGKILL);
+  EXPECT_TRUE(test::eventually([&] { return !guard.value.watches(); }));
+}
+
+TEST(Guard, WritesWhenItsProgramLetsGoOfItAndThenIsGone)
+{
+  test::TwoDiyModel model;
+  test::PtyBoard board(model);
+  Outcome<std::unique_ptr<SerialPort>> port = SerialPort::open(board.path());
+  ASSERT_TRUE(port.ok()) << port.problem;
+  pid_t process = -1;
+  {
+    Outcome<Guard> guard = Guard::start(port.value->handle(), 0, WireBytes{ 0xAB, 0xCD });
+    ASSERT_TRUE(guard.ok()) << guard.problem;
+    process = guard.value.process();
+  }
+  EXPECT_EQ(kill(process, 0), -1) << "it has ended and was waited for";
+  std::array<std::uint8_t, 8> bytes{};
+  EXPECT_EQ(read(board.file(), bytes.data(), bytes.size()), 2);
+  EXPECT_EQ(bytes[0], 0xAB);
+  EXPECT_EQ(bytes[1], 0xCD);
+}
+
+TEST(Guard, ThatCannotHoldTheLinkIsSaid)
+{
+  const Outcome<Guard> guard = Guard::start(-1, 0, WireBytes{ 1 });
+  EXPECT_THAT(guard.problem, testing::HasSubstr("without it this device gives no force"));
+}
+
+TEST(SerialPort, IsOneProgramsAlone)
+{
+  test::TwoDiyModel model;
+  test::PtyBoard board(model);
+  const Outcome<std::unique_ptr<SerialPort>> first = SerialPort::open(board.path());
+  ASSERT_TRUE(first.ok()) << first.problem;
+  EXPECT_THAT(SerialPort::open(board.path()).problem, testing::HasSubstr("is busy: close the other program"));
+  EXPECT_THAT(SerialPort::open("/dev/none").problem, testing::HasSubstr("is gone"));
+}
+
+TEST(SerialPort, IsGoneWhenTheOtherEndIs)
+{
+  test::TwoDiyModel model;
+  Outcome<std::unique_ptr<SerialPort>> port;
+  {
+    test::PtyBoard board(model);
+    port = SerialPort::open(board.path());
+    ASSERT_TRUE(port.ok()) << port.problem;
+  }
+  std::array<std::uint8_t, 8> bytes{};
+  EXPECT_LT(port.value->receive(bytes, 5), 0);
+}
+
+} // namespace
+} // namespace palpate

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole chain of an arm behind a vendor's service, against a service that is made up, on this computer.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "devices/arm/ArmDevice.h"
+#include "devices/arm/kit/Kits.h"
+#include "devices/arm/protocol/HaplyServiceWire.h"
+#include "testing/devices/arm/FakeService.h"
+#include "testing/devices/arm/ModelTime.h"
+#include "testing/support/Random.h"
+
+namespace palpate
+{
+namespace
+{
+
+using test::FakeService;
+using Answers = FakeService::Says::Answer;
+
+/// An arm of that service: a tick of the servo, then an exchange, of a millisecond of the link's clock each.
+struct HaplyRig
+{
+  HaplyRig() { this->device.prove(); }
+
+  void run(int exchanges)
+  {
+    for (int i = 0; i < exchanges; ++i)
+    {
+      this->status = this->device.read(1e-9 * static_cast<double>(this->time.now_ns()), this->sample);
+      this->lostTicks += this->status == DeviceStatus::Lost ? 1 : 0;
+      this->device.write(this->command);
+      const std::uint64_t before = this->device.link().answers();
+      static_cast<void>(this->device.link().pass());
+      // What did not answer took its time.
+      this->time.pass(this->device.link().answers() != before ? perMs_ns : ArmLink::answer_ms * perMs_ns);
+    }
+  }
+  void ask(const Vec3& force_N)
+  {
+    this->command = {};
+    this->run(5);
+    this->command.wrench_D.force = force_N;
+    this->run(5);
+  }
+
+  FakeService service;
+  FakeService::Says says;
+  test::ModelTime time;
+  HaplyPorts ports{ service.port(), service.port(), service.eventPort(), "/nowhere" };
+  ArmKit kit = haplyKit(ports);
+  ArmDevice device{ "haply", kit.bus, { "049D", 0, 0, "049D", "Haply inverse3" }, kit.setup, { false, &time } };
+  DeviceCommand command;
+  DeviceSample sample;
+  DeviceStatus status = DeviceStatus::Ok;
+  int lostTicks = 0;
+};
+
+TEST(HaplyService, IsListedByItsOwnNumberAndToldNothing)
+{
+  HaplyRig rig;
+  const std::vector<ArmKit> kits{ rig.kit };
+  const std::vector<FoundArm> found = findArms(kits);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].entry.serial, "049D");
+  EXPECT_EQ(found[0].problem, "");
+  EXPECT_EQ(rig.service.messages(), 0);
+}
+
+TEST(HaplyService, ThatIsInstalledAndSilentIsToldOfAndOneThatIsNotThereIsNot)
+{
+  HaplyPorts ports{ 1, 1, 1, "/nowhere" };
+  const std::vector<ArmKit> none{ haplyKit(ports) };
+  EXPECT_TRUE(findArms(none).empty());
+  ports.installed = "/";
+  const std::vector<ArmKit> silent{ haplyKit(ports) };
+  const std::vector<FoundArm> found = findArms(silent);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_THAT(found[0].problem, testing::HasSubstr("start haply-inverse-service"));
+}
+
+TEST(HaplyService, IsNamedTheProgramAndSetToIdentityAndAppliesTheForceThatIsAsked)
+{
+  for (const char* const version : { "3.0.1", "3.1.4", "3.5.2", "3.10.0" })
+  {
+    HaplyRig rig;
+    rig.says.version = version;
+    if (rig.says.version == "3.10.0")
+    {
+      rig.says.version = "3.9"; // as the fake compares versions as texts
+    }
+    rig.service.say(rig.says);
+    ASSERT_EQ(rig.device.open(), "") << version;
+    const Vec3 force_N(0.5, -1.25, 2.0);
+    rig.ask(force_N);
+    EXPECT_EQ(rig.status, DeviceStatus::Ok);
+    EXPECT_EQ(rig.service.programsName(), "Palpate");
+    EXPECT_TRUE(rig.service.transformIsIdentity());
+    EXPECT_EQ(rig.service.force_N(), force_N) << version;
+  }
+}
+
+TEST(HaplyService, TellsPlaceVelocityTurnAndButtons)
+{
+  HaplyRig rig;
+  rig.says.turn = Quat(Eigen::AngleAxisd(0.5, Vec3(1, 2, 3).normalized()));
+  rig.says.buttons = 5;
+  rig.service.say(rig.says);
+  ASSERT_EQ(rig.device.open(), "");
+  rig.run(5);
+  EXPECT_LT((rig.sample.pose_D.p - (rig.says.position_m - Vec3(0.0, -0.12, 0.15))).norm(), 1e-12);
+  EXPECT_LT(rig.sample.pose_D.q.angularDistance(rig.says.turn), 1e-9);
+  EXPECT_EQ(rig.sample.velocity_D.linear, Vec3(0.0, 0.02, 0.0));
+  EXPECT_EQ(rig.sample.buttons, 5U);
+}
+
+TEST(HaplyService, WithADeviceThatAnotherProgramUsesIsRefused)
+{
+  HaplyRig rig;
+  rig.says.inUse = true;
+  rig.service.say(rig.says);
+  EXPECT_THAT(rig.device.open(), testing::HasSubstr("another program uses this device"));
+  EXPECT_EQ(rig.service.messages(), 0);
+  const std::vector<ArmKit> kits{ rig.kit };
+  EXPECT_THAT(findArms(kits).at(0).problem, testing::HasSubstr("another program"));
+}
+
+TEST(HaplyService, IsAwaitedUntilTheDeviceIsReadyAndCalibrated)
+{
+  for (const bool ready : { false, true })
+  {
+    HaplyRig rig;
+    rig.says.ready = ready;
+    rig.says.calibrated = !ready;
+    rig.service.say(rig.says);
+    ASSERT_EQ(rig.device.open(), "");
+    rig.ask({ 0.0, 0.0, 1.0 });
+    EXPECT_EQ(rig.status, DeviceStatus::Waiting);
+    EXPECT_EQ(rig.service.force_N().norm(), 0.0);
+    ASSERT_TRUE(rig.device.step());
+    rig.says.ready = rig.says.calibrated = true;
+    rig.service.say(rig.says);
+    rig.ask({ 0.0, 0.0, 1.0 });
+    EXPECT_EQ(rig.status, DeviceStatus::Ok);
+    EXPECT_EQ(rig.service.force_N(), Vec3(0.0, 0.0, 1.0));
+  }
+}
+
+TEST(HaplyService, WithASpaceThatAnotherProgramMovesOrWithoutPowerGivesNoForceAndSaysSo)
+{
+  HaplyRig rig;
+  rig.says.keepsTransform = true;
+  rig.service.say(rig.says);
+  ASSERT_EQ(rig.device.open(), "");
+  rig.ask({ 0.0, 0.0, 1.0 });
+  EXPECT_EQ(rig.service.force_N().norm(), 0.0);
+  EXPECT_THAT(rig.device.linkReport().message, testing::HasSubstr("another program moves the space"));
+  rig.says.keepsTransform = false;
+  rig.says.power = false;
+  rig.service.say(rig.says);
+  rig.ask({ 0.0, 0.0, 1.0 });
+  EXPECT_EQ(rig.service.force_N().norm(), 0.0);
+  EXPECT_THAT(rig.device.linkReport().message, testing::HasSubstr("no power supply"));
+}
+
+TEST(HaplyService, EndsTheForceWithTheNameOfAnEvent)
+{
+  for (const char* const event : { "ebrake_triggered", "fod_stage_changed", "stall_detected", "stability_ceiling" })
+  {
+    HaplyRig rig;
+    ASSERT_EQ(rig.device.open(), "");
+    rig.ask({ 0.0, 0.0, 1.0 });
+    ASSERT_EQ(rig.service.force_N().z(), 1.0);
+    rig.says.event = event;
+    rig.service.say(rig.says);
+    const int before = rig.service.messages();
+    while (rig.lostTicks == 0 && rig.service.messages() < before + 2000)
+    {
+      rig.run(1);
+    }
+    EXPECT_GE(rig.lostTicks, 1);
+    EXPECT_EQ(rig.device.linkReport().lostFor, std::string("the vendor's service stopped the device: ") + event);
+    EXPECT_EQ(rig.service.force_N().norm(), 0.0);
+  }
+}
+
+TEST(HaplyService, ThatSaysSomethingElseIsLostWithinTwentyMillisecondsAndIsToldNoForce)
+{
+  for (const Answers answer :
+    { Answers::Nothing, Answers::Broken, Answers::Huge, Answers::Endless, Answers::OtherArm, Answers::Closes })
+  {
+    HaplyRig rig;
+    ASSERT_EQ(rig.device.open(), "");
+    rig.ask({ 0.0, 0.0, 1.0 });
+    ASSERT_EQ(rig.service.force_N().z(), 1.0);
+    rig.says.answer = answer;
+    rig.service.say(rig.says);
+    const std::int64_t until_ns = rig.time.now_ns() + 20 * perMs_ns;
+    while (rig.time.now_ns() < until_ns)
+    {
+      rig.run(1);
+    }
+    EXPECT_GE(rig.lostTicks, 1) << static_cast<int>(answer);
+    EXPECT_NE(rig.device.linkReport().lostFor, "") << static_cast<int>(answer);
+    EXPECT_TRUE(answer == Answers::Closes || rig.service.force_N().norm() == 0.0) << static_cast<int>(answer);
+  }
+}
+
+TEST(HaplyServiceWire, TellsTheVersionWhateverStandsAroundIt)
+{
+  EXPECT_EQ(haplyHasVector("{\"version\":\"3.1.4\"}"), std::optional(false));
+  EXPECT_EQ(haplyHasVector("v3.5"), std::optional(true));
+  EXPECT_EQ(haplyHasVector("{\"name\":\"service\",\"version\":\"3.10.2\"}"), std::optional(true));
+  EXPECT_EQ(haplyHasVector("4.0.0"), std::optional(true));
+  EXPECT_EQ(haplyHasVector("2.9.0"), std::optional(false));
+  EXPECT_EQ(haplyHasVector("no version"), std::nullopt);
+  EXPECT_EQ(haplyHasVector(""), std::nullopt);
+}
+
+} // namespace
+} // namespace palpate

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Arms behind a vendor's library, against libraries that are made up.
+#include <chrono>
+#include <dlfcn.h>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "devices/arm/ArmDevice.h"
+#include "devices/arm/kit/Kits.h"
+#include "testing/devices/arm/ModelTime.h"
+#include "testing/support/Eventually.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// The test's own functions of a made-up library.
+template<class Function>
+Function* fakeFunction(const char* library, const char* name)
+{
+  void* const open = dlopen(library, RTLD_NOW);
+  return reinterpret_cast<Function*>(dlsym(open, name));
+}
+
+/// The first device of a kit.
+struct LibraryRig
+{
+  explicit LibraryRig(ArmKit itsKit) : kit(std::move(itsKit)), kits{ kit }
+  {
+    EXPECT_EQ(this->found.size(), 1U);
+    this->device.prove();
+  }
+  void run(int exchanges)
+  {
+    for (int i = 0; i < exchanges; ++i)
+    {
+      this->status = this->device.read(1e-9 * static_cast<double>(this->time.now_ns()), this->sample);
+      this->lostTicks += this->status == DeviceStatus::Lost ? 1 : 0;
+      this->device.write(this->command);
+      const std::uint64_t before = this->device.link().answers();
+      static_cast<void>(this->device.link().pass());
+      this->time.pass(this->device.link().answers() != before ? perMs_ns : ArmLink::answer_ms * perMs_ns);
+    }
+  }
+  void ask(const Vec3& force_N)
+  {
+    this->command = {};
+    this->run(5);
+    this->command.wrench_D.force = force_N;
+    this->run(5);
+  }
+
+  test::ModelTime time;
+  ArmKit kit;
+  std::vector<ArmKit> kits;
+  std::vector<FoundArm> found = findArms(kits);
+  ArmDevice device{ "arm", kit.bus, found.at(0).entry, kit.setup, { false, &time } };
+  DeviceCommand command;
+  DeviceSample sample;
+  DeviceStatus status = DeviceStatus::Ok;
+  int lostTicks = 0;
+};
+
+TEST(ForceDimension, IsAbsentWithoutHarmAndWhatItMissesIsNamed)
+{
+  const std::vector<ArmKit> none{ forceDimensionKit("libnone.so.9"), openHapticsKit("libnone.so.9") };
+  for (const ArmKit& kit : none)
+  {
+    EXPECT_TRUE(kit.bus->devices().empty());
+    EXPECT_THAT(kit.bus->open({}).problem, testing::HasSubstr("libnone.so.9 cannot be loaded"));
+  }
+  const std::vector<ArmKit> old{ forceDimensionKit(PALPATE_FAKE_OLD_DHD) };
+  EXPECT_THAT(
+    old[0].bus->open({}).problem, testing::HasSubstr("has no function dhdSetWatchdog: install a newer version"));
+}
+
+TEST(ForceDimension, ExchangesForceForPlaceTurnVelocityAndButtonsAndSetsTheWatchdogFirst)
+{
+  LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
+  ASSERT_EQ(rig.device.open(), "");
+  rig.ask({ 1.0, -2.0, 3.0 });
+  const auto force = fakeFunction<double(int)>(PALPATE_FAKE_DHD, "fakeForce");
+  EXPECT_EQ(Vec3(force(0), force(1), force(2)), Vec3(1.0, -2.0, 3.0));
+  EXPECT_EQ(fakeFunction<int()>(PALPATE_FAKE_DHD, "fakeWatchdog")(), 20);
+  EXPECT_EQ(rig.sample.pose_D.p, Vec3(0.01, 0.02, -0.03));
+  EXPECT_LT((rig.sample.pose_D.q * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-12);
+  EXPECT_EQ(rig.sample.velocity_D.linear.x(), 0.1);
+  EXPECT_EQ(rig.sample.buttons, 3U);
+  rig.device.close();
+  EXPECT_EQ(force(2), 0.0);
+  EXPECT_EQ(fakeFunction<int()>(PALPATE_FAKE_DHD, "fakeOpened")(), 0);
+}
+
+TEST(ForceDimension, ThatReportsAnErrorIsLostWithItsText)
+{
+  LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
+  ASSERT_EQ(rig.device.open(), "");
+  rig.ask({ 1.0, 0.0, 0.0 });
+  const auto fail = fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeFail");
+  fail(1);
+  rig.run(2);
+  EXPECT_GE(rig.lostTicks, 1);
+  EXPECT_EQ(rig.device.linkReport().lostFor, "the vendor's library reports an error: made-up failure");
+  EXPECT_EQ(fakeFunction<double(int)>(PALPATE_FAKE_DHD, "fakeForce")(0), 0.0);
+  EXPECT_THAT(rig.kit.bus->open(rig.found[0].entry).problem, testing::HasSubstr("made-up failure"));
+  fail(0);
+}
+
+TEST(ForceDimension, WhoseCallBlocksLosesTheDeviceForTheServoWithoutWaiting)
+{
+  LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
+  ArmDevice device("arm", rig.kit.bus, rig.found[0].entry, rig.kit.setup);
+  const auto block = fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeBlock");
+  ASSERT_EQ(device.open(), "");
+  DeviceSample sample;
+  int ms = 0;
+  const auto isStatus = [&](DeviceStatus status)
+  { return test::eventually([&] { return device.read(1e-3 * ++ms, sample) == status; }); };
+  EXPECT_TRUE(isStatus(DeviceStatus::Ok));
+  block(200);
+  EXPECT_TRUE(isStatus(DeviceStatus::Lost));
+  EXPECT_TRUE(test::eventually([&] { return device.linkReport().message == "the link to the device hangs"; }));
+  block(0);
+  EXPECT_TRUE(isStatus(DeviceStatus::Ok)) << "the servo latches the fault, not the device";
+  device.close();
+}
+
+class OpenHapticsRates : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(OpenHapticsRates, ExchangesInTheVendorsCallsAtTheirRate)
+{
+  const auto rate = fakeFunction<void(int)>(PALPATE_FAKE_HD, "fakeRate");
+  rate(GetParam());
+  LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
+  EXPECT_EQ(rig.device.info().pacing, Pacing::Callback);
+  ASSERT_EQ(rig.device.open(), "");
+  rig.ask({ 1.0, -2.0, 0.5 });
+  rig.run(3);
+  const auto force = fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeForce");
+  EXPECT_EQ(Vec3(force(0), force(1), force(2)), Vec3(1.0, -2.0, 0.5));
+  EXPECT_LT((rig.sample.pose_D.p - Vec3(0.01, 0.02, -0.03)).norm(), 1e-15);
+  EXPECT_LT((rig.sample.pose_D.q * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-12);
+  EXPECT_NEAR(rig.sample.velocity_D.linear.x(), 0.1, 1e-15);
+  EXPECT_EQ(rig.sample.buttons, 2U);
+  const auto calls = fakeFunction<int()>(PALPATE_FAKE_HD, "fakeCalls");
+  const int before = calls();
+  rig.run(20);
+  EXPECT_GE(calls() - before, 18) << "each exchange waits for a call";
+  rig.device.close();
+  EXPECT_EQ(fakeFunction<int()>(PALPATE_FAKE_HD, "fakeOutput")(), 0);
+  rate(1000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, OpenHapticsRates, testing::Values(500, 1000, 4000));
+
+TEST(OpenHaptics, WhoseSchedulerStopsOrReportsAnErrorIsLost)
+{
+  const auto rate = fakeFunction<void(int)>(PALPATE_FAKE_HD, "fakeRate");
+  const auto fail = fakeFunction<void(std::uint32_t)>(PALPATE_FAKE_HD, "fakeFail");
+  {
+    LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
+    ASSERT_EQ(rig.device.open(), "");
+    rig.ask({ 1.0, 0.0, 0.0 });
+    rate(0);
+    rig.run(6);
+    EXPECT_GE(rig.lostTicks, 1);
+    EXPECT_EQ(rig.device.linkReport().lostFor, "the vendor's scheduler does not call back");
+    rate(1000);
+  }
+  LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
+  ASSERT_EQ(rig.device.open(), "");
+  rig.ask({ 1.0, 0.0, 0.0 });
+  fail(0x0201);
+  rig.run(5);
+  EXPECT_EQ(rig.lostTicks, 0) << "a force that the device cut is none";
+  fail(0x0302);
+  rig.run(5);
+  EXPECT_GE(rig.lostTicks, 1);
+  EXPECT_EQ(rig.device.linkReport().lostFor, "the vendor's library reports: the link to the device is lost");
+  fail(0);
+}
+
+} // namespace
+} // namespace palpate

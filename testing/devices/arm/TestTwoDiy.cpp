@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole chain of a 2DIY, against a model of its board and its pantograph.
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/devices/arm/TwoDiyRig.h"
+#include "testing/support/Random.h"
+
+namespace palpate
+{
+namespace
+{
+
+using test::TwoDiyRig;
+
+TEST(TwoDiyModel, HasThePlacesOfTheTableOfFacts)
+{
+  constexpr double deg = std::numbers::pi / 180.0;
+  const test::TwoDiyModel model;
+  EXPECT_LT((model.tipOf({ 140 * deg, 40 * deg, 0 }) - Vec3(0.01, 0.08280392, 0)).norm(), 1e-8);
+  EXPECT_LT((model.tipOf({ 170 * deg, 60 * deg, 0 }) - Vec3(-0.01894242, 0.07178576, 0)).norm(), 1e-8);
+  EXPECT_LT((model.tipOf({ 120 * deg, 10 * deg, 0 }) - Vec3(0.03894242, 0.07178576, 0)).norm(), 1e-8);
+}
+
+TEST(TwoDiy, BeginsItsAnglesInThePoseInWhichThePersonPresses)
+{
+  TwoDiyRig diy;
+  diy.model->place({ 2.0, 0.5, 0.0 });
+  ASSERT_EQ(diy.rig.device.open(), "");
+  diy.rig.ask({ 0.5, 0.0, 0.0 });
+  EXPECT_EQ(diy.rig.status, DeviceStatus::Waiting);
+  EXPECT_EQ(diy.model->force_N().norm(), 0.0);
+  ASSERT_TRUE(diy.rig.device.step());
+  EXPECT_THAT(diy.rig.device.step()->sentence, testing::HasSubstr("stretched out"));
+  diy.model->place({ std::numbers::pi, 0.0, 0.0 });
+  diy.setInPose();
+  EXPECT_EQ(diy.model->setUps, 2) << "once to be heard, once in the pose";
+  EXPECT_EQ(diy.rig.status, DeviceStatus::Ok);
+  EXPECT_FALSE(diy.rig.device.step());
+  EXPECT_EQ(diy.rig.device.info().deviceClass, DeviceClass::Joystick2D) << "it gets what sticks with two axes get";
+}
+
+TEST(TwoDiy, AppliesTheForceThatIsAskedToAStepOfItsTorque)
+{
+  TwoDiyRig diy;
+  ASSERT_EQ(diy.rig.device.open(), "");
+  diy.setInPose();
+  diy.rig.ask(Vec3::Zero());
+  test::Random random(11);
+  for (int i = 0; i < 300; ++i)
+  {
+    Vec3 from_m = 0.024 * random.direction();
+    from_m.z() = 0.0;
+    ASSERT_TRUE(diy.model->lead(from_m + Vec3(0.01, 0.085, 0.0)));
+    Vec3 force_N = random.direction();
+    force_N.z() = 0.0;
+    diy.rig.command.wrench_D.force = force_N;
+    diy.rig.run(4);
+    ASSERT_EQ(diy.rig.status, DeviceStatus::Ok);
+    constexpr double count_m = 1e-4; // 0.026 degrees of 50 mm, twice, and as far as the forearms stretch it
+    EXPECT_LT((diy.rig.sample.pose_D.p - from_m).norm(), count_m);
+    EXPECT_LT((diy.model->force_N() - force_N).norm(), diy.model->step_N() + 5e-3) << from_m.transpose();
+  }
+}
+
+TEST(TwoDiy, IsToldNoTorqueBeforeItIsLetGo)
+{
+  TwoDiyRig diy;
+  ASSERT_EQ(diy.rig.device.open(), "");
+  diy.setInPose();
+  diy.model->lead({ 0.01, 0.085, 0.0 });
+  diy.rig.ask({ 0.5, 0.5, 0.0 });
+  ASSERT_GT(diy.model->force_N().norm(), 0.6);
+  diy.rig.device.close();
+  EXPECT_EQ(diy.model->force_N().norm(), 0.0);
+}
+
+} // namespace
+} // namespace palpate

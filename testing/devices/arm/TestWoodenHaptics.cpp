@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole chain of a WoodenHaptics arm, against a model of its firmware and mechanics.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "devices/DeviceFactory.h"
+#include "devices/arm/kit/WoodenHapticsFile.h"
+#include "devices/calibration/CalibrationFiles.h"
+#include "testing/devices/arm/WoodenHapticsRig.h"
+#include "testing/support/Random.h"
+#include <gmock/gmock.h>
+
+namespace palpate
+{
+namespace
+{
+
+using test::WoodenHapticsRig;
+
+/// What a counter shows of the tip, at most, from where it is: half a count in each of three joints.
+constexpr double oneCount_m = 3e-4;
+
+TEST(WoodenHaptics, IsFoundWithItsOwnersFileAndRefusedByNameWithout)
+{
+  WoodenHapticsRig rig;
+  std::vector<FoundArm> found = findArms({ rig.kit });
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].name, "woodenhaptics-1234-0006-7");
+  EXPECT_EQ(found[0].problem, "");
+  const std::vector<ArmKit> without{ woodenHapticsKit(rig.bus, rig.folder.file("none.json")) };
+  found = findArms(without);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_THAT(found[0].problem, testing::HasSubstr("none.json: it is missing"));
+  EXPECT_EQ(rig.model->orders, 0) << "looking tells an arm nothing";
+}
+
+TEST(WoodenHaptics, GivesNoHandAndNoForceBeforeItsCountersAreSetInItsPose)
+{
+  WoodenHapticsRig rig;
+  rig.command.wrench_D.force = Vec3(0.0, 0.0, -1.0);
+  ASSERT_EQ(rig.device.open(), "");
+  rig.run(100);
+  EXPECT_EQ(rig.status, DeviceStatus::Waiting);
+  ASSERT_TRUE(rig.device.step());
+  EXPECT_THAT(rig.device.linkReport().message, testing::HasSubstr("calibration pose"));
+  EXPECT_EQ(rig.model->force_N().norm(), 0.0);
+  EXPECT_EQ(rig.model->setOrders, 0);
+  rig.device.stepDone("");
+  rig.run(50);
+  EXPECT_EQ(rig.status, DeviceStatus::Ok);
+  EXPECT_FALSE(rig.device.step());
+  EXPECT_EQ(rig.model->setOrders, 1);
+  EXPECT_NEAR((rig.sample.pose_D.p - rig.model->tip_m()).norm(), 0.0, oneCount_m);
+}
+
+TEST(WoodenHaptics, SetsItsCountersWhenItsOwnButtonIsPressed)
+{
+  WoodenHapticsRig rig;
+  ASSERT_EQ(rig.device.open(), "");
+  rig.run(10);
+  rig.model->pressed = true;
+  rig.run(50);
+  EXPECT_EQ(rig.status, DeviceStatus::Ok);
+  EXPECT_EQ(rig.model->setOrders, 1);
+}
+
+TEST(WoodenHaptics, AppliesTheForceThatIsAskedToHalfAStepOfItsCurrentsEverywhere)
+{
+  WoodenHapticsRig rig;
+  ASSERT_EQ(rig.open(), "");
+  rig.command = {};
+  rig.run(5); // a person lets go of all force first
+  test::Random random(5);
+  for (int i = 0; i < 300; ++i)
+  {
+    const Vec3 at_m = 0.05 * random.direction() + Vec3(0.0, 0.0, 0.02);
+    ASSERT_TRUE(rig.model->lead(at_m));
+    rig.command.wrench_D.force = 2.0 * random.direction();
+    rig.run(4);
+    EXPECT_NEAR((rig.sample.pose_D.p - at_m).norm(), 0.0, oneCount_m) << at_m.transpose();
+    // The Jacobian is that of the counted place: a count turns a force of 2 N by less than 1e-2.
+    const double counted_N = 2.0 * 1e-2;
+    EXPECT_LE((rig.model->force_N() - rig.command.wrench_D.force).norm(), rig.model->halfStep_N() + counted_N);
+  }
+}
+
+TEST(WoodenHaptics, FollowsItsCountersWhereTheyWrap)
+{
+  WoodenHapticsRig rig;
+  ASSERT_EQ(rig.open(), "");
+  // 16 turns of the column's capstan are 32 000 counts and one turn of the body; twice that wraps the counter.
+  const Vec3 from = rig.model->joints_rad();
+  for (int i = 1; i <= 1000; ++i)
+  {
+    rig.model->place(from + 4e-3 * std::numbers::pi * i * Vec3::UnitX());
+    rig.run(1);
+  }
+  rig.run(3);
+  EXPECT_NEAR((rig.sample.pose_D.p - rig.model->tip_m()).norm(), 0.0, oneCount_m);
+}
+
+TEST(WoodenHaptics, IsLimitedToOneNewtonUntilItIsProven)
+{
+  WoodenHapticsRig rig(false);
+  ASSERT_EQ(rig.open(), "");
+  EXPECT_EQ(rig.device.info().maxForce_N.value, 1.0);
+  rig.command = {};
+  rig.run(5);
+  rig.command.wrench_D.force = Vec3(0.0, 3.0, 0.0);
+  rig.run(10);
+  EXPECT_NEAR((rig.model->force_N() - Vec3(0.0, 1.0, 0.0)).norm(), 0.0, rig.model->halfStep_N() + 1e-2);
+}
+
+/// Kinds of faults of the link.
+struct Fault
+{
+  const char* name;
+  void (*happen)(WoodenHapticsRig& rig);
+  const char* sentence;
+};
+
+class WoodenHapticsFaults : public testing::TestWithParam<Fault>
+{
+};
+
+TEST_P(WoodenHapticsFaults, EndTheForceWithinTwentyMilliseconds)
+{
+  WoodenHapticsRig rig;
+  ASSERT_EQ(rig.open(), "");
+  rig.command = {};
+  rig.run(5);
+  rig.command.wrench_D.force = Vec3(0.0, 2.0, 0.0);
+  rig.run(50);
+  ASSERT_GT(rig.model->force_N().norm(), 1.9);
+  GetParam().happen(rig);
+  rig.run(20);
+  const bool hears = rig.port.present && !rig.model->frozen && rig.port.writesThatFail == 0;
+  EXPECT_TRUE(!hears || rig.model->force_N().norm() == 0.0) << "what hears is told";
+  EXPECT_GE(rig.lostTicks, 1) << "the servo is told of it, also of a device that is found again at once";
+  EXPECT_NE(rig.status, DeviceStatus::Ok);
+  EXPECT_EQ(rig.device.linkReport().lostFor, GetParam().sentence);
+  rig.run(test::WoodenHapticsModel::watchdog_ms);
+  EXPECT_TRUE(!rig.port.present || rig.model->force_N().norm() == 0.0) << "and its own watchdog ends the rest";
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, WoodenHapticsFaults,
+  testing::Values(
+    Fault{ "Unplugged", [](WoodenHapticsRig& rig) { rig.port.present = false; }, "the cable was unplugged" },
+    Fault{ "Frozen", [](WoodenHapticsRig& rig) { rig.model->frozen = true; }, "the device does not answer" },
+    Fault{ "Silent", [](WoodenHapticsRig& rig) { rig.model->silentFor = 1000; }, "the device does not answer" },
+    Fault{ "HalfMessages", [](WoodenHapticsRig& rig) { rig.model->cutAnswers = 1000; },
+      "the device answers with something else than its protocol has" },
+    Fault{ "WrongAnswers", [](WoodenHapticsRig& rig) { rig.model->wrongAnswers = 1000; },
+      "the device answers with something else than its protocol has" },
+    Fault{ "FailingWrites", [](WoodenHapticsRig& rig) { rig.port.writesThatFail = 1000; },
+      "the device rejects force commands: Input/output error" }),
+  [](const auto& one) { return one.param.name; });
+
+TEST(WoodenHaptics, IsToldNoForceAtEachStepOfAnExchangeThatIsUnplugged)
+{
+  for (int calls = 0; calls < 6; ++calls)
+  {
+    WoodenHapticsRig rig;
+    ASSERT_EQ(rig.open(), "");
+    rig.command = {};
+    rig.run(5);
+    rig.command.wrench_D.force = Vec3(0.0, 2.0, 0.0);
+    rig.run(50);
+    rig.port.callsUntilUnplugged = calls;
+    rig.run(20);
+    EXPECT_EQ(rig.status, DeviceStatus::Lost) << calls;
+    EXPECT_THAT(rig.device.linkReport().lostFor, testing::HasSubstr("unplugged")) << calls;
+  }
+}
+
+TEST(WoodenHaptics, OneAnswerThatIsMissingCostsOneMomentOfForceAndNoMore)
+{
+  WoodenHapticsRig rig;
+  ASSERT_EQ(rig.open(), "");
+  rig.command = {};
+  rig.run(5);
+  rig.command.wrench_D.force = Vec3(0.0, 2.0, 0.0);
+  rig.run(50);
+  rig.model->wrongAnswers = 1;
+  rig.tick();
+  rig.pass(); // the wrong answer
+  rig.pass();
+  EXPECT_EQ(rig.model->force_N().norm(), 0.0) << "no force while it is doubted";
+  rig.run(5);
+  EXPECT_EQ(rig.status, DeviceStatus::Ok);
+  EXPECT_GT(rig.model->force_N().norm(), 1.9);
+}
+
+TEST(WoodenHaptics, ComesBackWithoutForceAndWithItsCountersUnset)
+{
+  WoodenHapticsRig rig;
+  ASSERT_EQ(rig.open(), "");
+  rig.command = {};
+  rig.run(5);
+  rig.command.wrench_D.force = Vec3(0.0, 2.0, 0.0);
+  rig.run(50);
+  rig.port.present = false;
+  rig.run(600);
+  rig.port.present = true;
+  rig.run(1200);
+  EXPECT_TRUE(rig.device.linkReport().attached);
+  EXPECT_EQ(rig.status, DeviceStatus::Waiting);
+  rig.device.stepDone("");
+  rig.run(50);
+  EXPECT_EQ(rig.status, DeviceStatus::Ok);
+  EXPECT_EQ(rig.model->force_N().norm(), 0.0) << "only a person brings it back";
+  rig.command = {};
+  rig.run(5);
+  rig.command.wrench_D.force = Vec3(0.0, 2.0, 0.0);
+  rig.run(5);
+  EXPECT_GT(rig.model->force_N().norm(), 1.9);
+}
+
+TEST(WoodenHaptics, GivesNoForceWhileTheServoIsSilentAndForCommandsThatAreNoNumbers)
+{
+  WoodenHapticsRig rig;
+  ASSERT_EQ(rig.open(), "");
+  rig.command = {};
+  rig.run(5);
+  rig.command.wrench_D.force = Vec3(0.0, 2.0, 0.0);
+  rig.run(50);
+  for (int i = 0; i < 25; ++i)
+  {
+    rig.pass();
+  }
+  EXPECT_EQ(rig.model->force_N().norm(), 0.0);
+  rig.run(5);
+  EXPECT_GT(rig.model->force_N().norm(), 1.9);
+  rig.command.wrench_D.force.x() = std::nan("");
+  rig.run(5);
+  EXPECT_EQ(rig.model->force_N().norm(), 0.0);
+}
+
+TEST(WoodenHaptics, IsLeftWithoutForce)
+{
+  WoodenHapticsRig rig;
+  ASSERT_EQ(rig.open(), "");
+  rig.command = {};
+  rig.run(5);
+  rig.command.wrench_D.force = Vec3(0.0, 2.0, 0.0);
+  rig.run(50);
+  rig.device.close();
+  EXPECT_EQ(rig.model->force_N().norm(), 0.0);
+}
+
+TEST(WoodenHaptics, GivesAllOfItsForceOnceItsCheckWasKeptForItsNumber)
+{
+  WoodenHapticsRig rig;
+  DeviceOptions options;
+  options.hid = rig.bus;
+  options.arms = std::make_shared<const std::vector<ArmKit>>(std::vector<ArmKit>{ rig.kit });
+  options.calibrationFolder = rig.folder.path();
+  const std::string name = "woodenhaptics-1234-0006-7";
+  MadeDevice made = makeDevice(name, options);
+  ASSERT_NE(made.device, nullptr) << made.problem;
+  EXPECT_EQ(made.device->info().maxForce_N.value, 1.0);
+  Calibration kept{ name, "7", "2026-01-31", 3, {} };
+  for (int i = 0; i < 3; ++i)
+  {
+    kept.axes[static_cast<std::size_t>(i)] = { i, 1, -0.1, 0.1, i, 1, 0.01, 0.0 };
+  }
+  ASSERT_EQ(saveCalibration(options.calibrationFolder, kept), "");
+  made = makeDevice(name, options);
+  ASSERT_NE(made.device, nullptr) << made.problem;
+  EXPECT_EQ(made.device->info().maxForce_N.value, 5.0) << "of the owner's file";
+  EXPECT_EQ(made.device->info().pacing, Pacing::Device);
+}
+
+TEST(WoodenHaptics, OfWhichTwoCannotBeToldApartKeepsItsLimit)
+{
+  WoodenHapticsRig rig;
+  rig.bus->plug(std::make_shared<test::WoodenHapticsModel>(), WoodenHapticsRig::plugOf());
+  DeviceOptions options;
+  options.hid = rig.bus;
+  options.arms = std::make_shared<const std::vector<ArmKit>>(std::vector<ArmKit>{ rig.kit });
+  const std::vector<KnownDevice> known = knownDevices(options);
+  const auto arms = std::count_if(known.begin(), known.end(),
+    [](const KnownDevice& device) { return device.name.starts_with("woodenhaptics") && device.hasTwin; });
+  EXPECT_EQ(arms, 2);
+}
+
+TEST(WoodenHapticsFile, SaysWhatIsWrongWithIt)
+{
+  const std::string good = test::WoodenHapticsModel::file();
+  EXPECT_EQ(readWoodenHapticsFile(good).problem, "");
+  const auto with = [&good](const std::string& what, const std::string& by)
+  {
+    std::string changed = good;
+    changed.replace(changed.find(what), what.size(), by);
+    return readWoodenHapticsFile(changed).problem;
+  };
+  EXPECT_EQ(with("\"length_body_b\"", "\"length_body_x\""), "\"length_body_b\" is missing or no number");
+  EXPECT_EQ(with("\"cpr_encoder_a\": 2000", "\"cpr_encoder_a\": \"no\""), "\"cpr_encoder_a\" is missing or no number");
+  EXPECT_EQ(with("\"variant\": 0", "\"variant\": 3"), "the kinematics of variant 3 are not known: 0, 1 and 2 are");
+  EXPECT_EQ(with("motor_a\": 0.0259", "motor_a\": 0"), "a torque constant must be above 0");
+  EXPECT_EQ(readWoodenHapticsFile("{").problem, "it is not one JSON object of at most 64 KiB");
+  EXPECT_EQ(readWoodenHapticsFile(std::string(100000, '[')).problem, "it is not one JSON object of at most 64 KiB");
+}
+
+} // namespace
+} // namespace palpate

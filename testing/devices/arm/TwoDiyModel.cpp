@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "testing/devices/arm/TwoDiyModel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr double deg = std::numbers::pi / 180.0, largest_Nm = 0.123;
+constexpr int steps = 4095;
+
+float floatAt(const std::vector<std::uint8_t>& bytes, std::size_t at)
+{
+  float value = 0.0F;
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+void append(std::vector<std::uint8_t>& bytes, float value)
+{
+  std::array<std::uint8_t, 4> raw;
+  std::memcpy(raw.data(), &value, sizeof value);
+  bytes.insert(bytes.end(), raw.begin(), raw.end());
+}
+
+} // namespace
+
+TwoDiyModel::TwoDiyModel()
+{
+  this->place({ 180.0 * deg, 0.0, 0.0 });
+}
+
+/// Elbows l from motors that are d apart, forearms L; the origin is the right motor, as the API has it.
+Vec3 TwoDiyModel::tipOf(const Vec3& q) const
+{
+  constexpr double l = 0.05, L = 0.07, d = 0.02;
+  // The left arm's motor stands at 0 there and the right arm's at d.
+  const double x1 = l * std::cos(q[0]), y1 = l * std::sin(q[0]), x2 = d + l * std::cos(q[1]), y2 = l * std::sin(q[1]);
+  const double half = 0.5 * std::hypot(x2 - x1, y2 - y1), up = std::sqrt(std::max(0.0, L * L - half * half));
+  const double ex = (x2 - x1) / (2.0 * half), ey = (y2 - y1) / (2.0 * half);
+  return { 0.5 * (x1 + x2) - up * ey, 0.5 * (y1 + y2) + up * ex, q[2] };
+}
+
+void TwoDiyModel::take(std::span<const std::uint8_t> bytes)
+{
+  if (this->frozen)
+  {
+    return;
+  }
+  this->inbox_.insert(this->inbox_.end(), bytes.begin(), bytes.end());
+  while (this->takeOne())
+  {
+  }
+}
+
+bool TwoDiyModel::takeOne()
+{
+  constexpr std::size_t setUpBytes = 26, pushBytes = 10;
+  if (this->inbox_.empty())
+  {
+    return false;
+  }
+  const std::uint8_t command = this->inbox_[0];
+  const std::size_t length = command == 0 ? 2 : command == 1 ? setUpBytes : command == 2 ? pushBytes : 1;
+  if (this->inbox_.size() < length)
+  {
+    return false;
+  }
+  if (command == 0)
+  {
+    ++this->resets;
+    this->device_ = 0;
+  }
+  else if (command == 1)
+  {
+    this->setUp();
+  }
+  else if (command == 2)
+  {
+    this->push();
+  }
+  this->inbox_.erase(this->inbox_.begin(), this->inbox_.begin() + static_cast<std::ptrdiff_t>(length));
+  return true;
+}
+
+void TwoDiyModel::setUp()
+{
+  ++this->setUps;
+  this->device_ = this->inbox_[1];
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    this->offset_deg_[i] = floatAt(this->inbox_, 10 + 8 * i);
+    this->countsPerTurn_[i] = floatAt(this->inbox_, 14 + 8 * i);
+    this->began_deg_[i] = this->joints_rad()[static_cast<int>(i)] / deg;
+  }
+}
+
+/// Sent by its number alone: without set-up no motor has that number.
+void TwoDiyModel::push()
+{
+  std::vector<std::uint8_t> answer{ this->inbox_[1] };
+  if (this->inbox_[1] == this->device_)
+  {
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const double asked_Nm = std::clamp<double>(floatAt(this->inbox_, 2 + 4 * i), -largest_Nm, largest_Nm);
+      this->torque_Nm[i] = std::trunc(steps * asked_Nm / largest_Nm) * largest_Nm / steps;
+      const double turned_deg = this->joints_rad()[static_cast<int>(i)] / deg - this->began_deg_[i];
+      const double counts = std::floor((this->offset_deg_[i] + turned_deg) * this->countsPerTurn_[i] / 360.0 + 1e-6);
+      append(answer, static_cast<float>(360.0 * counts / this->countsPerTurn_[i]));
+    }
+  }
+  this->say(answer);
+}
+
+Vec3 TwoDiyModel::force_N() const
+{
+  return this->forceOf({ this->torque_Nm[0], this->torque_Nm[1], 0.0 });
+}
+
+double TwoDiyModel::step_N() const
+{
+  const double step_Nm = largest_Nm / steps;
+  return std::max(this->forceOf({ step_Nm, step_Nm, 0.0 }).norm(), this->forceOf({ step_Nm, -step_Nm, 0.0 }).norm());
+}
+
+} // namespace palpate::test

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fstream>
+#include <memory>
+
+#include "devices/arm/ArmDevice.h"
+#include "devices/arm/kit/Kits.h"
+#include "testing/devices/arm/WoodenHapticsModel.h"
+#include "testing/devices/hid/FakeHidBus.h"
+#include "testing/support/TemporaryFolder.h"
+
+namespace palpate::test
+{
+
+/// A WoodenHaptics on a bus in virtual time: a tick of the servo, then an exchange.
+struct WoodenHapticsRig
+{
+  explicit WoodenHapticsRig(bool proven = true)
+  {
+    if (proven)
+    {
+      this->device.prove();
+    }
+  }
+
+  static HidEntry plugOf() { return { "", WoodenHapticsModel::vendor, WoodenHapticsModel::product, "7", "arm" }; }
+  static ArmKit kitOn(const std::shared_ptr<FakeHidBus>& bus, const TemporaryFolder& folder)
+  {
+    const std::string file = folder.file("woodenhaptics.json");
+    std::ofstream(file) << WoodenHapticsModel::file();
+    return woodenHapticsKit(bus, file);
+  }
+
+  /// Opens it, and a person sets its counters in its pose.
+  [[nodiscard]] std::string open()
+  {
+    std::string problem = this->device.open();
+    this->run(5);
+    this->device.stepDone("");
+    this->run(30);
+    return problem;
+  }
+  void tick()
+  {
+    this->status = this->device.read(1e-9 * static_cast<double>(this->bus->time().now_ns()), this->sample);
+    this->lostTicks += this->status == DeviceStatus::Lost ? 1 : 0;
+    this->device.write(this->command);
+  }
+  void pass()
+  {
+    const std::int64_t before_ns = this->bus->time().now_ns();
+    static_cast<void>(this->device.link().pass());
+    if (this->bus->time().now_ns() == before_ns)
+    {
+      this->bus->advance(1);
+    }
+  }
+  void run(int duration_ms)
+  {
+    const std::int64_t until_ns = this->bus->time().now_ns() + duration_ms * std::int64_t{ 1000000 };
+    while (this->bus->time().now_ns() < until_ns)
+    {
+      this->tick();
+      this->pass();
+    }
+  }
+
+  TemporaryFolder folder;
+  std::shared_ptr<FakeHidBus> bus = std::make_shared<FakeHidBus>();
+  std::shared_ptr<WoodenHapticsModel> model = std::make_shared<WoodenHapticsModel>();
+  FakePort& port = bus->plug(model, plugOf());
+  ArmKit kit = kitOn(bus, folder);
+  ArmDevice device{ "woodenhaptics", kit.bus, port.entry, kit.setup, { false, &bus->time() } };
+  DeviceCommand command;
+  DeviceSample sample;
+  DeviceStatus status = DeviceStatus::Ok;
+  int lostTicks = 0;
+};
+
+} // namespace palpate::test

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any bytes as the answer of any arm: what is read of them is finite, a frame lies within them, and an order of any
+// numbers asks for no more than the wire's largest torque or for a force that is a number. First byte: whose wire it
+// is.
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "devices/arm/kit/WoodenHapticsFile.h"
+#include "devices/arm/protocol/FalconWire.h"
+#include "devices/arm/protocol/HaplyServiceWire.h"
+#include "devices/arm/protocol/TwoDiyWire.h"
+#include "devices/arm/protocol/WoodenHapticsWire.h"
+#include "testing/fuzz/Require.h"
+
+namespace
+{
+
+using palpate::WireBytes;
+using palpate::WireOrder;
+using palpate::WireProtocol;
+using palpate::WireReading;
+
+std::unique_ptr<WireProtocol> wireOf(unsigned which)
+{
+  switch (which % 4)
+  {
+    case 0:
+      return std::make_unique<palpate::WoodenHapticsWire>(std::array<double, 3>{ 0.1, 0.2, 0.3 });
+    case 1:
+      return std::make_unique<palpate::FalconWire>();
+    case 2:
+      return std::make_unique<palpate::TwoDiyWire>(palpate::TwoDiyWire::Setup{});
+    default:
+      return std::make_unique<palpate::HaplyServiceWire>("049D", which % 8 < 4);
+  }
+}
+
+void judgeReading(const WireReading& reading)
+{
+  for (const double encoder : reading.encoder)
+  {
+    require(std::fabs(encoder) <= 1e5);
+  }
+  require(!reading.pose_D || (reading.pose_D->p.norm() < 1e4 && std::fabs(reading.pose_D->q.norm() - 1.0) < 1e-9));
+  require(!reading.velocity_D || reading.velocity_D->linear.norm() < 1e4);
+}
+
+void judgeAnswer(const WireProtocol& wire, std::span<const std::uint8_t> bytes)
+{
+  const palpate::WireFrame frame = wire.frame(bytes);
+  require(frame.skip + frame.length <= bytes.size());
+  for (const std::span<const std::uint8_t> answer : { bytes, bytes.subspan(frame.skip, frame.length) })
+  {
+    if (const std::optional<WireReading> reading = wire.decode(answer))
+    {
+      judgeReading(*reading);
+    }
+  }
+}
+
+/// An order whose numbers are the bytes.
+WireOrder orderOf(std::span<const std::uint8_t> bytes)
+{
+  WireOrder order;
+  std::array<double, 9> numbers{};
+  std::memcpy(numbers.data(), bytes.data(), std::min(bytes.size(), sizeof numbers));
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    order.joint_Nm[i] = numbers[i];
+    order.motor_Nm[i] = numbers[3 + i];
+    order.wrench_D.force[static_cast<int>(i)] = numbers[6 + i];
+  }
+  return order;
+}
+
+void judgeOrder(const WireProtocol& wire, unsigned which, const WireOrder& order)
+{
+  WireBytes sent;
+  wire.encode(order, sent);
+  require(!sent.empty() && sent.size() < 4096);
+  if (which % 4 == 0)
+  {
+    for (std::size_t at = 0; at < 6; at += 2)
+    {
+      const auto current_mA = static_cast<std::int16_t>(static_cast<std::uint16_t>(sent[at] | sent[at + 1] << 8U));
+      require(std::abs(current_mA) <= 2000);
+    }
+  }
+  if (which % 4 == 2)
+  {
+    for (std::size_t at = 2; at < 10; at += 4)
+    {
+      float torque_Nm = 0.0F;
+      std::memcpy(&torque_Nm, sent.data() + at, sizeof torque_Nm);
+      require(std::fabs(torque_Nm) <= 0.1231F);
+    }
+  }
+  if (which % 4 == 3)
+  {
+    const std::string_view text(reinterpret_cast<const char*>(sent.data()), sent.size());
+    require(text.find("null") == std::string_view::npos && text.find("nan") == std::string_view::npos);
+  }
+}
+
+} // namespace
+
+// NOLINTNEXTLINE(readability-identifier-naming) the name that libFuzzer calls
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  if (size == 0)
+  {
+    return 0;
+  }
+  const std::span<const std::uint8_t> bytes(data + 1, size - 1);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::unique_ptr<WireProtocol> wire = wireOf(data[0]);
+  judgeAnswer(*wire, bytes);
+  judgeOrder(*wire, data[0], orderOf(bytes));
+  static_cast<void>(palpate::haplyInventory(text));
+  static_cast<void>(palpate::haplyHasVector(text));
+  static_cast<void>(palpate::haplySafetyEvent(text));
+  const auto file = palpate::readWoodenHapticsFile(std::string(text));
+  require(file.ok() ? file.value.setup.plan.has_value() : !file.problem.empty());
+  return 0;
+}
