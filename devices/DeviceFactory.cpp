@@ -145,7 +145,7 @@ Kind kindOf(const FoundArm& found)
   return { found.name, found.kit->setup.what, make, found.problem, found.hasTwin, found.kit->setup.grips };
 }
 
-/// What arms are looked for where.
+/// The kits of arms, each with the places where its arm is searched.
 std::shared_ptr<const std::vector<ArmKit>> armKits(const DeviceOptions& options)
 {
   if (options.arms != nullptr || options.hid != nullptr || options.evdev != nullptr)

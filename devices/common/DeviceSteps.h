@@ -7,7 +7,7 @@
 namespace palpate
 {
 
-/// What a person has to do before a device can push: one sentence, and one button where the program must be told.
+/// A step of a person before a device can push: one sentence, and one button where the program must be told.
 struct DeviceStep
 {
   std::string sentence;

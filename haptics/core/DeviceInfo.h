@@ -81,7 +81,7 @@ struct DeviceInfo
   /// Without torque: the least stiffness with which the device holds the hand's rotation, as it has no wrist that
   /// turns; 0: the rotation is free.
   double heldTurning_N_m_per_rad = 0.0;
-  bool knowsAxes = false; ///< its kinematics say what is where: a check confirms its axes and finds none
+  bool knowsAxes = false; ///< its kinematics give its axes: a check confirms them and finds none
   bool simulated = false; ///< lateness is counted, never a fault
   DeviceAbilities abilities;
   bool offersWalls = false; ///< so it says; with viscosity

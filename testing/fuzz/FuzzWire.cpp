@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as the answer of any arm: what is read of them is finite, a frame lies within them, and an order of any
+// Any bytes as the answer of any arm: readings of them are finite, a frame lies within them, and an order of any
 // numbers asks for no more than the wire's largest torque or for a force that is a number. First byte: whose wire it
 // is.
 #include <cmath>

@@ -2,10 +2,13 @@
 #include "haptics/geometry/mesh/TriangleMesh.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <span>
+#include <utility>
 
+#include "haptics/core/InTwo.h"
+#include "haptics/geometry/mesh/Buckets.h"
 #include "haptics/geometry/mesh/ExactPredicates.h"
+#include "haptics/geometry/mesh/Weld.h"
 
 namespace palpate
 {
@@ -13,61 +16,10 @@ namespace
 {
 
 using Triangle = std::array<std::uint32_t, 3>;
-constexpr std::uint32_t unused = 0xffffffffu;
-
-bool finite(const Vec3& v)
-{
-  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
-}
-
-bool lexicographic(const Vec3& a, const Vec3& b)
-{
-  return a.x() != b.x() ? a.x() < b.x() : (a.y() != b.y() ? a.y() < b.y() : a.z() < b.z());
-}
-
-/// Finite vertices in lexicographic order without repeats, and where each raw vertex went.
-struct Weld
-{
-  std::vector<Vec3> vertices_W;
-  std::vector<std::uint32_t> newIndex;
-  std::vector<std::uint32_t> source; ///< the first raw vertex of each
-};
-
-Weld weld(const std::vector<Vec3>& raw)
-{
-  struct Keyed
-  {
-    Vec3 v;
-    std::uint32_t index;
-  };
-  std::vector<Keyed> order;
-  order.reserve(raw.size());
-  for (std::uint32_t i = 0; i < raw.size(); ++i)
-  {
-    if (finite(raw[i]))
-    {
-      order.push_back({ raw[i] + Vec3::Zero(), i }); // + 0.0: one zero, not two
-    }
-  }
-  std::sort(order.begin(), order.end(), [](const Keyed& a, const Keyed& b) { return lexicographic(a.v, b.v); });
-  Weld result;
-  result.newIndex.assign(raw.size(), unused);
-  for (const Keyed& keyed : order)
-  {
-    if (result.vertices_W.empty() || lexicographic(result.vertices_W.back(), keyed.v))
-    {
-      result.vertices_W.push_back(keyed.v);
-      result.source.push_back(keyed.index);
-    }
-    result.source.back() = std::min(result.source.back(), keyed.index);
-    result.newIndex[keyed.index] = static_cast<std::uint32_t>(result.vertices_W.size() - 1);
-  }
-  return result;
-}
 
 void dropUnusedVertices(TriangleMesh& mesh, std::vector<std::uint32_t>& source)
 {
-  std::vector<std::uint32_t> place(mesh.vertices_W.size(), unused);
+  std::vector<std::uint32_t> place(mesh.vertices_W.size(), Weld::nowhere);
   for (const Triangle& t : mesh.triangles)
   {
     for (const std::uint32_t corner : t)
@@ -75,10 +27,14 @@ void dropUnusedVertices(TriangleMesh& mesh, std::vector<std::uint32_t>& source)
       place[corner] = 0;
     }
   }
+  if (std::ranges::find(place, Weld::nowhere) == place.end())
+  {
+    return;
+  }
   std::uint32_t next = 0;
   for (std::uint32_t i = 0; i < place.size(); ++i)
   {
-    if (place[i] != unused)
+    if (place[i] != Weld::nowhere)
     {
       place[i] = next;
       source[next] = source[i];
@@ -93,36 +49,52 @@ void dropUnusedVertices(TriangleMesh& mesh, std::vector<std::uint32_t>& source)
   }
 }
 
-/// Counts edges with one and with more than two triangles. Edges are bucketed by their lower vertex.
-void countEdges(const TriangleMesh& mesh, CleanReport& report)
+/// Edges of one triangle and of more than two.
+struct EdgeCounts
 {
-  std::vector<std::uint32_t> start(mesh.vertices_W.size() + 1, 0);
-  for (const Triangle& t : mesh.triangles)
+  std::size_t boundary = 0, nonManifold = 0;
+};
+
+/// Of edges whose lower vertex is in `vertices`; `higher` has the other ends of all edges of each triangle.
+EdgeCounts countEdges(Buckets<std::uint32_t>& higher, const Half& vertices)
+{
+  EdgeCounts counts;
+  for (std::size_t v = vertices.first; v < vertices.last; ++v)
   {
-    start[t[0] + 1] += 2; // corners ascend: edges (0,1) and (0,2) start at t[0], edge (1,2) at t[1]
-    start[t[1] + 1] += 1;
-  }
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<std::uint32_t> higher(start.back());
-  std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
-  for (const Triangle& t : mesh.triangles)
-  {
-    higher[fill[t[0]]++] = t[1];
-    higher[fill[t[0]]++] = t[2];
-    higher[fill[t[1]]++] = t[2];
-  }
-  for (std::size_t v = 0; v + 1 < start.size(); ++v)
-  {
-    const auto begin = higher.begin() + start[v], end = higher.begin() + start[v + 1];
+    const auto begin = higher.entries.begin() + higher.start[v], end = higher.entries.begin() + higher.start[v + 1];
     std::sort(begin, end);
     for (auto run = begin; run != end;)
     {
-      const auto stop = std::upper_bound(run, end, *run);
-      report.boundaryEdges += (stop - run) == 1;
-      report.nonManifoldEdges += (stop - run) > 2;
+      const auto stop = std::find_if(run, end, [w = *run](std::uint32_t other) { return other != w; });
+      counts.boundary += (stop - run) == 1;
+      counts.nonManifold += (stop - run) > 2;
       run = stop;
     }
   }
+  return counts;
+}
+
+void countEdges(const TriangleMesh& mesh, unsigned threads, CleanReport& report)
+{
+  const auto edges = [&](std::size_t part, auto visit)
+  {
+    const Half half = halfOf(mesh.triangles.size(), part);
+    for (std::size_t i = half.first; i < half.last; ++i)
+    {
+      const Triangle& t = mesh.triangles[i]; // corners ascend
+      visit(t[0], t[1]);
+      visit(t[0], t[2]);
+      visit(t[1], t[2]);
+    }
+  };
+  const std::size_t vertices = mesh.vertices_W.size();
+  auto higher = makeBuckets<std::uint32_t>(vertices, threads, edges);
+  std::array<EdgeCounts, 2> counts;
+  inTwo(
+    threads, [&] { counts[0] = countEdges(higher, halfOf(vertices, 0)); },
+    [&] { counts[1] = countEdges(higher, halfOf(vertices, 1)); });
+  report.boundaryEdges = counts[0].boundary + counts[1].boundary;
+  report.nonManifoldEdges = counts[0].nonManifold + counts[1].nonManifold;
 }
 
 std::string indexRefusal(const TriangleMesh& raw)
@@ -152,32 +124,75 @@ bool isNothing(const Triangle& t, const Weld& welded, bool segments)
          exactlyCollinear(welded.vertices_W[t[0]], welded.vertices_W[t[1]], welded.vertices_W[t[2]]);
 }
 
-/// Re-indexed triangles with ascending corners; bad ones are counted and left out.
-std::vector<Triangle> goodTriangles(const TriangleMesh& raw, const Weld& welded, CleanReport& report)
+/// Re-indexed triangles with ascending corners, and how many were left out.
+struct Sifted
 {
   std::vector<Triangle> good;
-  good.reserve(raw.triangles.size());
-  for (const Triangle& corners : raw.triangles)
+  std::size_t nonFinite = 0, collinear = 0;
+};
+
+Sifted sift(std::span<const Triangle> raw, const Weld& welded, bool segments)
+{
+  Sifted sifted;
+  sifted.good.reserve(raw.size());
+  for (const Triangle& corners : raw)
   {
     Triangle t = { welded.newIndex[corners[0]], welded.newIndex[corners[1]], welded.newIndex[corners[2]] };
     std::sort(t.begin(), t.end());
-    if (t[2] == unused)
+    if (t[2] == Weld::nowhere)
     {
-      ++report.nonFinite;
+      ++sifted.nonFinite;
     }
-    else if (isNothing(t, welded, report.segments))
+    else if (isNothing(t, welded, segments))
     {
-      ++report.collinear;
+      ++sifted.collinear;
     }
     else
     {
-      good.push_back(report.segments ? Triangle{ t[0], t[2], t[2] } : t);
+      sifted.good.push_back(segments ? Triangle{ t[0], t[2], t[2] } : t);
     }
   }
-  std::sort(good.begin(), good.end());
-  const auto last = std::unique(good.begin(), good.end());
-  report.duplicate = static_cast<std::size_t>(good.end() - last);
-  good.erase(last, good.end());
+  return sifted;
+}
+
+/// Triangles in ascending order, each once.
+std::vector<Triangle> inOrder(const std::array<Sifted, 2>& parts, std::size_t vertices, unsigned threads)
+{
+  const auto triangles = [&](std::size_t part, auto visit)
+  {
+    for (const Triangle& t : parts[part].good)
+    {
+      visit(t[0], t);
+    }
+  };
+  Buckets<Triangle> buckets = makeBuckets<Triangle>(vertices, threads, triangles);
+  const auto sortIn = [&](const Half& half)
+  {
+    for (std::size_t v = half.first; v < half.last; ++v)
+    {
+      std::sort(buckets.entries.begin() + buckets.start[v], buckets.entries.begin() + buckets.start[v + 1]);
+    }
+  };
+  inTwo(
+    threads, [&] { sortIn(halfOf(vertices, 0)); }, [&] { sortIn(halfOf(vertices, 1)); });
+  buckets.entries.erase(std::unique(buckets.entries.begin(), buckets.entries.end()), buckets.entries.end());
+  return std::move(buckets.entries);
+}
+
+std::vector<Triangle> goodTriangles(const TriangleMesh& raw, const Weld& welded, unsigned threads, CleanReport& report)
+{
+  std::array<Sifted, 2> parts;
+  const auto siftPart = [&](std::size_t part)
+  {
+    const Half half = halfOf(raw.triangles.size(), part);
+    parts[part] = sift(std::span(raw.triangles).subspan(half.first, half.last - half.first), welded, report.segments);
+  };
+  inTwo(
+    threads, [&] { siftPart(0); }, [&] { siftPart(1); });
+  report.nonFinite = parts[0].nonFinite + parts[1].nonFinite;
+  report.collinear = parts[0].collinear + parts[1].collinear;
+  std::vector<Triangle> good = inOrder(parts, welded.vertices_W.size(), threads);
+  report.duplicate = parts[0].good.size() + parts[1].good.size() - good.size();
   return good;
 }
 
@@ -216,7 +231,7 @@ std::string emptyRefusal(const TriangleMesh& raw, bool segments)
                    : " triangles can be touched (all non-finite or without area)");
 }
 
-CleanResult clean(const TriangleMesh& raw, bool segments)
+CleanResult clean(const TriangleMesh& raw, bool segments, unsigned threads)
 {
   CleanResult result;
   result.report.trianglesIn = raw.triangles.size();
@@ -226,8 +241,8 @@ CleanResult clean(const TriangleMesh& raw, bool segments)
   {
     return result;
   }
-  Weld welded = weld(raw.vertices_W);
-  result.mesh.triangles = goodTriangles(raw, welded, result.report);
+  Weld welded = weld(raw.vertices_W, threads);
+  result.mesh.triangles = goodTriangles(raw, welded, threads, result.report);
   result.mesh.vertices_W = std::move(welded.vertices_W);
   result.sourceVertex = std::move(welded.source);
   dropUnusedVertices(result.mesh, result.sourceVertex);
@@ -242,17 +257,17 @@ CleanResult clean(const TriangleMesh& raw, bool segments)
 
 } // namespace
 
-CleanResult cleanMesh(const TriangleMesh& raw)
+CleanResult cleanMesh(const TriangleMesh& raw, unsigned threads)
 {
-  CleanResult result = clean(raw, false);
+  CleanResult result = clean(raw, false, threads);
   if (result.ok())
   {
-    countEdges(result.mesh, result.report);
+    countEdges(result.mesh, threads, result.report);
   }
   return result;
 }
 
-CleanResult cleanSegments(const TriangleMesh& raw)
+CleanResult cleanSegments(const TriangleMesh& raw, unsigned threads)
 {
   const auto noSegment =
     std::find_if(raw.triangles.begin(), raw.triangles.end(), [](const Triangle& t) { return t[1] != t[2]; });
@@ -262,7 +277,7 @@ CleanResult cleanSegments(const TriangleMesh& raw)
     result.refusal = "triangle " + std::to_string(noSegment - raw.triangles.begin()) + " is no segment of a curve";
     return result;
   }
-  return clean(raw, true);
+  return clean(raw, true, threads);
 }
 
 namespace

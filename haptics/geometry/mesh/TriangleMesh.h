@@ -53,11 +53,12 @@ void append(TriangleMesh& mesh, const TriangleMesh& more);
 /// welded, vertices ordered by (x, y, z), corners ordered within each triangle, triangles ordered and unique,
 /// exactly collinear ones dropped. The result does not depend on the order of the input.
 /// Refuses (never throws for bad data): an index out of range, no triangle left.
-[[nodiscard]] CleanResult cleanMesh(const TriangleMesh& raw);
+/// `threads`: from 2 on the work is shared by two, with the same result.
+[[nodiscard]] CleanResult cleanMesh(const TriangleMesh& raw, unsigned threads = 1);
 
 /// The same for curves, whose segments stand in the mesh as triangles (a, b, b): PolyLines.h makes them. Welded and
 /// ordered alike; segments without length and repeats are dropped. Refuses a triangle that is no segment.
-[[nodiscard]] CleanResult cleanSegments(const TriangleMesh& raw);
+[[nodiscard]] CleanResult cleanSegments(const TriangleMesh& raw, unsigned threads = 1);
 
 /// Why a mesh cannot be touched as it is, without cleaning; empty when it can: a corner that is no finite vertex,
 /// corners out of order, a triangle without area or a segment without length, nothing at all.

@@ -96,7 +96,8 @@ std::vector<SceneBuilder::Kept> SceneBuilder::takeKnown(const std::vector<Surfac
   return known;
 }
 
-void SceneBuilder::bringUpToDate(const SurfaceInput& input, const Scene* felt, Kept& kept, BuildWatch& watch)
+void SceneBuilder::bringUpToDate(
+  const SurfaceInput& input, const Scene* felt, unsigned threads, Kept& kept, BuildWatch& watch)
 {
   if (watch.cancelled())
   {
@@ -114,7 +115,7 @@ void SceneBuilder::bringUpToDate(const SurfaceInput& input, const Scene* felt, K
   }
   else
   {
-    kept = buildAnew(input, watch);
+    kept = buildAnew(input, threads, watch);
   }
   kept.report.holeEdges = input.holeEdges;
   if (kept.tree)
@@ -186,13 +187,13 @@ bool SceneBuilder::refit(const SurfaceInput& input, const Scene* felt, Kept& kep
   return true;
 }
 
-CleanResult SceneBuilder::cleanInput(const SurfaceInput& input)
+CleanResult SceneBuilder::cleanInput(const SurfaceInput& input, unsigned threads)
 {
   if (!input.mesh || !input.lineRadius_u)
   {
-    return input.mesh ? cleanMesh(*input.mesh) : CleanResult{ {}, {}, "it has no mesh", {} };
+    return input.mesh ? cleanMesh(*input.mesh, threads) : CleanResult{ {}, {}, "it has no mesh", {} };
   }
-  CleanResult clean = cleanSegments(*input.mesh);
+  CleanResult clean = cleanSegments(*input.mesh, threads);
   if (clean.ok())
   {
     clean.refusal = refuseRadius(*input.lineRadius_u, clean.mesh);
@@ -200,7 +201,7 @@ CleanResult SceneBuilder::cleanInput(const SurfaceInput& input)
   return clean;
 }
 
-SceneBuilder::Kept SceneBuilder::buildInOrder(const SurfaceInput& input)
+SceneBuilder::Kept SceneBuilder::buildInOrder(const SurfaceInput& input, unsigned threads)
 {
   Kept built;
   built.mesh = input.mesh;
@@ -215,22 +216,22 @@ SceneBuilder::Kept SceneBuilder::buildInOrder(const SurfaceInput& input)
   std::iota(built.sourceVertex.begin(), built.sourceVertex.end(), 0u);
   if (built.report.refusal.empty())
   {
-    built.tree = SurfaceTree::inOrder(*input.mesh, input.lineRadius_u.value_or(0.0));
+    built.tree = SurfaceTree::inOrder(*input.mesh, input.lineRadius_u.value_or(0.0), threads);
   }
   return built;
 }
 
-SceneBuilder::Kept SceneBuilder::buildAnew(const SurfaceInput& input, BuildWatch& watch)
+SceneBuilder::Kept SceneBuilder::buildAnew(const SurfaceInput& input, unsigned threads, BuildWatch& watch)
 {
   if (input.ordered && input.mesh)
   {
     watch.advance(trianglesOf(input)); // it is clean
-    return buildInOrder(input);
+    return buildInOrder(input, threads);
   }
   Kept built;
   built.mesh = input.mesh;
   built.lineRadius_u = input.lineRadius_u;
-  CleanResult clean = cleanInput(input);
+  CleanResult clean = cleanInput(input, threads);
   watch.advance(trianglesOf(input));
   if (watch.cancelled())
   {
@@ -240,9 +241,20 @@ SceneBuilder::Kept SceneBuilder::buildAnew(const SurfaceInput& input, BuildWatch
   built.sourceVertex = std::move(clean.sourceVertex);
   if (clean.ok())
   {
-    built.tree = std::make_shared<const SurfaceTree>(std::move(clean.mesh), input.lineRadius_u.value_or(0.0));
+    built.tree = std::make_shared<const SurfaceTree>(std::move(clean.mesh), input.lineRadius_u.value_or(0.0), threads);
   }
   return built;
+}
+
+/// The others would wait for a surface with half of all triangles or more.
+unsigned SceneBuilder::threadsFor(const SurfaceInput& input, const std::vector<SurfaceInput>& all) const
+{
+  std::size_t triangles = 0;
+  for (const SurfaceInput& other : all)
+  {
+    triangles += trianglesOf(other);
+  }
+  return 2 * trianglesOf(input) >= triangles ? std::min(this->workers_, std::thread::hardware_concurrency()) : 1;
 }
 
 SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs, const Scene* felt, BuildWatch* watch)
@@ -255,11 +267,11 @@ SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs, co
   }
   std::vector<Kept> built = this->takeKnown(inputs);
   std::atomic<std::size_t> next = 0;
-  const auto work = [&inputs, felt, &built, &next, &told]
+  const auto work = [&]
   {
     for (std::size_t i = next.fetch_add(1); i < inputs.size(); i = next.fetch_add(1))
     {
-      bringUpToDate(inputs[i], felt, built[i], told);
+      bringUpToDate(inputs[i], felt, felt == nullptr ? this->threadsFor(inputs[i], inputs) : 1, built[i], told);
       told.advance(trianglesOf(inputs[i]));
     }
   };

@@ -55,7 +55,8 @@ struct SceneBuildResult
 };
 
 /// Cleans, plans and builds all trees eagerly. Off the servo thread; call from one thread at a time.
-/// The scene is the same, bit for bit, for any number of workers. A surface whose mesh object was in the
+/// The scene is the same, bit for bit, for any number of workers. While nothing is felt, two share the largest surface.
+/// A surface whose mesh object was in the
 /// previous build is reused, not built again. A surface that has the triangles of the previous surface of its name,
 /// with vertices elsewhere, keeps the shape of that surface's tree and is refitted.
 class SceneBuilder
@@ -87,12 +88,14 @@ private:
     SurfaceReport report;
   };
   [[nodiscard]] std::vector<Kept> takeKnown(const std::vector<SurfaceInput>& inputs);
-  static void bringUpToDate(const SurfaceInput& input, const Scene* felt, Kept& kept, BuildWatch& watch);
+  [[nodiscard]] unsigned threadsFor(const SurfaceInput& input, const std::vector<SurfaceInput>& all) const;
+  static void bringUpToDate(
+    const SurfaceInput& input, const Scene* felt, unsigned threads, Kept& kept, BuildWatch& watch);
   [[nodiscard]] SceneBuildResult assemble(const std::vector<SurfaceInput>& inputs);
   [[nodiscard]] static bool refit(const SurfaceInput& input, const Scene* felt, Kept& kept);
-  [[nodiscard]] static CleanResult cleanInput(const SurfaceInput& input);
-  [[nodiscard]] static Kept buildAnew(const SurfaceInput& input, BuildWatch& watch);
-  [[nodiscard]] static Kept buildInOrder(const SurfaceInput& input);
+  [[nodiscard]] static CleanResult cleanInput(const SurfaceInput& input, unsigned threads);
+  [[nodiscard]] static Kept buildAnew(const SurfaceInput& input, unsigned threads, BuildWatch& watch);
+  [[nodiscard]] static Kept buildInOrder(const SurfaceInput& input, unsigned threads);
   static void fitMaterial(const SurfaceInput& input, Kept& kept);
 
   unsigned workers_;

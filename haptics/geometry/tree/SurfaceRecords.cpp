@@ -2,6 +2,7 @@
 #include "haptics/geometry/tree/SurfaceRecords.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +14,14 @@ namespace palpate
 namespace
 {
 
+/// The next larger number of one that is not negative: the library's own is a call and asks for its sign.
+float nextAbove(float number)
+{
+  return number < std::numeric_limits<float>::infinity()
+           ? std::bit_cast<float>(std::bit_cast<std::uint32_t>(number) + 1)
+           : number;
+}
+
 /// Centre and radius of a disc or a ball. `local`: its centre from the leaf's origin, in the leaf's unit, as is its
 /// radius.
 template<class Quad>
@@ -22,7 +31,7 @@ void writeBall(Quad& quad, int lane, const Vec3& local, double radius)
   quad.cy[lane] = static_cast<float>(local.y());
   quad.cz[lane] = static_cast<float>(local.z());
   const double roundOff = 4e-7 * (local.cwiseAbs().sum() + radius);
-  quad.radius[lane] = std::nextafter(static_cast<float>(radius + roundOff), std::numeric_limits<float>::infinity());
+  quad.radius[lane] = nextAbove(static_cast<float>(radius + roundOff));
 }
 
 void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Leaf& leaf)
@@ -47,12 +56,37 @@ void setNeedleNormal(FaceRecord& face) noexcept
   }
 }
 
+/// Around both children of a node.
+Box around(const NodeBoxes& node) noexcept
+{
+  Box box = boxOf(node, 0);
+  box.include(boxOf(node, 1));
+  return box;
+}
+
+/// A parent stands before its children: from the last node to the first, every child is done before it is asked for.
+template<class Boxes>
+Box layUpwards(const std::vector<TreeNode>& nodes, const std::vector<Box>& leafBoxes, std::vector<Boxes>& to) noexcept
+{
+  for (std::size_t i = nodes.size(); i-- > 0;)
+  {
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      const std::uint32_t child = nodes[i].child[k];
+      const bool leaf = (child & TreeNode::leafBit) != 0;
+      setBox(to[i], k, leaf ? leafBoxes[child & ~TreeNode::leafBit] : around(to[child]));
+    }
+  }
+  return nodes.empty() ? leafBoxes[0] : around(to[0]);
+}
+
 } // namespace
 
 Disc discOf(const std::array<Vec3, 3>& corners_W) noexcept
 {
   const auto& [a, b, c] = corners_W;
-  const auto reach2 = [&](const Vec3& from) {
+  const auto reach2 = [&](const Vec3& from) __attribute__((always_inline))
+  {
     return std::max({ (a - from).squaredNorm(), (b - from).squaredNorm(), (c - from).squaredNorm() });
   };
   Vec3 centre = (a + b + c) / 3.0;
@@ -126,6 +160,16 @@ void layBall(BallQuad& quad, int lane, const Leaf& leaf, const std::array<Vec3, 
   const double radius2 =
     std::max({ (a - centre_W).squaredNorm(), (b - centre_W).squaredNorm(), (c - centre_W).squaredNorm() });
   writeBall(quad, lane, leaf.perUnit * (centre_W - leaf.origin_W), leaf.perUnit * std::sqrt(radius2));
+}
+
+Box layBoxes(const std::vector<TreeNode>& nodes, const std::vector<Box>& leafBoxes, std::vector<TreeNode>& to) noexcept
+{
+  return layUpwards(nodes, leafBoxes, to);
+}
+
+Box layBoxes(const std::vector<TreeNode>& nodes, const std::vector<Box>& leafBoxes, std::vector<NodeBoxes>& to) noexcept
+{
+  return layUpwards(nodes, leafBoxes, to);
 }
 
 std::uint64_t hashTopology(const TriangleMesh& mesh) noexcept

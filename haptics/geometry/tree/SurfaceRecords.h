@@ -37,6 +37,12 @@ void layDiscs(SurfaceData& data, std::size_t leafIndex) noexcept;
 /// The ball around a face that is elsewhere, its corners given.
 void layBall(BallQuad& quad, int lane, const Leaf& leaf, const std::array<Vec3, 3>& corners_W) noexcept;
 
+/// The boxes of all nodes, of those of the leaves. Returns what is around all of them. `to`: one for each node of the
+/// tree, or the nodes themselves.
+Box layBoxes(const std::vector<TreeNode>& nodes, const std::vector<Box>& leafBoxes, std::vector<TreeNode>& to) noexcept;
+Box layBoxes(
+  const std::vector<TreeNode>& nodes, const std::vector<Box>& leafBoxes, std::vector<NodeBoxes>& to) noexcept;
+
 /// Hash of the triangles in the order of the leaves: the same for two surfaces whose features have the same numbers.
 [[nodiscard]] std::uint64_t hashTopology(const TriangleMesh& mesh) noexcept;
 

@@ -63,14 +63,6 @@ bool hasExtent(const FaceRecord& face)
   return face.normal_W.allFinite() && (face.sliver < certainlyFlat || !exactlyCollinear(a, b, c));
 }
 
-/// Around both children of a node.
-Box around(const NodeBoxes& node)
-{
-  Box box = boxOf(node, 0);
-  box.include(boxOf(node, 1));
-  return box;
-}
-
 /// Around each leaf where the vertices are, and at each of their other places.
 using LeafBoxes = std::vector<std::vector<Box>>;
 
@@ -140,33 +132,16 @@ bool refitLeaves(SurfaceData& data, const std::vector<FacePlane>& old,
   return true;
 }
 
-/// A parent stands before its children: from the last node to the first, every child is done before it is asked for.
-/// Returns what is around all of them. `to`: one for each node of the tree, or the nodes themselves.
-template<class Boxes>
-Box refitNodes(const std::vector<TreeNode>& nodes, const std::vector<Box>& leafBoxes, std::vector<Boxes>& to)
-{
-  for (std::size_t i = nodes.size(); i-- > 0;)
-  {
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      const std::uint32_t child = nodes[i].child[k];
-      const bool leaf = (child & TreeNode::leafBit) != 0;
-      setBox(to[i], k, leaf ? leafBoxes[child & ~TreeNode::leafBit] : around(to[child]));
-    }
-  }
-  return nodes.empty() ? leafBoxes[0] : around(to[0]);
-}
-
 void refitNodes(SurfaceData& data, const LeafBoxes& boxes)
 {
-  const Box all = refitNodes(data.nodes, boxes[0], data.nodes);
+  const Box all = layBoxes(data.nodes, boxes[0], data.nodes);
   data.low_W = all.low_W;
   data.high_W = all.high_W;
   for (std::size_t place = 0; place < data.places.size(); ++place)
   {
     PlaceBounds& bounds = data.places[place];
     bounds.nodes.resize(data.nodes.size());
-    bounds.all = refitNodes(data.nodes, boxes[place + 1], bounds.nodes);
+    bounds.all = layBoxes(data.nodes, boxes[place + 1], bounds.nodes);
   }
 }
 

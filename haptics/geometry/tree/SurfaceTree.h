@@ -37,11 +37,12 @@ class SurfaceTree
 {
 public:
   /// Takes the output of cleanMesh(), or of cleanSegments() with the radius of the curves as `coat_u` > 0; throws
-  /// std::invalid_argument for an empty mesh.
-  explicit SurfaceTree(TriangleMesh clean, double coat_u = 0.0);
+  /// std::invalid_argument for an empty mesh. `threads`: from 2 on the work is shared by two, with the same result.
+  explicit SurfaceTree(TriangleMesh clean, double coat_u = 0.0, unsigned threads = 1);
   /// The tree whose mesh() that is: triangles keep their order, and the shape of a tree follows from their number. The
   /// mesh must be one that refuseUnclean() has nothing against.
-  [[nodiscard]] static std::shared_ptr<const SurfaceTree> inOrder(TriangleMesh ordered, double coat_u = 0.0);
+  [[nodiscard]] static std::shared_ptr<const SurfaceTree> inOrder(
+    TriangleMesh ordered, double coat_u = 0.0, unsigned threads = 1);
   ~SurfaceTree();
   SurfaceTree(const SurfaceTree&) = delete;
   SurfaceTree& operator=(const SurfaceTree&) = delete;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "haptics/geometry/mesh/TriangleMesh.h"
+
+namespace palpate
+{
+
+/// The order in which CGAL's AABB tree of the mesh has its triangles: each half of a node in a row, the left one with
+/// floor(n / 2) of them. `threads`: from 2 on the two halves of the root are ordered at the same time, with the same
+/// result. O(n log n).
+[[nodiscard]] std::vector<std::uint32_t> hierarchyOrder(const TriangleMesh& mesh, unsigned threads);
+
+} // namespace palpate
