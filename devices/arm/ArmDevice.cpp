@@ -7,6 +7,8 @@
 #include <numbers>
 #include <thread>
 
+#include "haptics/arm/ArmMeasures.h"
+
 namespace palpate
 {
 namespace
@@ -17,15 +19,10 @@ constexpr int noDevice_ms = 5;
 constexpr double forgottenAfter_s = 0.012; ///< an arm of which nothing new is heard; an answer is waited for 5 ms
 constexpr auto longestWait = std::chrono::milliseconds(4);
 
-/// The longest way of the hand for one step of an encoder, in the middle of the arm's range.
-double resolutionOf(const Arm& arm)
+/// The longest way of the hand for one step of an encoder, with the arm so.
+double resolutionOf(const Arm& arm, const JointVector& q)
 {
-  const std::optional<JointVector> q = arm.inverse(arm.plan().workSpace.centre_D);
-  if (!q)
-  {
-    return 0.0;
-  }
-  const ArmJacobian J = arm.jacobian(*q);
+  const ArmJacobian J = arm.jacobian(q);
   double longest_m = 0.0;
   for (int i = 0; i < arm.joints(); ++i)
   {
@@ -47,7 +44,13 @@ void describe(const ArmPlan& plan, DeviceInfo& info)
   info.maxForce_N = { plan.maxForce_N, std::isfinite(plan.maxForce_N) };
   info.maxStiffness_N_per_m = { plan.maxStiffness_N_per_m, std::isfinite(plan.maxStiffness_N_per_m) };
   info.maxDamping_Ns_per_m = { plan.maxDamping_Ns_per_m, std::isfinite(plan.maxDamping_Ns_per_m) };
-  info.resolution_m = { resolutionOf(arm), true };
+  if (const std::optional<JointVector> middle = arm.inverse(plan.workSpace.centre_D))
+  {
+    const double motors_N = measure(arm, *middle).leastForce_N;
+    info.resolution_m = { resolutionOf(arm, *middle), true };
+    const bool told = std::isfinite(motors_N) && motors_N > 0.0 && !info.maxForce_N.known;
+    info.maxForce_N = told ? DeviceQuantity{ motors_N, true } : info.maxForce_N;
+  }
 }
 
 } // namespace

@@ -11,7 +11,6 @@
 #include <string_view>
 #include <sys/ioctl.h>
 #include <sys/prctl.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 #include <vector>
 
@@ -38,19 +37,16 @@ std::vector<std::uint8_t> bytesOf(std::string_view hex)
   return hex.size() % 2 == 0 ? bytes : std::vector<std::uint8_t>{};
 }
 
-/// A child of that program that was forked and holds a copy of the pipe would hide its death, so the process is watched
-/// beside the pipe.
-void sleepUntilItIsOver()
+/// A child of that program that was forked and holds a copy of the pipe would hide its death, so it is looked besides
+/// whether the program is still the parent.
+void sleepUntilItIsOver(pid_t program)
 {
-  constexpr int look_ms = 50; ///< where the kernel cannot tell of a process
-  const pid_t program = getppid();
-  pollfd watched[2] = { { pipeEnd, 0, 0 }, { -1, POLLIN, 0 } };
-  watched[1].fd = static_cast<int>(syscall(SYS_pidfd_open, program, 0));
-  const int wait_ms = watched[1].fd < 0 ? look_ms : -1;
+  constexpr int look_ms = 50;
   int woken = 0;
   while (woken == 0 || (woken < 0 && errno == EINTR))
   {
-    woken = getppid() != program ? 1 : poll(watched, 2, wait_ms);
+    pollfd pipe{ pipeEnd, 0, 0 };
+    woken = getppid() != program ? 1 : poll(&pipe, 1, look_ms);
   }
 }
 
@@ -81,7 +77,7 @@ int main(int count, char** arguments)
     return 2;
   }
   prctl(PR_SET_NAME, "palpate-guard");
-  sleepUntilItIsOver();
+  sleepUntilItIsOver(getppid());
   for (int i = 0; i < attempts; ++i)
   {
     if (writeTo(bytes, endpoint))
