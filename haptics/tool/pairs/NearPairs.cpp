@@ -58,6 +58,11 @@ void NearPairs::forget()
 {
   this->leaves_.clear();
   this->triangles_.clear();
+  if (!this->knows_) // a hand that has no place yet asks in each update
+  {
+    return;
+  }
+  this->knows_ = false;
   std::fill(this->knownLeaves_.begin(), this->knownLeaves_.end(), KnownLeaf());
   std::fill(this->knownTriangles_.begin(), this->knownTriangles_.end(), KnownTriangles());
 }
@@ -74,6 +79,7 @@ NearPairs::KnownTriangles& NearPairs::known(const NearTriangles& pair) noexcept
 
 void NearPairs::remember()
 {
+  this->knows_ = this->knows_ || !this->leaves_.empty();
   for (const LeafPair& pair : this->leaves_)
   {
     this->known(pair) = { pair.toolNode, pair.sceneNode, pair.n_W, pair.below_u, pair.key_u };

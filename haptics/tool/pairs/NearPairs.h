@@ -140,6 +140,7 @@ private:
   std::uint64_t poses_ = 1, steps_ = 1;        ///< until now
   std::vector<KnownLeaf> knownLeaves_;         ///< by a hash of both nodes
   std::vector<KnownTriangles> knownTriangles_; ///< by a hash of both triangles
+  bool knows_ = false;                         ///< there is anything in the two
   ScrewStep step_;
   double way_u_ = 0.0, listed_u_ = 0.0;
   Mat3 start_ = Mat3::Identity(), end_ = Mat3::Identity();
