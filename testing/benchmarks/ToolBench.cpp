@@ -9,11 +9,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include "haptics/tool/move/ToolMove.h"
+#include "haptics/tool/worker/ToolFollower.h"
 #include "testing/support/CostSample.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/NoisySphere.h"
 #include "testing/support/Thread.h"
+#include "testing/support/WindingHand.h"
 
 namespace palpate::test
 {
@@ -23,7 +24,7 @@ namespace
 struct Options
 {
   std::size_t updates = 1500;
-  std::uint64_t work = 10000;
+  std::uint64_t work = 0; ///< that of a session
   double speed_mm_s = 100.0;
   bool large = false, withAssertions = false;
 };
@@ -35,17 +36,6 @@ struct Case
   Pose start_W;
   std::function<Pose(double time_s)> hand;
 };
-
-/// A hand that winds around a ball of 50 mm with one of 15 mm, turning by 1.5 rad/s, and presses and lets go five times
-/// a second: 1 mm free to 4 mm deep.
-Pose windingHand(double time_s, double speed_mm_s)
-{
-  constexpr double round_mm = 65.0, press_Hz = 5.0, turn_rad_s = 1.5;
-  const double along = speed_mm_s * time_s / round_mm, tilt = 0.5 * std::sin(0.3 * along);
-  const double depth_mm = 1.5 + 2.5 * std::sin(2.0 * std::numbers::pi * press_Hz * time_s);
-  const Vec3 direction(std::cos(along) * std::cos(tilt), std::sin(along) * std::cos(tilt), std::sin(tilt));
-  return { (round_mm - depth_mm) * direction, Quat(Eigen::AngleAxisd(turn_rad_s * time_s, Vec3(1, 2, 2) / 3.0)) };
-}
 
 Case noisySpheres(const std::string& name, std::size_t tool, std::size_t scene, const Options& options)
 {
@@ -131,12 +121,14 @@ double benchmark(const Case& c, const Options& options)
   ToolMove move(tool, scene_W, tool.gyration_u);
   const std::string refusal = move.place(c.start_W);
   CostSample updates(options.updates, clock), queries(options.updates, clock);
+  const std::size_t triangles = tool.shape_B->mesh().triangles.size() + scene_W->mesh().triangles.size();
+  const std::uint64_t work = options.work > 0 ? options.work : ToolFollower::workOf(triangles);
   std::size_t spent = 0, touching = 0, rows = 0, steps = 0;
   for (std::size_t i = 0; i < options.updates; ++i)
   {
     const Pose hand_W = c.hand(1e-3 * static_cast<double>(i));
     ToolUpdate done;
-    updates.time([&] { done = move.update(hand_W, options.work); });
+    updates.time([&] { done = move.update(hand_W, work); });
     spent += done.spent ? 1 : 0;
     steps += done.steps;
     touching += move.rows().empty() ? 0 : 1;
@@ -168,7 +160,7 @@ int main(int argc, char** argv)
   Options options;
   CLI::App app("what an update of a rigid tool costs");
   app.add_option("--updates", options.updates, "1 ms each");
-  app.add_option("--work", options.work, "of an update");
+  app.add_option("--work", options.work, "of an update; without it that of a session");
   app.add_option("--speed", options.speed_mm_s, "of the hand, mm/s");
   app.add_flag("--large", options.large, "50 k on 1 M triangles too");
   app.add_flag("--assert", options.withAssertions, "fail if an update costs more queries than it may");

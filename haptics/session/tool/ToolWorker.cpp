@@ -134,8 +134,9 @@ void ToolTask::placeIn(const Order& order)
     this->publishNone(true);
     return;
   }
+  const std::size_t triangles = tool.shape_B->mesh().triangles.size() + around.mesh_S->mesh().triangles.size();
   this->follower_.emplace(ToolMove(tool, std::move(around.mesh_S), order.choice.weighs_u()), this->links_,
-    ToolFollower::usualWork,
+    ToolFollower::workOf(triangles),
     ToolStart{ around.scene_WS, this->revision_, was_W, this->came_.newestFirst(this->links_.hand.read()) });
   this->revision_ = this->follower_->revision();
 }

@@ -12,8 +12,7 @@ namespace palpate
 namespace
 {
 
-constexpr int deepest = 30;            // halvings: a guard, Clearance::finest ends them before
-constexpr std::uint64_t spanCosts = 4; // visits of a box: as long takes a test of one part of a step
+constexpr int deepest = 30; // halvings: a guard, Clearance::finest ends them before
 
 /// A face's normal on the side where the tool's corners are.
 Vec3 towardsTool(const Vec3& n, const Corners& tool, const Corners& scene)
@@ -28,9 +27,14 @@ PairProof::PairProof(const ScrewStep& step, const Clearance& clearance, WorkBudg
 {
 }
 
-double PairProof::provenUntil(const MovingPair& pair, double until, CachedPlane& cached) noexcept
+double PairProof::provenUntil(
+  const MovingPair& pair, double until, CachedPlane& cached, const std::optional<NearestPair>& first) noexcept
 {
   this->asked_ = {};
+  if (first)
+  {
+    this->asked_[0] = { 0.0, *first };
+  }
   Span span;
   span.to = until;
   span.turnTo = this->step_.turn(until);
@@ -39,7 +43,7 @@ double PairProof::provenUntil(const MovingPair& pair, double until, CachedPlane&
 
 double PairProof::proven(const MovingPair& pair, const Span& span, int depth, CachedPlane* cached) noexcept
 {
-  if (!this->budget_.spend(spanCosts))
+  if (!this->budget_.spend(workPrice::span))
   {
     return span.from;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "haptics/tool/certify/SpanProof.h"
 #include "haptics/tool/motion/WorkBudget.h"
@@ -38,8 +39,10 @@ class PairProof
 public:
   PairProof(const ScrewStep& step, const Clearance& clearance, WorkBudget& budget) noexcept;
 
-  /// The proven share, at most `until`. Where one plane did for all of it, it is kept in `cached`.
-  [[nodiscard]] double provenUntil(const MovingPair& pair, double until, CachedPlane& cached) noexcept;
+  /// The proven share, at most `until`. Where one plane did for all of it, it is kept in `cached`. `first`: the nearest
+  /// points where the step begins, if they are known.
+  [[nodiscard]] double provenUntil(const MovingPair& pair, double until, CachedPlane& cached,
+    const std::optional<NearestPair>& first = std::nullopt) noexcept;
 
 private:
   [[nodiscard]] double proven(const MovingPair& pair, const Span& span, int depth, CachedPlane* cached) noexcept;

@@ -19,6 +19,14 @@ using Corners = std::array<Vec3, 3>;
   return low - std::max({ n.dot(below[0]), n.dot(below[1]), n.dot(below[2]) });
 }
 
+/// How far apart the upright boxes of two triangles are, along the best of the three axes: a bound of their distance.
+[[nodiscard]] inline double boxesApart_u(const Corners& a, const Corners& b) noexcept
+{
+  const Vec3 lowA = a[0].cwiseMin(a[1]).cwiseMin(a[2]), highA = a[0].cwiseMax(a[1]).cwiseMax(a[2]);
+  const Vec3 lowB = b[0].cwiseMin(b[1]).cwiseMin(b[2]), highB = b[0].cwiseMax(b[1]).cwiseMax(b[2]);
+  return (lowA - highB).cwiseMax(lowB - highA).maxCoeff();
+}
+
 /// The nearest points of two triangles.
 struct NearestPair
 {

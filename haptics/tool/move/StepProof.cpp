@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <tuple>
 
 namespace palpate
@@ -10,8 +12,18 @@ namespace palpate
 namespace
 {
 
-constexpr double mayBeLost = 0.2;          // of a gap that is too small already
-constexpr std::uint64_t looksPerUnit = 16; // looks, most of them at a key, that cost what the visit of a box costs
+constexpr double mayBeLost = 0.2; // of a gap that is too small already
+
+/// The best of the two triangles' own planes.
+double gapByFaces(const Corners& tool_W, const Corners& scene_W)
+{
+  double best = -std::numeric_limits<double>::infinity();
+  for (const Vec3& n : { unitNormal(scene_W), unitNormal(tool_W) })
+  {
+    best = std::max({ best, gapAlong(n, tool_W, scene_W), gapAlong(-n, tool_W, scene_W) });
+  }
+  return best;
+}
 
 class StepProof
 {
@@ -26,13 +38,13 @@ public:
   StepVerdict judge()
   {
     const std::size_t looks = this->near_.leaves().size() + this->near_.triangles().size();
-    if (!this->budget_.spend(1 + looks / looksPerUnit))
+    if (!this->budget_.spend(1 + looks / workPrice::looksPerUnit))
     {
       this->verdict_.share = 0.0;
       return std::move(this->verdict_);
     }
     this->near_.setStep(this->step_, this->task_.way_u);
-    this->collect();
+    static_cast<void>(this->budget_.spend(this->collect() * workPrice::gap)); // each doubt asks
     for (const DoubtfulPair& doubt : this->verdict_.doubtful)
     {
       if (this->verdict_.share <= 0.0)
@@ -45,14 +57,17 @@ public:
   }
 
 private:
-  void collect()
+  /// Returns how many gaps it asked for.
+  std::uint64_t collect()
   {
     std::vector<DoubtfulPair>& doubtful = this->verdict_.doubtful;
+    std::uint64_t asked = 0;
     for (std::uint32_t i = 0; i < this->near_.leaves().size(); ++i)
     {
       LeafPair& pair = this->near_.leaves()[i];
       if (!pair.split && !this->farEnough(pair))
       {
+        ++asked;
         this->note(pair, this->near_.gapOf(pair), true, i);
       }
     }
@@ -61,12 +76,14 @@ private:
       NearTriangles& pair = this->near_.triangles()[i];
       if (!this->farEnough(pair))
       {
+        ++asked;
         this->note(pair, this->gapOf(i), false, i);
       }
     }
     std::sort(doubtful.begin(), doubtful.end(),
       [](const DoubtfulPair& a, const DoubtfulPair& b)
       { return std::tie(a.crossing, a.leaf, a.index) < std::tie(b.crossing, b.leaf, b.index); });
+    return asked;
   }
 
   /// Known to be so far away that no step of this length brings it near.
@@ -87,7 +104,7 @@ private:
   }
 
   /// What the plane of the last time says; without one nothing.
-  [[nodiscard]] SpanGap gapOf(std::uint32_t index) const
+  [[nodiscard]] SpanGap gapOf(std::uint32_t index)
   {
     const NearTriangles& pair = this->near_.triangles()[index];
     switch (pair.plane.kind)
@@ -102,7 +119,7 @@ private:
     return {};
   }
 
-  [[nodiscard]] SpanGap inTool(const NearTriangles& pair) const
+  [[nodiscard]] SpanGap inTool(const NearTriangles& pair)
   {
     const MovingPair moving = this->near_.moving(pair);
     return SpanProof(this->step_, this->whole_, moving).inTool(this->start_ * pair.plane.n);
@@ -113,11 +130,31 @@ private:
     return gap.leastUntil(this->verdict_.share) >= this->clearance_.gap_u;
   }
 
+  /// What is left of the share where a known plane has to do, because there is no work left to look for another.
+  [[nodiscard]] double shareBy(const SpanGap& known) const
+  {
+    double share = this->verdict_.share;
+    while (share > this->clearance_.finest && !(known.leastUntil(share) >= this->clearance_.gap_u))
+    {
+      share *= 0.5;
+    }
+    return share > this->clearance_.finest ? share : 0.0;
+  }
+
   void judgeLeaf(std::uint32_t index)
   {
     LeafPair& pair = this->near_.leaves()[index];
-    if (this->holds(this->near_.gapOf(pair)) ||
-        this->near_.findPlane(pair, this->verdict_.share, this->clearance_.gap_u))
+    const SpanGap known = this->near_.gapOf(pair);
+    if (this->holds(known))
+    {
+      return;
+    }
+    if (!this->budget_.spend(workPrice::leafPlane))
+    {
+      this->verdict_.share = this->shareBy(known);
+      return;
+    }
+    if (this->near_.findPlane(pair, this->verdict_.share, this->clearance_.gap_u))
     {
       return;
     }
@@ -136,27 +173,54 @@ private:
     {
       return;
     }
+    if (this->budget_.left() == 0)
+    {
+      this->verdict_.share = this->shareBy(known);
+      return;
+    }
     NearTriangles& pair = this->near_.triangles()[index];
     const MovingPair moving = this->near_.moving(pair);
-    PairProof proof(this->step_, this->clearanceFor(moving, known.from), this->budget_);
-    const double proven = proof.provenUntil(moving, this->verdict_.share, pair.plane);
+    const Start start = this->startOf(moving, known.from);
+    this->near_.learn(pair, start.gap_u);
+    if (this->farEnough(pair))
+    {
+      return;
+    }
+    PairProof proof(this->step_, start.clearance, this->budget_);
+    const double proven = proof.provenUntil(moving, this->verdict_.share, pair.plane, start.nearest);
     if (proven < this->verdict_.share)
     {
-      this->verdict_.share = proven;
+      this->verdict_.share = this->budget_.left() > 0 ? proven : std::max(proven, this->shareBy(known));
       this->verdict_.blocking = static_cast<int>(index);
     }
   }
 
-  /// A pair that stands nearer than the gap already may lose a fifth of what it has.
-  [[nodiscard]] Clearance clearanceFor(const MovingPair& moving, double knownGap_u) const
+  /// How a pair stands where the step begins.
+  struct Start
   {
-    if (knownGap_u >= this->clearance_.gap_u)
+    Clearance clearance;
+    double gap_u = 0.0;                 ///< at the least
+    std::optional<NearestPair> nearest; ///< where it had to be asked for
+  };
+
+  /// A pair that stands nearer than the gap already may lose a fifth of what it has. Whether it does is seen by a plane
+  /// of one of the two in most cases.
+  [[nodiscard]] Start startOf(const MovingPair& moving, double knownGap_u) const
+  {
+    const double plenty_u = this->clearance_.gap_u / (1.0 - mayBeLost);
+    Corners tool_W = moving.arms_W;
+    for (Vec3& p : tool_W)
     {
-      return this->clearance_;
+      p += this->step_.from_W.p;
     }
-    const SpanProof proof(this->step_, this->whole_, moving);
-    const double distance = nearestPair(proof.toolFrom_W(), moving.scene_W).distance_u;
-    return { std::min(this->clearance_.gap_u, (1.0 - mayBeLost) * distance), this->clearance_.finest };
+    const double byFaces_u = std::max(gapByFaces(tool_W, moving.scene_W), boxesApart_u(tool_W, moving.scene_W));
+    if (byFaces_u > plenty_u || knownGap_u >= this->clearance_.gap_u)
+    {
+      return { this->clearance_, std::max(byFaces_u, knownGap_u), std::nullopt };
+    }
+    const NearestPair nearest = nearestPair(tool_W, moving.scene_W);
+    return { { std::min(this->clearance_.gap_u, (1.0 - mayBeLost) * nearest.distance_u), this->clearance_.finest }, 0.0,
+      nearest };
   }
 
   NearPairs& near_;

@@ -37,7 +37,7 @@ struct StepTask
 /// Proves for each near pair that nothing comes nearer than a gap, anywhere on the step: the largest share from its
 /// start for which that is proven. What comes too near first is looked at first, so that most pairs need no more than a
 /// look at their plane. Leaf pairs whose plane fails are split for good. A pair that is nearer than the gap already may
-/// lose a fifth of what it has. Out of budget: what was not looked at counts as blocked at once.
+/// lose a fifth of what it has. Out of budget: what was not looked at goes as far as its known plane shows.
 [[nodiscard]] StepVerdict proveStep(NearPairs& near, const StepTask& task, WorkBudget& budget);
 
 /// True if each near pair is apart by a gap where the tool stands.

@@ -19,7 +19,7 @@ constexpr double leastMargin = 16.0; // rest gaps
 constexpr double marginOfWay = 1.5;  // times what an update usually moves
 constexpr double marginGrowth = 1.4; // for each gathering within an update; twice overshoots as badly as once
 constexpr double roomLeft = 0.4;     // of the margin: with less it gathers
-constexpr int mostSteps = 60, mostRounds = 12, idleSteps = 2, mostDoublings = 6;
+constexpr int mostSteps = 60, mostRounds = 12, idleSteps = 2, mostDoublings = 2;
 constexpr double widestCircle = 16.0; // rest gaps that steps which lead back to where they began go at rest
 constexpr double worthMoving = 0.25;  // of a step: with less the rows in the way are added first
 
@@ -83,9 +83,11 @@ std::string ToolMove::place(const Pose& pose_W)
   PairFront front(*this->tool_.shape_B, *this->scene_W_, this->restGap_u_);
   WorkBudget unlimited(std::numeric_limits<std::uint64_t>::max());
   static_cast<void>(front.gather(unit_W, leastMargin * this->restGap_u_, unlimited)); // it cannot run out
-  this->near_.rebuild(front.near(), front.way_u());
+  this->near_.forget();
+  this->near_.rebuild(front.near(), front.way_u(), front.margin_u());
   if (!standsFree(this->near_, unit_W, front.way_u(), provenGap * this->restGap_u_))
   {
+    this->near_.forget();
     this->gathering_ = true; // the list is made anew for where the tool stands
     return "the tool overlaps the scene at its start: start at a free position";
   }
@@ -101,8 +103,8 @@ std::string ToolMove::place(const Pose& pose_W)
 
 void ToolMove::stand(const Pose& pose_W)
 {
-  const double turned_u = turnFromTo(this->pose_W_.q, pose_W.q).norm() * this->tool_.reach_u;
-  this->front_->moved((pose_W.p - this->pose_W_.p).norm() + turned_u);
+  const double turn_rad = turnFromTo(this->pose_W_.q, pose_W.q).norm();
+  this->front_->moved((pose_W.p - this->pose_W_.p).norm() + turn_rad * this->tool_.reach_u, turn_rad);
   this->pose_W_ = pose_W;
   this->rows_.findTouching(this->near_, this->pose_W_, this->front_->way_u());
 }
@@ -116,7 +118,7 @@ bool ToolMove::makeScratch(WorkBudget& budget)
   this->gathering_ = !this->front_->gather(this->pose_W_, this->margin_u_, budget);
   if (!this->gathering_)
   {
-    this->near_.rebuild(this->front_->near(), this->front_->way_u());
+    this->near_.rebuild(this->front_->near(), this->front_->way_u(), this->front_->margin_u());
     this->margin_u_ = (this->front_->near().empty() ? 2.0 : marginGrowth) * this->front_->margin_u();
   }
   return !this->gathering_;
@@ -179,6 +181,7 @@ ToolMove::ProvenStep ToolMove::planProven(const Vec6& wish, WorkBudget& budget)
   ProvenStep found;
   for (int round = 0; round < mostRounds; ++round)
   {
+    static_cast<void>(budget.spend(workPrice::plan + workPrice::planOfRow * this->rows_.rows().size()));
     found.planned = StepPlan(this->rows_.rows(), this->pose_W_, limits).plan(wish);
     const ScrewStep& step = found.planned.step;
     const double way_u = step.displacement_u(this->tool_.reach_u);
@@ -189,7 +192,8 @@ ToolMove::ProvenStep ToolMove::planProven(const Vec6& wish, WorkBudget& budget)
     }
     const Clearance clearance{ provenGap * this->restGap_u_, least_u / way_u };
     found.verdict = proveStep(this->near_, { step, way_u, this->front_->way_u(), clearance }, budget);
-    if (found.verdict.share > worthMoving || !this->rows_.addBlocking(this->near_, step, found.verdict))
+    if (found.verdict.share > worthMoving || budget.left() == 0 ||
+        !this->rows_.addBlocking(this->near_, step, found.verdict))
     {
       break;
     }
@@ -222,6 +226,7 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
     return Advance::Spent;
   }
   this->rows_.findTouching(this->near_, this->pose_W_, this->front_->way_u());
+  static_cast<void>(budget.spend(workPrice::touching * this->rows_.asked())); // the proof asks
   const Lead led = this->lead(device_W, budget);
   const ProvenStep found = this->planProven(led.wish, budget);
   if (found.rests)
@@ -298,7 +303,7 @@ void ToolMove::commit(const ScrewStep& step, double share)
   {
     this->sink_->step(step, share);
   }
-  this->front_->moved(share * step.displacement_u(this->tool_.reach_u));
+  this->front_->moved(share * step.displacement_u(this->tool_.reach_u), share * step.w_W.norm());
   this->pose_W_ = step.end_W(share);
 }
 

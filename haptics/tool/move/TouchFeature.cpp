@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/tool/move/TouchFeature.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "haptics/geometry/mesh/NearestOnLines.h"
@@ -23,14 +24,6 @@ bool projectsInside(const Vec3& p, const Corners& t, const Vec3& n)
   return true;
 }
 
-/// True if the triangles' upright boxes are further apart.
-bool boxesApart(const Corners& a, const Corners& b, double within_u)
-{
-  const Vec3 lowA = a[0].cwiseMin(a[1]).cwiseMin(a[2]), highA = a[0].cwiseMax(a[1]).cwiseMax(a[2]);
-  const Vec3 lowB = b[0].cwiseMin(b[1]).cwiseMin(b[2]), highB = b[0].cwiseMax(b[1]).cwiseMax(b[2]);
-  return ((lowA - highB).cwiseMax(lowB - highA).array() > within_u).any();
-}
-
 class FeatureSearch
 {
 public:
@@ -41,13 +34,12 @@ public:
   {
   }
 
-  /// True if a plane of one of the two shows that they are further apart.
-  [[nodiscard]] bool facesApart() const
+  /// How far apart they are by the best plane of one of the two.
+  [[nodiscard]] double facesApart_u() const
   {
     const Corners &tool = this->pair_.tool_W, &scene = this->pair_.scene_W;
-    const auto apart = [&](const Vec3& n)
-    { return gapAlong(n, tool, scene) > this->within_u_ || gapAlong(-n, tool, scene) > this->within_u_; };
-    return apart(this->ofScene_) || apart(this->ofTool_);
+    const auto apart = [&](const Vec3& n) { return std::max(gapAlong(n, tool, scene), gapAlong(-n, tool, scene)); };
+    return std::max(apart(this->ofScene_), apart(this->ofTool_));
   }
 
   void corners()
@@ -167,19 +159,22 @@ TouchPlane planeAt(const TouchFeature& feature, const Mat3& turn, const Vec3& ce
   return plane;
 }
 
-void appendFeatures(
+double appendFeatures(
   const PosedPair& pair, const Mat3& turn, const Vec3& centre_W, double within_u, std::vector<TouchFeature>& features)
 {
-  if (boxesApart(pair.tool_W, pair.scene_W, within_u))
+  const double boxes_u = boxesApart_u(pair.tool_W, pair.scene_W);
+  if (boxes_u > within_u)
   {
-    return;
+    return boxes_u;
   }
   FeatureSearch search(pair, turn, centre_W, within_u, features);
-  if (!search.facesApart())
+  const double faces_u = search.facesApart_u();
+  if (!(faces_u > within_u))
   {
     search.corners();
     search.edges();
   }
+  return std::max(boxes_u, faces_u);
 }
 
 TouchFeature nearestFeature(const Corners& tool_W, const Corners& scene_W, const Mat3& turn, const Vec3& centre_W)

@@ -47,8 +47,8 @@ struct PosedPair
 
 /// Appends the features of two triangles that are within a distance, face to face: a corner above the inside of a face
 /// or an edge across an edge. One is taken only if its normal separates the two triangles as a whole: the plane of a
-/// neighbouring triangle must not hold anything.
-void appendFeatures(
+/// neighbouring triangle must not hold anything. Returns a bound of how far apart the two are, as far as that was seen.
+double appendFeatures(
   const PosedPair& pair, const Mat3& turn, const Vec3& centre_W, double within_u, std::vector<TouchFeature>& features);
 
 /// The plane between the nearest points, fixed in the scene: for pairs that nothing else separates.

@@ -11,6 +11,7 @@ namespace
 
 constexpr double touchingWithin = 4.0; // rest gaps
 constexpr double blockingWithin = 2.0;
+constexpr double cellOfRows = 32.0; // rest gaps
 constexpr std::size_t mostDeep = 8; // pairs beside the one that blocks
 
 /// True if the plane of two leaves says that they are further apart.
@@ -28,13 +29,15 @@ bool showsMore(NearPairs& near, LeafPair& pair, double gap_u)
 } // namespace
 
 TouchRows::TouchRows(const BoxedMesh& tool_B, const BoxedMesh& scene_W, double restGap_u)
-  : tool_B_(tool_B), scene_W_(scene_W), restGap_u_(restGap_u)
+  : tool_B_(tool_B), scene_W_(scene_W), restGap_u_(restGap_u), cells_(cellOfRows * restGap_u)
 {
 }
 
 void TouchRows::findTouching(NearPairs& near, const Pose& pose_W, double way_u)
 {
   this->rows_.clear();
+  this->cells_.clear();
+  this->asked_ = 0;
   ScrewStep still;
   still.from_W = pose_W;
   near.setStep(still, way_u);
@@ -47,11 +50,11 @@ void TouchRows::findTouching(NearPairs& near, const Pose& pose_W, double way_u)
       this->addLeaves(near, place, pair, within_u);
     }
   }
-  for (const NearTriangles& pair : near.triangles())
+  for (NearTriangles& pair : near.triangles())
   {
     if (near.knownGap_u(pair) <= within_u)
     {
-      this->addPair(near, place, pair.toolTriangle, pair.sceneTriangle, within_u);
+      near.learn(pair, this->addPair(near, place, pair.toolTriangle, pair.sceneTriangle, within_u).apart_u);
     }
   }
 }
@@ -67,13 +70,14 @@ bool TouchRows::addBlocking(const NearPairs& near, const ScrewStep& step, const 
     { step.from_W, verdict.share * step.v_W, verdict.share * step.w_W } };
   const NearTriangles& pair = near.triangles()[verdict.blocking];
   std::size_t added =
-    this->addPair(near, place, pair.toolTriangle, pair.sceneTriangle, blockingWithin * this->restGap_u_);
+    this->addPair(near, place, pair.toolTriangle, pair.sceneTriangle, blockingWithin * this->restGap_u_).count;
   std::vector<DoubtfulPair> deepest = verdict.doubtful;
-  std::sort(deepest.begin(), deepest.end(),
+  const std::size_t looked = std::min(deepest.size(), 8 * mostDeep);
+  std::partial_sort(deepest.begin(), deepest.begin() + static_cast<std::ptrdiff_t>(looked), deepest.end(),
     [](const DoubtfulPair& a, const DoubtfulPair& b)
-    { return std::tie(a.end_u, a.index) < std::tie(b.end_u, b.index); });
+    { return std::tie(a.end_u, a.leaf, a.index) < std::tie(b.end_u, b.leaf, b.index); });
   std::size_t withFeatures = 0;
-  for (std::size_t i = 0; i < deepest.size() && i < 8 * mostDeep && withFeatures < mostDeep; ++i)
+  for (std::size_t i = 0; i < looked && withFeatures < mostDeep; ++i)
   {
     const std::size_t more = this->addDoubtful(near, place, deepest[i]);
     added += more;
@@ -95,7 +99,7 @@ std::size_t TouchRows::addDoubtful(const NearPairs& near, const Place& place, co
   if (!doubt.leaf)
   {
     const NearTriangles& pair = near.triangles()[doubt.index];
-    return this->addPair(near, place, pair.toolTriangle, pair.sceneTriangle, within_u);
+    return this->addPair(near, place, pair.toolTriangle, pair.sceneTriangle, within_u).count;
   }
   return this->addLeaves(near, place, near.leaves()[doubt.index], within_u);
 }
@@ -108,13 +112,13 @@ std::size_t TouchRows::addLeaves(const NearPairs& near, const Place& place, cons
   {
     for (std::uint32_t j = b.second; j < b.second + b.count; ++j)
     {
-      added += this->addPair(near, place, i, j, within_u);
+      added += this->addPair(near, place, i, j, within_u).count;
     }
   }
   return added;
 }
 
-std::size_t TouchRows::addPair(
+TouchRows::Added TouchRows::addPair(
   const NearPairs& near, const Place& place, std::uint32_t tool, std::uint32_t scene, double within_u)
 {
   PosedPair pair;
@@ -122,14 +126,17 @@ std::size_t TouchRows::addPair(
   pair.sceneFlat = this->scene_W_.flat(scene);
   if (pair.toolFlat.all() && pair.sceneFlat.all())
   {
-    return 0;
+    return {};
   }
   pair.tool_W = near.toolAt_W(tool, place.turn, place.centre_W);
   pair.scene_W = this->scene_W_.corners(scene);
+  ++this->asked_;
   this->found_.clear();
-  appendFeatures(pair, place.turn, place.centre_W, within_u, this->found_);
-  return static_cast<std::size_t>(std::count_if(
+  Added added;
+  added.apart_u = appendFeatures(pair, place.turn, place.centre_W, within_u, this->found_);
+  added.count = static_cast<std::size_t>(std::count_if(
     this->found_.begin(), this->found_.end(), [&](const TouchFeature& feature) { return this->add(feature, place); }));
+  return added;
 }
 
 bool TouchRows::add(const TouchFeature& feature, const Place& place)
@@ -140,15 +147,17 @@ bool TouchRows::add(const TouchFeature& feature, const Place& place)
   row.offset_u = row.plane.gap_u;
   row.offset_u = 2.0 * row.plane.gap_u - row.linear_u(place.made);
   constexpr double sameDirection = 1e-7; // radians: a row for each would only repeat what the other says
-  const bool known = std::any_of(this->rows_.begin(), this->rows_.end(),
-    [&](const TouchRow& other)
+  const bool known = this->cells_.any(row.plane.arm_W, this->restGap_u_,
+    [&](std::uint32_t number)
     {
+      const TouchRow& other = this->rows_[number];
       return (other.plane.n_W - row.plane.n_W).squaredNorm() < sameDirection * sameDirection &&
              (other.plane.arm_W - row.plane.arm_W).cwiseAbs().maxCoeff() < this->restGap_u_;
     });
   if (!known)
   {
     this->rows_.push_back(row);
+    this->cells_.add(row.plane.arm_W);
   }
   return !known;
 }

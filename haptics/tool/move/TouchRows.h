@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "haptics/tool/move/RowCells.h"
 #include "haptics/tool/move/StepProof.h"
 #include "haptics/tool/move/TouchFeature.h"
 #include "haptics/tool/solve/NearestMotion.h"
@@ -33,6 +34,8 @@ public:
   void findTouching(NearPairs& near, const Pose& pose_W, double way_u);
   /// What is in the way of a step after the share that was proven. False if nothing new is.
   bool addBlocking(const NearPairs& near, const ScrewStep& step, const StepVerdict& verdict);
+  /// Pairs of triangles that were looked at for what touches.
+  [[nodiscard]] std::uint64_t asked() const noexcept { return this->asked_; }
   [[nodiscard]] const std::vector<TouchRow>& rows() const noexcept { return this->rows_; }
 
 private:
@@ -43,8 +46,13 @@ private:
     Vec3 centre_W;
     ScrewStep made; ///< the part of the step that leads there
   };
-  std::size_t addPair(
-    const NearPairs& near, const Place& place, std::uint32_t tool, std::uint32_t scene, double within_u);
+  /// How many were added, and a bound of how far apart the two triangles are.
+  struct Added
+  {
+    std::size_t count = 0;
+    double apart_u = 0.0;
+  };
+  Added addPair(const NearPairs& near, const Place& place, std::uint32_t tool, std::uint32_t scene, double within_u);
   std::size_t addLeaves(const NearPairs& near, const Place& place, const LeafPair& pair, double within_u);
   std::size_t addDoubtful(const NearPairs& near, const Place& place, const DoubtfulPair& doubt);
   bool add(const TouchFeature& feature, const Place& place);
@@ -53,6 +61,8 @@ private:
   const BoxedMesh& scene_W_;
   double restGap_u_;
   std::vector<TouchRow> rows_;
+  RowCells cells_;
+  std::uint64_t asked_ = 0;
   std::vector<TouchFeature> found_; ///< kept for its room
 };
 

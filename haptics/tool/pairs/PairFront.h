@@ -32,12 +32,29 @@ public:
   /// Sum of all motion.
   [[nodiscard]] double way_u() const noexcept { return this->way_u_; }
   [[nodiscard]] double margin_u() const noexcept { return this->margin_u_; }
-  /// The tool moved, no point of it by more.
-  void moved(double way_u) noexcept { this->way_u_ += way_u; }
+  /// The tool moved, no point of it by more, and turned.
+  void moved(double way_u, double turn_rad) noexcept
+  {
+    this->way_u_ += way_u;
+    this->turned_rad_ += turn_rad;
+  }
   [[nodiscard]] const std::vector<BoxPair>& near() const noexcept { return this->near_; }
 
 private:
-  void begin(double margin_u);
+  /// Pairs of boxes beyond the list. The keys are looked at first, and lie together.
+  struct Beyond
+  {
+    std::vector<double> keys_u;
+    std::vector<BoxPair> pairs;
+    std::vector<BoxPlane> planes;
+
+    [[nodiscard]] std::size_t size() const noexcept { return this->keys_u.size(); }
+    void clear();
+    void add(const BoxPair& pair, const BoxPlane& plane);
+    void remove(std::size_t at);
+  };
+  void begin(const BoxPose& pose, double margin_u, WorkBudget& budget);
+  void prefetch() const noexcept;
   void visit(const BoxPair& pair, const BoxPose& pose);
   void split(const BoxPair& pair, bool tool);
   void shrink();
@@ -46,9 +63,11 @@ private:
   const BoxedMesh& scene_W_;
   double restGap_u_;
   double way_u_ = 0.0;      ///< of all motion
+  double turned_rad_ = 0.0; ///< likewise
   double gathered_u_ = 0.0; ///< that sum when the list was made
   double margin_u_ = 0.0;
-  std::vector<BoxPair> front_, near_, pending_;
+  Beyond front_;
+  std::vector<BoxPair> near_, pending_;
   std::size_t touching_ = 0;   ///< of the list
   std::size_t freshFront_ = 0; ///< size of the front after it was last built from the roots
 };

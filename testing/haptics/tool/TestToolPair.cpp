@@ -105,7 +105,7 @@ TEST(ToolPair, ThrownAtEachOtherWhileBothTurnNeitherPassesTheOther)
       const double s = k / 8.0;
       const ToolPair::Poses hands_W{ Pose{ (60.0 * s - 30.0) * way + s * aside, turnBy(s * 1.4 * random.direction()) },
         Pose{ (30.0 - 60.0 * s) * way, turnBy(s * 1.4 * random.direction()) } };
-      pair.update(hands_W, 4000);
+      pair.update(hands_W, 16000);
       pushed += pair.pushes(hands_W)[0].force.norm() > 0.0 ? 1 : 0;
     }
   }

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tools that are large or tight, in units of work: what is kept between updates, and how rarely the work runs out.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "Tools.h"
+#include "haptics/tool/worker/ToolFollower.h"
+#include "testing/support/NoisySphere.h"
+#include "testing/support/Thread.h"
+#include "testing/support/WindingHand.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+/// A tool that moves at random among triangles, with its front, and all pairs of triangles to judge it by.
+struct WatchedFront
+{
+  WatchedFront(const TriangleMesh& toolMesh, const TriangleMesh& sceneMesh)
+    : tool(makeTool(toolMesh).value), scene_W(makeToolScene(cleanMesh(sceneMesh).mesh, tool)),
+      front(*tool.shape_B, *scene_W, tool.restGap_u())
+  {
+  }
+
+  /// The leaf of each triangle.
+  static std::vector<std::uint32_t> leavesOf(const BoxedMesh& mesh)
+  {
+    std::vector<std::uint32_t> leaves(mesh.mesh().triangles.size());
+    for (std::uint32_t node = 0; node < mesh.nodes().size(); ++node)
+    {
+      const BoxedMesh::Node& of = mesh.nodes()[node];
+      for (std::uint32_t t = of.second; of.leaf() && t < of.second + of.count; ++t)
+      {
+        leaves[t] = node;
+      }
+    }
+    return leaves;
+  }
+
+  void gather(double margin_u)
+  {
+    WorkBudget unlimited(std::numeric_limits<std::uint64_t>::max());
+    ASSERT_TRUE(front.gather(pose_W, margin_u, unlimited));
+  }
+
+  void move(const Vec3& v, const Vec3& w)
+  {
+    const ScrewStep step{ pose_W, v, w };
+    front.moved(step.displacement_u(tool.reach_u), w.norm());
+    pose_W = step.end_W(1.0);
+  }
+
+  /// The least distance of two triangles whose leaves are not in the list, or the margin.
+  [[nodiscard]] double nearestUnlisted_u() const
+  {
+    const std::vector<std::uint32_t> ofTool = leavesOf(*tool.shape_B), ofScene = leavesOf(*scene_W);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> listed;
+    for (const BoxPair& pair : front.near())
+    {
+      listed.insert({ pair.tool, pair.scene });
+    }
+    double least_u = front.margin_u();
+    for (std::uint32_t a = 0; a < ofTool.size(); ++a)
+    {
+      Corners tool_W = tool.shape_B->corners(a);
+      for (Vec3& p : tool_W)
+      {
+        p = pose_W.p + pose_W.q * p;
+      }
+      for (std::uint32_t b = 0; b < ofScene.size(); ++b)
+      {
+        const Corners scene = scene_W->corners(b);
+        if (boxesApart_u(tool_W, scene) < least_u && listed.count({ ofTool[a], ofScene[b] }) == 0)
+        {
+          least_u = std::min(least_u, nearestPair(tool_W, scene).distance_u);
+        }
+      }
+    }
+    return least_u;
+  }
+
+  ToolMesh tool;
+  std::shared_ptr<const BoxedMesh> scene_W;
+  PairFront front;
+  Pose pose_W;
+};
+
+} // namespace
+
+TEST(ToolWork, WhatIsNotInTheListIsFurtherAwayThanTheRoomHoweverTheToolMovedAndTurned)
+{
+  Random random(testSeed(3401));
+  for (const double turn_rad : { 0.0, 0.02, 0.4 })
+  {
+    WatchedFront watched(scaled(NoisySphere(180, 1.0).mesh(), 0.4), NoisySphere(500, 1.0).mesh());
+    watched.pose_W = { Vec3(72, 0, 0), Quat::Identity() };
+    std::size_t listed = 0;
+    for (int i = 0; i < 60; ++i)
+    {
+      const double margin_u = random.uniform(0.2, 4.0);
+      watched.gather(margin_u);
+      EXPECT_GE(watched.nearestUnlisted_u(), watched.front.margin_u());
+      listed += watched.front.near().size();
+      const Vec3 home = (Vec3(72, 0, 0) - watched.pose_W.p) * 0.2;
+      watched.move(home + random.uniform(0.0, 1.5) * random.direction(), turn_rad * random.direction());
+    }
+    EXPECT_GT(listed, 0u);
+  }
+}
+
+TEST(ToolWork, ANutFollowsItsScrewAtOneTurnASecondToWithinItsPlay)
+{
+  constexpr int around = 16;
+  constexpr double pitch = 2.0, lead = pitch / (2.0 * std::numbers::pi), play = 0.3;
+  const ThreadSize screw{ 5.0, pitch, 12.0 }, bore{ 5.0 + play, pitch, 6.0 };
+  JudgedTool judged(threadMesh(bore, around), threadMesh(screw, around), 0);
+  judged.judge.sparse(100);
+  const Pose start_W{ judged.tool.centre_W, Quat::Identity() };
+  ASSERT_EQ(judged.move.place(start_W), "");
+  int spent = 0, touching = 0;
+  constexpr int updates = 500;
+  double turned = 0.0, mostPlay = 0.0, mostBehind = 0.0;
+  for (int i = 1; i <= updates; ++i)
+  {
+    const double turn = 2.0 * std::numbers::pi * 1e-3 * i; // one turn a second
+    const double pulled = std::min(0.4, 0.004 * i);        // further than its play
+    const Pose hand_W{ start_W.p + Vec3(0, 0, lead * turn + pulled), Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ())) };
+    spent += judged.move.update(hand_W, ToolFollower::usualWork).spent ? 1 : 0;
+    touching += judged.move.rows().empty() ? 0 : 1;
+    const Pose& at_W = judged.move.pose_W();
+    const double step = (at_W.q * Quat(Eigen::AngleAxisd(-turned, Vec3::UnitZ()))).vec().z();
+    turned += 2.0 * std::asin(std::clamp(step, -1.0, 1.0));
+    // Along its thread a nut has its play; more only between chords.
+    const double chord = 6.3 * (1.0 - std::cos(std::numbers::pi / around));
+    mostPlay = std::max(mostPlay, std::abs(at_W.p.z() - start_W.p.z() - lead * turned) - 2.0 * chord);
+    mostBehind = std::max(mostBehind, std::abs(turn - turned));
+  }
+  EXPECT_LE(mostPlay, play);
+  EXPECT_LE(mostBehind, play / lead);
+  EXPECT_LE(spent, updates / 5);
+  EXPECT_GT(touching, updates / 2);
+  EXPECT_EQ(judged.judge.found(), 0u) << "of " << judged.judge.judged();
+}
+
+TEST(ToolWork, AToolOf5ThousandTrianglesOn100ThousandIsRarelyOutOfWork)
+{
+  const ToolMesh tool = makeTool(scaled(NoisySphere(5000, 1.0).mesh(), 0.3)).value;
+  ToolMove move(tool, makeToolScene(cleanMesh(NoisySphere(100000, 1.0).mesh()).mesh, tool), tool.gyration_u);
+  ASSERT_EQ(move.place({ Vec3(80.0, 0.0, 0.0), Quat::Identity() }), "");
+  int spent = 0;
+  constexpr int updates = 400;
+  for (int i = 0; i < updates; ++i)
+  {
+    spent += move.update(windingHand(1e-3 * i, 100.0), ToolFollower::workOf(105'000)).spent ? 1 : 0;
+  }
+  EXPECT_LE(spent, updates / 10);
+}
+
+} // namespace palpate::test
