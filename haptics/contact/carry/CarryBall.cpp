@@ -227,6 +227,10 @@ private:
   [[nodiscard]] SweepHit sweepRelative(std::uint32_t surface, const Vec3& to_W) noexcept
   {
     const RelativeWay way = this->relativeWay(surface, to_W);
+    if (this->plan_.radius_u > 0.0 && way.from_S == way.to_S)
+    {
+      return {}; // a ball that stays meets nothing: it comes nearer to nothing
+    }
     SweepQuery query = straightQuery(way.from_S, way.to_S, this->plan_.radius_u);
     query.resolution.include(Vec3::Constant(this->plan_.radius_u));
     std::array<ActiveFeature, GodObjectState::maxFeatures> held;

@@ -11,6 +11,7 @@
 #include "haptics/contact/carry/PassingTriangles.h"
 #include "haptics/contact/moves/Seat.h"
 #include "haptics/contact/sweep/BoxTest.h"
+#include "haptics/contact/sweep/KeptFaces.h"
 #include "haptics/contact/sweep/Sweep.h"
 #include "haptics/contact/sweep/TreeWalk.h"
 #include "haptics/contact/view/Resolution.h"
@@ -20,12 +21,13 @@ namespace palpate
 {
 
 template<SceneView AnyScene>
-SweepHit sweepStraight(
-  const AnyScene& scene, const ContactPlan& plan, double radius_u, const Vec3& from_W, const Vec3& to_W) noexcept
+SweepHit sweepStraight(const AnyScene& scene, const ContactPlan& plan, double radius_u, const Vec3& from_W,
+  const Vec3& to_W, const FacesAround* around) noexcept
 {
   SweepQuery query = straightQuery(from_W, to_W, radius_u);
   query.resolution.include(Vec3::Constant(radius_u));
-  return sweepBall(scene, query, plan.workBudget);
+  const FaceList* const list = around != nullptr ? listAround(scene, sweptBallOf(query), *around) : nullptr;
+  return list != nullptr ? sweepListed(scene, query, *list, plan.workBudget) : sweepBall(scene, query, plan.workBudget);
 }
 
 namespace
@@ -102,15 +104,33 @@ Vec3 turnedAlong(const Vec3& from, const Vec3& to, const Vec3& v) noexcept
   return cosine < opposite ? Vec3(v.norm() * to) : Vec3(v + axis.cross(v) + axis.cross(axis.cross(v)) / (1.0 + cosine));
 }
 
+/// The triangle nearest to a ball among those of a surface that may have come over it, from what is kept around the
+/// ball where that is enough.
+template<SceneView AnyScene, class View>
+std::optional<std::uint32_t> nearestPassing(const AnyScene& from, const View& before, const View& now,
+  std::uint32_t surface, const Vec3& x_W, double reach, const ContactPlan& plan, const FacesAround& around) noexcept
+{
+  PassingTriangles passing(before, now, inFrame(before, x_W), inFrame(now, x_W), reach, plan.workBudget);
+  const SweptBall still = sweptBallOf(straightQuery(x_W, x_W, plan.radius_u));
+  if (const FaceList* const list = listAround(from, still, around))
+  {
+    if (const std::optional<std::uint32_t> found = passing.nearestIn(*list, surface, x_W, still.tol))
+    {
+      return found;
+    }
+  }
+  return passing.nearest();
+}
+
 /// A ball and one surface before and after its vertices moved.
 template<SceneView AnyScene>
 class Advection
 {
 public:
   Advection(const AnyScene& from, const AnyScene& to, std::uint32_t before, std::uint32_t now, const ContactPlan& plan,
-    const Vec3& x_W) noexcept
+    const Vec3& x_W, FacesAround& around) noexcept
     : from_(from), to_(to), before_(surfaceOf(from, before)), now_(surfaceOf(to, now)), surface_(before), plan_(plan),
-      x_W_(x_W)
+      x_W_(x_W), around_(around)
   {
     this->resolution_.include(x_W);
   }
@@ -118,21 +138,22 @@ public:
   /// Where the ball is now, or nothing if no triangle can have come over it or another surface keeps them apart.
   [[nodiscard]] std::optional<Vec3> run() noexcept
   {
-    const Vec3 xBefore = inFrame(this->before_, this->x_W_), xNow = inFrame(this->now_, this->x_W_);
-    const std::optional<std::uint32_t> nearest = PassingTriangles(this->before_, this->now_, xBefore, xNow,
-      this->plan_.radius_u + 4 * this->resolution_.tol(), this->plan_.workBudget)
-                                                   .nearest();
+    const double reach = this->plan_.radius_u + 4 * this->resolution_.tol();
+    const std::optional<std::uint32_t> nearest = nearestPassing(
+      this->from_, this->before_, this->now_, this->surface_, this->x_W_, reach, this->plan_, this->around_);
     if (!nearest || !this->look(*nearest))
     {
       return std::nullopt;
     }
+    openKept(this->to_, this->around_);
+    pickAround(this->to_, this->x_W_, this->plan_.radius_u, this->around_);
     const FaceRecord face = this->now_.face(this->at_.triangle);
     for (const Vec3& corner : face.corner_W)
     {
       this->resolution_.include(corner);
     }
-    return stopBefore(
-      this->to_, this->plan_, 0.0, this->above(face), pointOf(face, this->at_.weights) + this->offset(face));
+    return stopBefore(this->to_, this->plan_, 0.0, this->above(face),
+      pointOf(face, this->at_.weights) + this->offset(face), &this->around_);
   }
 
   /// A triangle could have come over the ball behind another surface, which does not hold it up.
@@ -144,8 +165,8 @@ private:
   {
     const Vec3 foot_W = this->nearestOn(triangle);
     constexpr double beyond = 1.0 + 1e-6; // the foot itself is met, whatever rounding does to it
-    const SweepHit seen =
-      sweepStraight(this->from_, this->plan_, 0.0, this->x_W_, this->x_W_ + beyond * (foot_W - this->x_W_));
+    const SweepHit seen = sweepStraight(
+      this->from_, this->plan_, 0.0, this->x_W_, this->x_W_ + beyond * (foot_W - this->x_W_), &this->around_);
     this->keptApart_ = seen.hit && seen.feature.surface != this->surface_;
     if (this->keptApart_)
     {
@@ -233,6 +254,7 @@ private:
   std::uint32_t surface_;
   const ContactPlan& plan_;
   Vec3 x_W_;
+  FacesAround& around_;
   Resolution resolution_;
   SurfacePoint at_;
   Vec3 apart_W_ = Vec3::Zero(); ///< from the nearest point of the old surface to the ball
@@ -245,14 +267,13 @@ private:
 /// place, so that the curve pushes the ball along.
 template<SceneView AnyScene>
 std::optional<Vec3> carryWithCurve(const AnyScene& from, const AnyScene& to, std::uint32_t before, std::uint32_t now,
-  const ContactPlan& plan, const Vec3& x_W) noexcept
+  const ContactPlan& plan, const Vec3& x_W, FacesAround& around) noexcept
 {
   const auto &was = surfaceOf(from, before), &is = surfaceOf(to, now);
   Resolution resolution;
   resolution.include(x_W);
   const double reach = plan.radius_u + dataOf(is).coat_u + 4 * resolution.tol();
-  const std::optional<std::uint32_t> nearest =
-    PassingTriangles(was, is, inFrame(was, x_W), inFrame(is, x_W), reach, plan.workBudget).nearest();
+  const std::optional<std::uint32_t> nearest = nearestPassing(from, was, is, before, x_W, reach, plan, around);
   if (!nearest)
   {
     return std::nullopt;
@@ -262,7 +283,9 @@ std::optional<Vec3> carryWithCurve(const AnyScene& from, const AnyScene& to, std
   const double at = std::clamp((x_W - old.corner_W[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
   const auto pointAt = [at](const FaceRecord& face)
   { return Vec3((1.0 - at) * face.corner_W[0] + at * face.corner_W[1]); };
-  return stopBefore(to, plan, plan.radius_u, x_W + pointAt(fresh) - pointAt(old), x_W);
+  openKept(to, around);
+  pickAround(to, x_W, plan.radius_u, around);
+  return stopBefore(to, plan, plan.radius_u, x_W + pointAt(fresh) - pointAt(old), x_W, &around);
 }
 
 /// Whether a straight way goes through a surface, as it was, other than the one that made the ball go it.
@@ -342,10 +365,10 @@ std::optional<std::uint32_t> nearestTriangle(
 }
 
 template<SceneView AnyScene>
-Vec3 stopBefore(
-  const AnyScene& scene, const ContactPlan& plan, double radius_u, const Vec3& free_W, const Vec3& to_W) noexcept
+Vec3 stopBefore(const AnyScene& scene, const ContactPlan& plan, double radius_u, const Vec3& free_W, const Vec3& to_W,
+  const FacesAround* around) noexcept
 {
-  const SweepHit hit = sweepStraight(scene, plan, radius_u, free_W, to_W);
+  const SweepHit hit = sweepStraight(scene, plan, radius_u, free_W, to_W, around);
   if (!hit.hit)
   {
     return free_W + hit.freeUntil * (to_W - free_W);
@@ -355,7 +378,7 @@ Vec3 stopBefore(
   for (double shortOf = 1e-9; shortOf < 1.0; shortOf *= 8)
   {
     const Vec3 stop_W = free_W + std::max(0.0, hit.t - shortOf) * (to_W - free_W);
-    if (!sweepStraight(scene, plan, radius_u, free_W, stop_W).hit)
+    if (!sweepStraight(scene, plan, radius_u, free_W, stop_W, around).hit)
     {
       return stop_W;
     }
@@ -381,11 +404,11 @@ bool carryWithVertices(
     std::optional<Vec3> carried_W;
     if (after[now].tree->coat_u() > 0.0)
     {
-      carried_W = carryWithCurve(from, to, i, now, plan, state.x_W);
+      carried_W = carryWithCurve(from, to, i, now, plan, state.x_W, state.around);
     }
     else
     {
-      Advection advection(from, to, i, now, plan, state.x_W);
+      Advection advection(from, to, i, now, plan, state.x_W, state.around);
       carried_W = advection.run();
       keptApart = keptApart || advection.keptApart();
     }
@@ -397,16 +420,20 @@ bool carryWithVertices(
   }
   if (carrier)
   {
-    static_cast<void>(seatBall(to, plan, Vec3(state.x_W), state.x_W));
+    static_cast<void>(seatBall(to, plan, Vec3(state.x_W), state.x_W, &state.around));
   }
   dropTurnedFaces(to, state);
   return keptApart || (carrier && passesAnother(from, plan, *carrier, start_W, state.x_W));
 }
 
-template SweepHit sweepStraight(const Scene&, const ContactPlan&, double, const Vec3&, const Vec3&) noexcept;
-template SweepHit sweepStraight(const MovingScene&, const ContactPlan&, double, const Vec3&, const Vec3&) noexcept;
-template Vec3 stopBefore(const Scene&, const ContactPlan&, double, const Vec3&, const Vec3&) noexcept;
-template Vec3 stopBefore(const MovingScene&, const ContactPlan&, double, const Vec3&, const Vec3&) noexcept;
+template SweepHit sweepStraight(
+  const Scene&, const ContactPlan&, double, const Vec3&, const Vec3&, const FacesAround*) noexcept;
+template SweepHit sweepStraight(
+  const MovingScene&, const ContactPlan&, double, const Vec3&, const Vec3&, const FacesAround*) noexcept;
+template Vec3 stopBefore(
+  const Scene&, const ContactPlan&, double, const Vec3&, const Vec3&, const FacesAround*) noexcept;
+template Vec3 stopBefore(
+  const MovingScene&, const ContactPlan&, double, const Vec3&, const Vec3&, const FacesAround*) noexcept;
 template bool carryWithVertices(const Scene&, const Scene&, const ContactPlan&, GodObjectState&) noexcept;
 template bool carryWithVertices(const MovingScene&, const MovingScene&, const ContactPlan&, GodObjectState&) noexcept;
 

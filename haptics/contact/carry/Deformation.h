@@ -24,16 +24,17 @@ namespace palpate
 [[nodiscard]] bool verticesMoved(
   const MovingScene& from, std::uint32_t before, const MovingScene& to, std::uint32_t now) noexcept;
 
-/// First contact on a straight way in a scene, of a ball that touches nothing yet.
+/// First contact on a straight way in a scene, of a ball that touches nothing yet. `around`: faces that may be kept
+/// around the way, or null; they change nothing but the cost.
 template<SceneView AnyScene>
-[[nodiscard]] SweepHit sweepStraight(
-  const AnyScene& scene, const ContactPlan& plan, double radius_u, const Vec3& from_W, const Vec3& to_W) noexcept;
+[[nodiscard]] SweepHit sweepStraight(const AnyScene& scene, const ContactPlan& plan, double radius_u,
+  const Vec3& from_W, const Vec3& to_W, const FacesAround* around = nullptr) noexcept;
 
 /// The place from which a point that comes straight from a free one stops short of its first contact; `to_W` where it
 /// hits nothing. The way to the result is free, exactly. AnyScene: Scene or MovingScene.
 template<SceneView AnyScene>
-[[nodiscard]] Vec3 stopBefore(
-  const AnyScene& scene, const ContactPlan& plan, double radius_u, const Vec3& free_W, const Vec3& to_W) noexcept;
+[[nodiscard]] Vec3 stopBefore(const AnyScene& scene, const ContactPlan& plan, double radius_u, const Vec3& free_W,
+  const Vec3& to_W, const FacesAround* around = nullptr) noexcept;
 
 /// Triangle of a surface that stands, in its own frame, nearest to x_W among those whose boxes are within reach_u of it
 /// in each coordinate; nothing where there is none. Visits at most `budget` nodes and has the nearest of those.

@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "haptics/contact/sweep/NearFilter.h"
+#include "haptics/contact/sweep/Neighbourhood.h"
 #include "haptics/contact/sweep/TreeWalk.h"
 #include "haptics/contact/view/SceneView.h"
 #include "haptics/core/Types.h"
@@ -70,6 +72,41 @@ public:
     return std::isfinite(this->best2_) ? std::optional(this->triangle_) : std::nullopt;
   }
 
+  /// The same from a list of faces around xBefore, which is x_W in the frame of the list. Nothing where none of them is
+  /// so near that it must be the nearest of all: then the trees have to be asked.
+  [[nodiscard]] std::optional<std::uint32_t> nearestIn(
+    const FaceList& list, std::uint32_t surface, const Vec3& x_W, double tol) noexcept
+  {
+    const double certain = list.reach().reach_u - (x_W - list.reach().centre_W).norm() - 8 * tol;
+    if (certain <= 0.0)
+    {
+      return std::nullopt;
+    }
+    SweptBall still = standing({ x_W, certain }, {});
+    NearFilter filter(still, list.frame());
+    for (int quad = 0; quad < list.quads(); ++quad)
+    {
+      int lanes = filter.near(list.discs(quad)) & ((1 << std::min(4, list.count() - quad * 4)) - 1);
+      for (; lanes != 0; lanes &= lanes - 1)
+      {
+        const FaceList::Face& face = list.face(quad * 4 + __builtin_ctz(static_cast<unsigned>(lanes)));
+        if (face.surface == surface)
+        {
+          this->visitTriangle(face.triangle);
+        }
+      }
+      constexpr double shorter = 0.81; // of squares: from then on a new filter is worth its making
+      if (this->best2_ < shorter * still.r * still.r)
+      {
+        still.r = std::sqrt(this->best2_) + 8 * tol;
+        filter = NearFilter(still, list.frame());
+      }
+    }
+    const bool isNearest = this->best2_ < certain * certain;
+    this->best2_ = isNearest ? this->best2_ : std::numeric_limits<double>::infinity();
+    return isNearest ? std::optional(this->triangle_) : std::nullopt;
+  }
+
 private:
   struct Pending
   {
@@ -113,19 +150,23 @@ private:
   {
     for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
     {
-      const auto& old = ownCorners(this->before_, t);
-      if (distance2To(boxOf(old), this->x_) > this->best2_)
-      {
-        continue;
-      }
-      const auto& now = ownCorners(this->now_, t);
-      const double distance2 = (this->x_ - nearestOnTriangle(this->x_, old[0], old[1], old[2])).squaredNorm();
-      const bool nearer = distance2 < this->best2_ || (distance2 == this->best2_ && t < this->triangle_);
-      if (nearer && this->mayPass(boxOf(old), boxOf(now)))
-      {
-        this->best2_ = distance2;
-        this->triangle_ = t;
-      }
+      this->visitTriangle(t);
+    }
+  }
+
+  void visitTriangle(std::uint32_t t) noexcept
+  {
+    const auto& old = ownCorners(this->before_, t);
+    if (distance2To(boxOf(old), this->x_) > this->best2_)
+    {
+      return;
+    }
+    const double distance2 = (this->x_ - nearestOnTriangle(this->x_, old[0], old[1], old[2])).squaredNorm();
+    const bool nearer = distance2 < this->best2_ || (distance2 == this->best2_ && t < this->triangle_);
+    if (nearer && this->mayPass(boxOf(old), boxOf(ownCorners(this->now_, t))))
+    {
+      this->best2_ = distance2;
+      this->triangle_ = t;
     }
   }
 

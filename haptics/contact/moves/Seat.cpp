@@ -7,6 +7,8 @@
 #include <span>
 
 #include "haptics/contact/planes/Projection.h"
+#include "haptics/contact/sweep/KeptFaces.h"
+#include "haptics/contact/sweep/NearFilter.h"
 #include "haptics/contact/sweep/Sweep.h"
 #include "haptics/contact/sweep/TreeWalk.h"
 #include "haptics/contact/view/SceneView.h"
@@ -32,13 +34,33 @@ SweptBall stillBall(const Vec3& x_W, double reach) noexcept
   return sweptBallOf(query);
 }
 
-/// Calls visit(surface, its index, triangle) for each triangle of a leaf whose box comes within reach of x.
+/// Calls visit(surface, its index, triangle) for each triangle of a list that may come within reach.
 template<SceneView AnyScene, class Visit>
-void forEachNear(const AnyScene& scene, const Vec3& x_W, double reach, Visit visit) noexcept
+void forEachListed(const AnyScene& scene, SweptBall still, const FaceList& list, Visit visit) noexcept
+{
+  still.r += sceneOf(scene).mostCoat_u();
+  OneSurface<AnyScene> surfaces;
+  forEachNear(list, NearFilter(still, list.frame()),
+    [&](int i) noexcept
+    {
+      const FaceList::Face& face = list.face(i);
+      visit(surfaces.of(scene, face.surface), face.surface, face.triangle);
+    });
+}
+
+/// Calls visit(surface, its index, triangle) for each triangle of a leaf whose box comes within reach of x, or for
+/// fewer that are nearer, in the same order.
+template<SceneView AnyScene, class Visit>
+void forEachNear(const AnyScene& scene, const Vec3& x_W, double reach, const FacesAround* around, Visit visit) noexcept
 {
   // A ball is seated at the start and where ball or scene change, not in each tick: all triangles within reach count.
   constexpr std::uint32_t unbounded = std::numeric_limits<std::uint32_t>::max();
   const SweptBall still = stillBall(x_W, reach);
+  if (const FaceList* const list = around != nullptr ? listAround(scene, still, *around) : nullptr)
+  {
+    forEachListed(scene, still, *list, visit);
+    return;
+  }
   const BoxTest test(still);
   std::uint32_t nodes = 0;
   const auto visitSurface = [&](std::uint32_t s) noexcept
@@ -86,10 +108,11 @@ Vec3 acrossAt(const AnySurface& surface, std::uint32_t triangle, const Vec3& x_W
 }
 
 template<SceneView AnyScene>
-Nearest nearestWithin(const AnyScene& scene, const Vec3& x_W, double reach, bool bySide) noexcept
+Nearest nearestWithin(
+  const AnyScene& scene, const Vec3& x_W, double reach, bool bySide, const FacesAround* around) noexcept
 {
   Nearest nearest;
-  forEachNear(scene, x_W, reach,
+  forEachNear(scene, x_W, reach, around,
     [&](const auto& surface, std::uint32_t s, std::uint32_t t)
     {
       const auto& [a, b, c] = cornersIn(surface, t);
@@ -138,7 +161,8 @@ private:
 
 /// Only what is nearest pushes: a flat patch seen from close by pushes straight out, not sideways off each triangle.
 template<SceneView AnyScene>
-bool seatRound(const AnyScene& scene, const ContactPlan& plan, const Vec3& p_W, Vec3& x_W) noexcept
+bool seatRound(
+  const AnyScene& scene, const ContactPlan& plan, const Vec3& p_W, Vec3& x_W, const FacesAround* around) noexcept
 {
   const double r = plan.radius_u;
   Resolution resolution;
@@ -151,7 +175,7 @@ bool seatRound(const AnyScene& scene, const ContactPlan& plan, const Vec3& p_W, 
   for (int round = 0; round < rounds; ++round)
   {
     const Vec3 x = p_W + y;
-    const Nearest nearest = nearestWithin(scene, x, r, plan.seatsBySide);
+    const Nearest nearest = nearestWithin(scene, x, r, plan.seatsBySide, around);
     if (nearest.clearance >= r - tol)
     {
       x_W = x;
@@ -215,12 +239,13 @@ bool seatPoint(const AnyScene& scene, const Vec3& p_W, Vec3& x_W) noexcept
 } // namespace
 
 template<SceneView AnyScene>
-bool seatBall(const AnyScene& scene, const ContactPlan& plan, const Vec3& p_W, Vec3& x_W) noexcept
+bool seatBall(
+  const AnyScene& scene, const ContactPlan& plan, const Vec3& p_W, Vec3& x_W, const FacesAround* around) noexcept
 {
-  return plan.radius_u > 0.0 ? seatRound(scene, plan, p_W, x_W) : seatPoint(scene, p_W, x_W);
+  return plan.radius_u > 0.0 ? seatRound(scene, plan, p_W, x_W, around) : seatPoint(scene, p_W, x_W);
 }
 
-template bool seatBall(const Scene&, const ContactPlan&, const Vec3&, Vec3&) noexcept;
-template bool seatBall(const MovingScene&, const ContactPlan&, const Vec3&, Vec3&) noexcept;
+template bool seatBall(const Scene&, const ContactPlan&, const Vec3&, Vec3&, const FacesAround*) noexcept;
+template bool seatBall(const MovingScene&, const ContactPlan&, const Vec3&, Vec3&, const FacesAround*) noexcept;
 
 } // namespace palpate

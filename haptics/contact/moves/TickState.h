@@ -159,14 +159,14 @@ const FaceList* TickState<AnyScene>::listFor(
 {
   const SweptBall m = sweptBallOf(query);
   FacesAround& around = this->state.around;
-  const FaceList* const kept = keptFor(m, sceneOf(this->scene).mostCoat_u(), around, work);
+  const FaceList* const kept = keptFor(this->scene, m, around, work);
   // Half of the ticks need one sweep only: gathering the surroundings is worthwhile from the second on.
   if (kept != nullptr || this->crowded || this->result.sweeps == 0 || m.length > this->gatheredWay_u())
   {
     return kept;
   }
-  this->crowded =
-    !gatherFaces(this->scene, reachFor(m), query.resolution, FaceList::capacity, budget, work, around.near);
+  this->crowded = !gatherFaces(
+    this->scene, Moments::Now, reachFor(m), query.resolution, FaceList::capacity, budget, work, around.near);
   return this->crowded ? nullptr : &around.near;
 }
 

@@ -18,14 +18,35 @@ void pickFaces(const FaceList& from, const Reach& reach, double coat_u, FaceList
   list.beginFrom(from, reach);
   SweptBall still = standing(reach, {});
   still.r += coat_u;
-  const NearFilter filter(still, from.frame());
-  for (int quad = 0; quad < from.quads(); ++quad)
-  {
-    int lanes = filter.near(from.discs(quad)) & ((1 << std::min(4, from.count() - quad * 4)) - 1);
-    for (; lanes != 0; lanes &= lanes - 1)
+  forEachNear(from, NearFilter(still, from.frame()), [&](int i) { list.take(from, i); });
+}
+
+/// The same of balls that faces are in on their way: the list gets their discs as they are now.
+template<SceneView AnyScene>
+void placeFaces(const AnyScene& scene, const FaceList& from, const Reach& reach, FaceList& list) noexcept
+{
+  list.begin(reach);
+  SweptBall still = standing(reach, {});
+  still.r += sceneOf(scene).mostCoat_u();
+  OneSurface<AnyScene> surface;
+  forEachNear(from, NearFilter(still, from.frame()),
+    [&](int i)
     {
-      list.take(from, quad * 4 + __builtin_ctz(static_cast<unsigned>(lanes)));
-    }
+      const FaceList::Face& face = from.face(i);
+      list.add(discNow(surface.of(scene, face.surface), face.triangle), face);
+    });
+}
+
+template<SceneView AnyScene>
+void pick(const AnyScene& scene, const Reach& reach, FacesAround& around) noexcept
+{
+  if (around.bends())
+  {
+    placeFaces(scene, around.far, reach, around.near);
+  }
+  else
+  {
+    pickFaces(around.far, reach, sceneOf(scene).mostCoat_u(), around.near);
   }
 }
 
@@ -78,6 +99,18 @@ double shareOf(const MovingScene& moving) noexcept
   return moving.share();
 }
 
+/// Whether a list can hold for more than this moment: a surface that turns leaves all hulls of its vertices.
+bool mayKeep(const Scene&) noexcept
+{
+  return true;
+}
+bool mayKeep(const MovingScene& moving) noexcept
+{
+  const auto& surfaces = moving.scene().surfaces();
+  return moving.share() >= 1.0 ||
+         std::none_of(surfaces.begin(), surfaces.end(), [](const Surface& s) { return s.motion.moves(); });
+}
+
 } // namespace
 
 template<SceneView AnyScene>
@@ -86,7 +119,8 @@ void openKept(const AnyScene& scene, FacesAround& around) noexcept
   around.openFor(sceneOf(scene).contentHash(), shareOf(scene));
 }
 
-const FaceList* keptFor(const SweptBall& m, double coat_u, FacesAround& around, std::uint32_t& work) noexcept
+template<SceneView AnyScene>
+const FaceList* keptFor(const AnyScene& scene, const SweptBall& m, FacesAround& around, std::uint32_t& work) noexcept
 {
   if (covers(around.near.reach(), m))
   {
@@ -95,7 +129,7 @@ const FaceList* keptFor(const SweptBall& m, double coat_u, FacesAround& around, 
   const Reach reach = pickedReach(m, around);
   if (around.far.reach().covers(reach))
   {
-    pickFaces(around.far, reach, coat_u, around.near);
+    pick(scene, reach, around);
     work += static_cast<std::uint32_t>(around.far.quads()) / 2; // eight discs are a leaf's
     return &around.near;
   }
@@ -103,14 +137,43 @@ const FaceList* keptFor(const SweptBall& m, double coat_u, FacesAround& around, 
 }
 
 template<SceneView AnyScene>
+void pickAround(const AnyScene& scene, const Vec3& x_W, double radius_u, FacesAround& around) noexcept
+{
+  constexpr double room = 0.25; // in radii, for the way of a tick; found by trying
+  const Reach most = around.far.reach();
+  Reach reach{ x_W, (1.0 + room) * radius_u };
+  reach.reach_u = std::min(reach.reach_u, most.reach_u - (1.0 + 1e-12) * (x_W - most.centre_W).norm());
+  if (radius_u > 0.0 && around.bends() && reach.reach_u > radius_u)
+  {
+    pick(scene, reach, around);
+  }
+}
+
+template<SceneView AnyScene>
+const FaceList* listAround(const AnyScene& scene, const SweptBall& m, const FacesAround& around) noexcept
+{
+  const double share = shareOf(scene);
+  if (around.content != sceneOf(scene).contentHash())
+  {
+    return nullptr;
+  }
+  if (share == around.share && covers(around.near.reach(), m))
+  {
+    return &around.near;
+  }
+  return share >= around.since && covers(around.far.reach(), m) ? &around.far : nullptr;
+}
+
+template<SceneView AnyScene>
 void renewKept(const AnyScene& scene, double radius_u, const Vec3& from_W, GodObjectState& state) noexcept
 {
   FacesAround& around = state.around;
-  const bool isNew = std::exchange(around.isNew, false);
+  const double share = shareOf(scene);
+  const bool mayBeLast = std::exchange(around.isNew, false) && share >= 1.0;
   const Vec3 way_W = state.x_W - from_W;
   const SweepQuery next = straightQuery(state.x_W, state.x_W + way_W, radius_u);
   const Reach needed = reachFor(sweptBallOf(next));
-  if (isNew || shareOf(scene) < 1.0)
+  if (mayBeLast || !mayKeep(scene))
   {
     return;
   }
@@ -131,7 +194,9 @@ void renewKept(const AnyScene& scene, double radius_u, const Vec3& from_W, GodOb
   constexpr std::uint32_t mostNodes = 2000;
   std::uint32_t nodes = 0;
   const Reach reach = aheadOf(needed, way_W, around);
-  const bool fits = gatherFaces(scene, reach, next.resolution, most, mostNodes, nodes, around.far);
+  const Moments moments = share < 1.0 ? Moments::ToTheEnd : Moments::Now;
+  const bool fits = gatherFaces(scene, moments, reach, next.resolution, most, mostNodes, nodes, around.far);
+  around.since = share;
   learnRoom(fits, most, around);
   waitAfter(fits && served, around);
   around.served = 0;
@@ -139,6 +204,12 @@ void renewKept(const AnyScene& scene, double radius_u, const Vec3& from_W, GodOb
 
 template void openKept(const Scene&, FacesAround&) noexcept;
 template void openKept(const MovingScene&, FacesAround&) noexcept;
+template const FaceList* keptFor(const Scene&, const SweptBall&, FacesAround&, std::uint32_t&) noexcept;
+template const FaceList* keptFor(const MovingScene&, const SweptBall&, FacesAround&, std::uint32_t&) noexcept;
+template void pickAround(const Scene&, const Vec3&, double, FacesAround&) noexcept;
+template void pickAround(const MovingScene&, const Vec3&, double, FacesAround&) noexcept;
+template const FaceList* listAround(const Scene&, const SweptBall&, const FacesAround&) noexcept;
+template const FaceList* listAround(const MovingScene&, const SweptBall&, const FacesAround&) noexcept;
 template void renewKept(const Scene&, double, const Vec3&, GodObjectState&) noexcept;
 template void renewKept(const MovingScene&, double, const Vec3&, GodObjectState&) noexcept;
 

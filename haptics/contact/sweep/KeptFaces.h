@@ -17,12 +17,22 @@ template<SceneView AnyScene>
 void openKept(const AnyScene& scene, FacesAround& around) noexcept;
 
 /// The list that is kept of the faces around a motion, or null; `work` grows by what it takes to pick them.
+template<SceneView AnyScene>
 [[nodiscard]] const FaceList* keptFor(
-  const SweptBall& m, double coat_u, FacesAround& around, std::uint32_t& work) noexcept;
+  const AnyScene& scene, const SweptBall& m, FacesAround& around, std::uint32_t& work) noexcept;
+
+/// Picks the faces around a ball while surfaces bend, as they are now, for all that a tick asks of them. What is kept
+/// must be open for the scene. Nothing is done where there is nothing to pick from.
+template<SceneView AnyScene>
+void pickAround(const AnyScene& scene, const Vec3& x_W, double radius_u, FacesAround& around) noexcept;
+
+/// The list that is kept of the faces around a motion in this scene as it is now, or null; it is left as it is.
+template<SceneView AnyScene>
+[[nodiscard]] const FaceList* listAround(const AnyScene& scene, const SweptBall& m, const FacesAround& around) noexcept;
 
 /// Gathers the faces around a ball that went on from a place in this tick, for the ticks that follow, unless they are
-/// there. Nothing is gathered where surfaces are on their way. Bounded on its own account: the work of a tick is not
-/// charged.
+/// there. Of surfaces that bend, all the rest of their way counts; nothing is gathered where one moves as a whole.
+/// Bounded on its own account: the work of a tick is not charged.
 template<SceneView AnyScene>
 void renewKept(const AnyScene& scene, double radius_u, const Vec3& from_W, GodObjectState& state) noexcept;
 

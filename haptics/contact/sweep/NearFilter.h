@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "haptics/contact/sweep/FourVectors.h"
 #include "haptics/contact/view/FaceList.h"
 #include "haptics/contact/view/SweptBall.h"
@@ -49,5 +51,19 @@ private:
   FourVectors middle_;
   __m128 lost_, lost2_, reach2_;
 };
+
+/// Calls visit(i) for each face of a list that may be near, in its order.
+template<class Visit>
+void forEachNear(const FaceList& list, const NearFilter& filter, const Visit& visit) noexcept
+{
+  for (int quad = 0; quad < list.quads(); ++quad)
+  {
+    int lanes = filter.near(list.discs(quad)) & ((1 << std::min(4, list.count() - quad * 4)) - 1);
+    for (; lanes != 0; lanes &= lanes - 1)
+    {
+      visit(quad * 4 + __builtin_ctz(static_cast<unsigned>(lanes)));
+    }
+  }
+}
 
 } // namespace palpate

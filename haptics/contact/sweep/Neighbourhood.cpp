@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "haptics/contact/sweep/BoxTest.h"
 #include "haptics/contact/sweep/DiscFilter.h"
 #include "haptics/contact/sweep/TreeWalk.h"
+#include "haptics/contact/view/RestOfWay.h"
 #include "haptics/contact/view/SceneView.h"
 #include "haptics/geometry/tree/SurfaceRecords.h"
 
@@ -26,7 +28,8 @@ Vec3 normalOf(const DiscQuad& quad, std::uint32_t k) noexcept
   return { quad.nx[k], quad.ny[k], quad.nz[k] };
 }
 
-PlacedDisc place(const SurfaceData&, const SurfaceData& data, std::uint32_t leaf, std::uint32_t lane) noexcept
+/// The disc of a face where the tree has it.
+PlacedDisc discIn(const SurfaceData& data, std::uint32_t leaf, std::uint32_t lane) noexcept
 {
   const DiscQuad& quad = data.discs[2 * leaf + lane / 4];
   const Vec3& origin = data.leaves[leaf].origin_W;
@@ -35,29 +38,56 @@ PlacedDisc place(const SurfaceData&, const SurfaceData& data, std::uint32_t leaf
     unit_u };
 }
 
+/// Radii are laid down in single precision, which loses 1e-7: a millionth more holds the triangle all the same.
+constexpr double wider = 1.000001;
+
 /// The disc of a face that is on its way, where the face is now: the tree has only a ball there.
-PlacedDisc placeBent(const BentSurface& shape, std::uint32_t triangle) noexcept
+PlacedDisc discOn(const std::array<Vec3, 3>& corners) noexcept
 {
-  const auto corners = shape.cornersOf(triangle);
   const Disc disc = discOf(corners);
   const Vec3 cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const double area = cross.norm();
-  // A triangle a thousand times as long as it is high would need an exact normal, and one without area has none. The
-  // radius is laid down in single precision, which loses 1e-7 of it: a millionth more holds the triangle all the same.
+  // A triangle a thousand times as long as it is high would need an exact normal, and one without area has none.
   const bool flat = area > 1e-3 * disc.radius_u * disc.radius_u;
-  return { disc.centre_W, disc.centre_W, flat ? Vec3(cross / area) : Vec3(Vec3::Zero()), 1.000001 * disc.radius_u,
+  return { disc.centre_W, disc.centre_W, flat ? Vec3(cross / area) : Vec3(Vec3::Zero()), wider * disc.radius_u,
     disc.radius_u };
 }
 
-PlacedDisc place(const PosedSurface& posed, const SurfaceData& data, std::uint32_t leaf, std::uint32_t lane) noexcept
+PlacedDisc discIn(const BentSurface& shape, std::uint32_t leaf, std::uint32_t lane) noexcept
 {
-  PlacedDisc placed =
-    posed.shape().bends() ? placeBent(posed.shape(), data.leaves[leaf].first + lane) : place(data, data, leaf, lane);
-  placed.origin_W = posed.toWorld(placed.origin_W);
-  placed.centre_W = posed.toWorld(placed.centre_W);
-  placed.normal_W = posed.turned(placed.normal_W);
-  placed.extent_u *= 1.75; // a cube's corner is sqrt 3 times as far as its faces
-  return placed;
+  return discOn(shape.cornersOf(shape.data().leaves[leaf].first + lane));
+}
+
+/// A ball around a face on all the rest of its way.
+PlacedDisc discIn(const RestOfWay& rest, std::uint32_t leaf, std::uint32_t lane) noexcept
+{
+  const std::array<Vec3, 6> corners = rest.cornersOf(rest.data().leaves[leaf].first + lane);
+  Vec3 centre = Vec3::Zero();
+  for (const Vec3& corner : corners)
+  {
+    centre += corner / 6.0;
+  }
+  double radius2 = 0.0;
+  for (const Vec3& corner : corners)
+  {
+    radius2 = std::max(radius2, (corner - centre).squaredNorm());
+  }
+  const double radius_u = std::sqrt(radius2);
+  return { centre, centre, Vec3::Zero(), wider * radius_u, radius_u };
+}
+
+PlacedDisc placed(const SurfaceData&, const PlacedDisc& inSurface) noexcept
+{
+  return inSurface;
+}
+
+PlacedDisc placed(const PosedSurface& posed, PlacedDisc disc) noexcept
+{
+  disc.origin_W = posed.toWorld(disc.origin_W);
+  disc.centre_W = posed.toWorld(disc.centre_W);
+  disc.normal_W = posed.turned(disc.normal_W);
+  disc.extent_u *= 1.75; // a cube's corner is sqrt 3 times as far as its faces
+  return disc;
 }
 
 /// One walk that fills a list.
@@ -65,8 +95,9 @@ template<SceneView AnyScene>
 class Gathering
 {
 public:
-  Gathering(const AnyScene& scene, int most, std::uint32_t budget, std::uint32_t& nodes, FaceList& list) noexcept
-    : scene_(scene), most_(most), budget_(budget), nodes_(nodes), list_(list)
+  Gathering(const AnyScene& scene, Moments moments, int most, std::uint32_t budget, std::uint32_t& nodes,
+    FaceList& list) noexcept
+    : scene_(scene), toEnd_(moments == Moments::ToTheEnd), most_(most), budget_(budget), nodes_(nodes), list_(list)
   {
   }
 
@@ -82,10 +113,25 @@ private:
   [[nodiscard]] bool surface(const View& view, std::uint32_t surface, const SweptBall& still) noexcept
   {
     return askTree(view, still,
-      [&](const SweptBall& inSurface) noexcept {
+      [&](const SweptBall& inSurface) noexcept
+      {
         return askShape(
-          view, [&](const auto& shape) noexcept { return this->leaves(view, shape, surface, inSurface); });
+          view, [&](const auto& shape) noexcept { return this->atMoments(view, shape, surface, inSurface); });
       });
+  }
+
+  template<class View>
+  [[nodiscard]] bool atMoments(
+    const View& view, const BentSurface& shape, std::uint32_t surface, const SweptBall& inSurface) noexcept
+  {
+    return this->toEnd_ ? this->leaves(view, RestOfWay(shape), surface, inSurface)
+                        : this->leaves(view, shape, surface, inSurface);
+  }
+  template<class View>
+  [[nodiscard]] bool atMoments(
+    const View& view, const SurfaceData& shape, std::uint32_t surface, const SweptBall& inSurface) noexcept
+  {
+    return this->leaves(view, shape, surface, inSurface);
   }
 
   template<class View, class Shape>
@@ -127,7 +173,7 @@ private:
     for (; lanes != 0; lanes &= lanes - 1)
     {
       const auto lane = static_cast<std::uint32_t>(__builtin_ctz(static_cast<unsigned>(lanes)));
-      this->list_.add(place(view, data, index, lane), { surface, leaf.first + lane });
+      this->list_.add(placed(view, discIn(shape, index, lane)), { surface, leaf.first + lane });
     }
     return true;
   }
@@ -143,6 +189,7 @@ private:
   }
 
   const AnyScene& scene_;
+  const bool toEnd_;
   const int most_;
   const std::uint32_t budget_;
   std::uint32_t& nodes_;
@@ -168,11 +215,11 @@ Reach reachFor(const SweptBall& m) noexcept
 }
 
 template<SceneView AnyScene>
-bool gatherFaces(const AnyScene& scene, const Reach& reach, const Resolution& resolution, int most,
+bool gatherFaces(const AnyScene& scene, Moments moments, const Reach& reach, const Resolution& resolution, int most,
   std::uint32_t budget, std::uint32_t& nodes, FaceList& list) noexcept
 {
   list.begin(reach);
-  const bool fits = Gathering(scene, most, budget, nodes, list).run(standing(reach, resolution));
+  const bool fits = Gathering(scene, moments, most, budget, nodes, list).run(standing(reach, resolution));
   if (!fits)
   {
     list.clear();
@@ -180,9 +227,19 @@ bool gatherFaces(const AnyScene& scene, const Reach& reach, const Resolution& re
   return fits;
 }
 
+PlacedDisc discNow(const SurfaceData& surface, std::uint32_t triangle) noexcept
+{
+  return discOn(surface.cornersOf(triangle));
+}
+
+PlacedDisc discNow(const PosedSurface& surface, std::uint32_t triangle) noexcept
+{
+  return placed(surface, discOn(surface.shape().cornersOf(triangle)));
+}
+
 template bool gatherFaces(
-  const Scene&, const Reach&, const Resolution&, int, std::uint32_t, std::uint32_t&, FaceList&) noexcept;
+  const Scene&, Moments, const Reach&, const Resolution&, int, std::uint32_t, std::uint32_t&, FaceList&) noexcept;
 template bool gatherFaces(
-  const MovingScene&, const Reach&, const Resolution&, int, std::uint32_t, std::uint32_t&, FaceList&) noexcept;
+  const MovingScene&, Moments, const Reach&, const Resolution&, int, std::uint32_t, std::uint32_t&, FaceList&) noexcept;
 
 } // namespace palpate

@@ -26,10 +26,21 @@ namespace palpate
 /// A ball of that reach that stands still.
 [[nodiscard]] SweptBall standing(const Reach& reach, const Resolution& resolution) noexcept;
 
+/// At which moments of a scene that bends a list holds the faces within reach.
+enum class Moments
+{
+  Now,
+  ToTheEnd, ///< from now to the end of their way. Their discs are balls. No surface may move as a whole
+};
+
+/// The disc of a triangle where it is now, in W.
+[[nodiscard]] PlacedDisc discNow(const SurfaceData& surface, std::uint32_t triangle) noexcept;
+[[nodiscard]] PlacedDisc discNow(const PosedSurface& surface, std::uint32_t triangle) noexcept;
+
 /// Fills the list with the faces within reach. False if they are more than `most`, or the walk takes more nodes than
 /// the budget: the list is then empty.
 template<SceneView AnyScene>
-[[nodiscard]] bool gatherFaces(const AnyScene& scene, const Reach& reach, const Resolution& resolution, int most,
-  std::uint32_t budget, std::uint32_t& nodes, FaceList& list) noexcept;
+[[nodiscard]] bool gatherFaces(const AnyScene& scene, Moments moments, const Reach& reach, const Resolution& resolution,
+  int most, std::uint32_t budget, std::uint32_t& nodes, FaceList& list) noexcept;
 
 } // namespace palpate

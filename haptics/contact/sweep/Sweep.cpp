@@ -56,6 +56,7 @@ SweepHit sweepListed(
   DiscFilter filter(widest, frame.centre_W, frame.perUnit, frame.extent);
   NearFilter near(widest, frame);
   double looked = 1.0; // so much of the way still matters
+  OneSurface<AnyScene> surfaces;
   for (int quad = 0; quad < list.quads(); ++quad)
   {
     if (best.work >= budget)
@@ -72,7 +73,7 @@ SweepHit sweepListed(
     for (; lanes != 0; lanes &= lanes - 1)
     {
       const FaceList::Face& face = list.face(quad * 4 + __builtin_ctz(static_cast<unsigned>(lanes)));
-      const auto& surface = surfaceOf(scene, face.surface);
+      const auto& surface = surfaces.of(scene, face.surface);
       askTree(surface, m,
         [&](const SweptBall& inSurface) noexcept
         {

@@ -132,11 +132,13 @@ private:
   std::array<DiscQuad, capacity / 4> discs_;
 };
 
-/// The faces around a ball that are kept from one tick to the next. They are of one content at one place of its way.
+/// The faces around a ball that are kept from one tick to the next. They are of one content. While surfaces bend, `far`
+/// holds for the rest of their way: a disc of it is a ball around a face wherever that is on it.
 struct FacesAround
 {
   std::uint64_t content = 0; ///< Scene::contentHash(); 0: nothing is kept
-  double share = 1.0;        ///< of the way of its surfaces
+  double share = 1.0;        ///< of the way of its surfaces, where `near` is
+  double since = 1.0;        ///< from this share on `far` holds
   bool isNew = true;         ///< opened in this tick: it is not yet known whether another tick follows
   double room_u = 0.0;       ///< how much further `far` reaches than the next tick needs
   double mostRoom_u = std::numeric_limits<double>::infinity(); ///< for which the faces are few enough
@@ -146,17 +148,23 @@ struct FacesAround
   FaceList far;    ///< within reach of the ticks to come
   FaceList near;   ///< of the last sweeps, mostly a part of `far`
 
+  /// True if discs are balls, which hold wherever the faces are on their way.
+  [[nodiscard]] bool bends() const noexcept { return this->since < 1.0; }
   /// Drops what is of another content or place.
   void openFor(std::uint64_t other, double otherShare) noexcept
   {
-    if (this->content != other || this->share != otherShare)
+    const bool sameContent = this->content == other;
+    if (!sameContent || otherShare < this->since)
     {
-      this->content = other;
-      this->share = otherShare;
-      this->isNew = true;
       this->far.clear();
+    }
+    if (!sameContent || this->share != otherShare)
+    {
       this->near.clear();
     }
+    this->isNew = this->isNew || !sameContent;
+    this->content = other;
+    this->share = otherShare;
   }
 };
 

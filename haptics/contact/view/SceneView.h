@@ -4,6 +4,8 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <optional>
+#include <type_traits>
 
 #include "haptics/contact/view/PosedSurface.h"
 #include "haptics/contact/view/SweptBall.h"
@@ -46,6 +48,33 @@ private:
   const Surface& surface = moving.scene().surfaces()[i];
   return { surface.tree->data(), surface.motion.at(moving.share()), surface.from.get(), moving.share() };
 }
+
+/// The surfaces of listed faces, of which one after the other is mostly of the same: one that moves is placed once.
+template<class AnyScene>
+class OneSurface
+{
+public:
+  [[nodiscard]] const auto& of(const AnyScene& scene, std::uint32_t i) noexcept
+  {
+    if constexpr (std::is_same_v<AnyScene, MovingScene>)
+    {
+      if (i != this->number_ || !this->placed_)
+      {
+        this->placed_.emplace(surfaceOf(scene, i));
+        this->number_ = i;
+      }
+      return *this->placed_;
+    }
+    else
+    {
+      return surfaceOf(scene, i);
+    }
+  }
+
+private:
+  std::optional<PosedSurface> placed_;
+  std::uint32_t number_ = 0;
+};
 
 /// How a tick looks at a scene: as the scene stands (Scene), or at a moment of its motion (MovingScene). Ask sceneOf()
 /// for the whole and surfaceOf() for one surface; the answers of a surface that stands cost nothing.

@@ -169,7 +169,7 @@ TEST(KeptFaces, AListHoldsEveryFaceWithinItsReach)
     resolution.include(Vec3::Constant(60.0));
     std::uint32_t nodes = 0;
     FaceList list;
-    ASSERT_TRUE(gatherFaces(*scene, reach, resolution, FaceList::capacity, 100000, nodes, list));
+    ASSERT_TRUE(gatherFaces(*scene, Moments::Now, reach, resolution, FaceList::capacity, 100000, nodes, list));
     std::vector<bool> listed(data.faces.size());
     for (int k = 0; k < list.count(); ++k)
     {
@@ -189,7 +189,7 @@ TEST(KeptFaces, AListThatIsTooLongForItsRoomIsEmptyAndSaysSo)
   const auto scene = sceneOf(NoisySphere(20000, 1.0).mesh());
   std::uint32_t nodes = 0;
   FaceList list;
-  EXPECT_FALSE(gatherFaces(*scene, { { 0, 0, 50 }, 40.0 }, {}, FaceList::capacity, 100000, nodes, list));
+  EXPECT_FALSE(gatherFaces(*scene, Moments::Now, { { 0, 0, 50 }, 40.0 }, {}, FaceList::capacity, 100000, nodes, list));
   EXPECT_EQ(list.count(), 0);
   EXPECT_FALSE(list.reach().covers(Reach{ { 0, 0, 50 }, 1.0 }));
 }

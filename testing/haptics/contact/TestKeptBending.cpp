@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lists of faces that are kept while surfaces bend, against ticks that know none: the same answer to the last bit.
+#include <cmath>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "haptics/contact/sweep/Neighbourhood.h"
+#include "haptics/contact/view/SceneView.h"
+#include "haptics/geometry/mesh/NearestOnTriangle.h"
+#include "testing/support/Bender.h"
+#include "testing/support/Curves.h"
+#include "testing/support/Meshes.h"
+#include "testing/support/NoisySphere.h"
+#include "testing/support/Random.h"
+#include "testing/support/RandomHand.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+/// A bending surface and its hand, a time at which snapshots come, and what stands beside the surface.
+struct Bent
+{
+  TriangleMesh mesh;
+  Bender::Path path;
+  int ticksPerSnapshot = 20;
+  double depth_u = 2e-3, radius_u = 1e-3;
+  std::vector<TriangleMesh> standing = {};
+  std::function<Pose(double)> pose_WS = {};
+  std::optional<double> lineRadius_u = {};
+  bool cutShort = false;
+};
+
+/// One of two runs of the same.
+struct Run
+{
+  Run(const Bent& bent, const ContactPlan& plan) : bender(bent.mesh, bent.path, bent.ticksPerSnapshot)
+  {
+    this->bender.lineRadius_u = bent.lineRadius_u;
+    this->bender.path_WS = bent.pose_WS;
+    this->bender.parameters.contact = plan;
+    for (const TriangleMesh& mesh : bent.standing)
+    {
+      this->bender.addStanding(mesh);
+    }
+  }
+  [[nodiscard]] const GodObjectState& ball() const { return this->bender.state.contact; }
+
+  Bender bender;
+};
+
+void expectSame(const TickOutput& a, const TickOutput& b, const Run& keeping, const Run& forgetting, int tick)
+{
+  const auto numbers = [](const TickOutput& out)
+  {
+    const HapticState& s = out.state;
+    return std::tie(s.contacts, s.passes, s.sweeps, s.friction, s.capped, s.overBudget, s.infeasible, s.pinned);
+  };
+  ASSERT_EQ(a.state.proxy_W.p, b.state.proxy_W.p) << "tick " << tick;
+  ASSERT_EQ(a.state.force_D, b.state.force_D) << "tick " << tick;
+  ASSERT_EQ(numbers(a), numbers(b)) << "tick " << tick;
+  ASSERT_EQ(keeping.ball().count, forgetting.ball().count) << "tick " << tick;
+  for (int i = 0; i < keeping.ball().count; ++i)
+  {
+    const auto at = static_cast<std::size_t>(i);
+    ASSERT_EQ(keeping.ball().features[at], forgetting.ball().features[at]) << "tick " << tick;
+  }
+}
+
+/// Returns how many ticks began with a list that holds while the surface bends.
+int compare(const Bent& bent, const ContactPlan& plan, std::uint64_t seed)
+{
+  Run keeping(bent, plan), forgetting(bent, plan);
+  RandomHand hand(bent.mesh, bent.depth_u, seed);
+  int listed = 0;
+  for (int i = 0; i < static_cast<int>(testCount(600)) && !testing::Test::HasFatalFailure(); ++i)
+  {
+    if (bent.cutShort && i % 23 == 11)
+    {
+      keeping.bender.cutShort();
+      forgetting.bender.cutShort();
+    }
+    const FacesAround& around = keeping.ball().around;
+    listed += around.bends() && around.far.count() > 0 ? 1 : 0;
+    forgetting.bender.state.contact.around = FacesAround{};
+    const Vec3 p_W = hand.next();
+    const TickOutput a = keeping.bender.tick(p_W), b = forgetting.bender.tick(p_W);
+    expectSame(a, b, keeping, forgetting, i);
+  }
+  return listed;
+}
+
+void expectTheSame(const Bent& bent, int seed, int least = 300)
+{
+  int listed = 0;
+  for (const double radius : { bent.radius_u, 0.0 })
+  {
+    ContactPlan plain, friction, shading;
+    plain.radius_u = friction.radius_u = shading.radius_u = radius;
+    friction.friction = { 0.5, 0.4 };
+    shading.shading = true;
+    for (const ContactPlan& plan : { plain, friction, shading })
+    {
+      listed += compare(bent, plan, testSeed(static_cast<std::uint64_t>(seed)));
+    }
+  }
+  EXPECT_GE(listed, least) << "no list was kept: nothing was compared";
+}
+
+TriangleMesh sphere(std::size_t triangles)
+{
+  return scaled(NoisySphere(triangles, 1.0).mesh(), 1e-3);
+}
+
+Vec3 swelling(const Vec3& v, double t_s)
+{
+  return (1.0 + 0.03 * std::sin(40.0 * t_s)) * v;
+}
+
+Vec3 waving(const Vec3& v, double t_s)
+{
+  return v + Vec3(0, 0, 2e-3 * std::sin(200.0 * v.x() - 12.0 * t_s));
+}
+
+TEST(KeptWhileBending, ChangeNoBitOnASphereThatSwells)
+{
+  expectTheSame({ sphere(20000), swelling }, 821);
+}
+
+TEST(KeptWhileBending, ChangeNoBitOnWavesOfARoughOne)
+{
+  Random random(testSeed(822));
+  TriangleMesh rough = sphere(20000);
+  for (Vec3& v : rough.vertices_W)
+  {
+    v *= 1.0 + 4e-3 * random.uniform(-1.0, 1.0);
+  }
+  expectTheSame({ .mesh = rough, .path = waving, .cutShort = true }, 823);
+}
+
+TEST(KeptWhileBending, ChangeNoBitOnLargeTrianglesAndInASoup)
+{
+  Random random(testSeed(824));
+  expectTheSame({ .mesh = sphere(500), .path = waving, .ticksPerSnapshot = 50, .radius_u = 5e-3 }, 825);
+  expectTheSame({ .mesh = makeSoup(300, 0.02, random), .path = waving, .depth_u = 1e-3, .radius_u = 5e-4 }, 826);
+}
+
+TEST(KeptWhileBending, ChangeNoBitBesideSurfacesThatStand)
+{
+  const std::vector<TriangleMesh> beside = { shifted(sphere(5000), { 0.03, 0, 0 }), sphere(500) };
+  expectTheSame({ .mesh = sphere(5000), .path = swelling, .standing = beside }, 827);
+}
+
+TEST(KeptWhileBending, ChangeNoBitInAPoseAndWhereItsFrameMoves)
+{
+  const auto posed = [](double) { return Pose{ Vec3(0.01, 0.02, 0), Quat(Eigen::AngleAxisd(0.7, Vec3::UnitX())) }; };
+  const auto turning = [](double t_s) {
+    return Pose{ Vec3(0.02 * t_s, 0, 0), Quat(Eigen::AngleAxisd(t_s, Vec3::UnitZ())) };
+  };
+  Bent bent{ .mesh = sphere(5000), .path = swelling, .depth_u = 0.02 };
+  bent.pose_WS = posed;
+  expectTheSame(bent, 828, 0);
+  bent.pose_WS = turning;
+  expectTheSame(bent, 829, 0);
+}
+
+TEST(KeptWhileBending, ChangeNoBitOnCurves)
+{
+  Random random(testSeed(830));
+  TriangleMesh lines;
+  for (std::uint32_t i = 0; i < 600; ++i)
+  {
+    lines.vertices_W.push_back(0.02 * Vec3(std::cos(0.1 * i), std::sin(0.1 * i), 2e-3 * i - 0.6) + random.inCube(3e-4));
+    if (i > 0)
+    {
+      lines.triangles.push_back({ i - 1, i, i });
+    }
+  }
+  expectTheSame({ .mesh = lines, .path = waving, .lineRadius_u = 5e-4 }, 831, 100);
+}
+
+TEST(KeptWhileBending, AListHoldsEveryFaceWithinItsReachToTheEndOfTheWay)
+{
+  Bender bender(sphere(2000), waving, 50);
+  Random random(testSeed(832));
+  for (std::size_t i = 0; i < testCount(100); ++i)
+  {
+    const double since = random.uniform();
+    static_cast<void>(bender.tick({ 0, 0, 0.1 }));
+    const Scene& scene = *bender.scene();
+    const Reach reach{ 0.05 * random.direction() + random.inCube(2e-3), random.uniform(5e-4, 5e-3) };
+    Resolution resolution;
+    resolution.include(Vec3::Constant(0.06));
+    std::uint32_t nodes = 0;
+    FaceList list;
+    ASSERT_TRUE(gatherFaces(
+      MovingScene(scene, since), Moments::ToTheEnd, reach, resolution, FaceList::capacity, 100000, nodes, list));
+    std::vector<bool> listed(scene.surfaces()[0].tree->mesh().triangles.size());
+    for (int k = 0; k < list.count(); ++k)
+    {
+      listed[list.face(k).triangle] = true;
+    }
+    for (const double share : { since, random.uniform(since, 1.0), random.uniform(since, 1.0), 1.0 })
+    {
+      const PosedSurface surface = surfaceOf(MovingScene(scene, share), 0);
+      for (std::uint32_t t = 0; t < listed.size(); ++t)
+      {
+        const auto [a, b, c] = surface.cornersOf(t);
+        const double distance_u = (nearestOnTriangle(reach.centre_W, a, b, c) - reach.centre_W).norm();
+        ASSERT_TRUE(listed[t] || distance_u > reach.reach_u) << "face " << t << " at " << share;
+      }
+    }
+  }
+}
+
+} // namespace
+} // namespace palpate::test
