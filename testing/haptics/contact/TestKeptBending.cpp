@@ -22,7 +22,7 @@ namespace palpate::test
 namespace
 {
 
-/// A bending surface and its hand, a time at which snapshots come, and what stands beside the surface.
+/// A bending surface and its hand, a time at which snapshots come, and a body that stands beside the surface.
 struct Bent
 {
   TriangleMesh mesh;
