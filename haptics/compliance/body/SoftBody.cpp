@@ -2,6 +2,8 @@
 #include "haptics/compliance/body/SoftBody.h"
 
 #include <algorithm>
+#include <functional>
+#include <future>
 #include <limits>
 
 #include "haptics/compliance/body/SurfaceLoads.h"
@@ -41,6 +43,23 @@ std::string refuseBytes(std::size_t bytes, std::size_t most)
   }
   return "the body needs about " + std::to_string(bytes >> 20) + " MB, more than the " + std::to_string(most >> 20) +
          " MB allowed: mesh it coarser";
+}
+
+/// Points of strain: above, a second thread takes one half.
+constexpr std::size_t mostAlone = 4000;
+
+/// Of points, part(begin, end) added up. What comes out does not depend on which half is done first.
+template<class Part>
+auto sumOf(std::size_t count, const Part& part)
+{
+  if (count <= mostAlone)
+  {
+    return part(0, count);
+  }
+  auto other = std::async(part, count / 2, count); // here, where no thread is to be had
+  auto sum = part(0, count / 2);
+  sum += other.get();
+  return sum;
 }
 
 } // namespace
@@ -92,22 +111,33 @@ void SoftBody::addForces(const StrainPoint& p, const Mat3& f, Eigen::VectorXd& o
 Eigen::VectorXd SoftBody::forcesAt(const Eigen::VectorXd& displacement) const
 {
   const std::span<const double> at(displacement.data(), static_cast<std::size_t>(displacement.size()));
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(displacement.size());
-  for (const StrainPoint& p : this->points_.points)
-  {
-    this->addForces(p, this->points_.deformationAt(p, at), forces);
-  }
-  return forces;
+  return sumOf(this->points_.points.size(),
+    [this, at](std::size_t begin, std::size_t end)
+    {
+      Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(at.size()));
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const StrainPoint& p = this->points_.points[i];
+        this->addForces(p, this->points_.deformationAt(p, at), forces);
+      }
+      return forces;
+    });
 }
 
 double SoftBody::energyAt(const Eigen::VectorXd& displacement) const
 {
   const std::span<const double> at(displacement.data(), static_cast<std::size_t>(displacement.size()));
-  double energy = 0.0;
-  for (const StrainPoint& p : this->points_.points)
-  {
-    energy += p.volume_u3 * energyDensity(this->model_, p.moduli, this->points_.deformationAt(p, at));
-  }
+  const double energy = sumOf(this->points_.points.size(),
+    [this, at](std::size_t begin, std::size_t end)
+    {
+      double sum = 0.0;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const StrainPoint& p = this->points_.points[i];
+        sum += p.volume_u3 * energyDensity(this->model_, p.moduli, this->points_.deformationAt(p, at));
+      }
+      return sum;
+    });
   return energy - this->always_N_.dot(displacement);
 }
 
@@ -142,16 +172,38 @@ SoftBodyState SoftBody::stateUnder(const Eigen::VectorXd& load_N) const
   return state;
 }
 
-void SoftBody::assemble()
+void SoftBody::addPoints(std::size_t begin, std::size_t end, SparseLower& k) const
 {
   const std::span<const double> at(this->displacement_.data(), static_cast<std::size_t>(this->displacement_.size()));
-  this->stiffness_ = this->pattern_.zeros();
-  for (std::size_t i = 0; i < this->points_.points.size(); ++i)
+  for (std::size_t i = begin; i < end; ++i)
   {
     const StrainPoint& p = this->points_.points[i];
     this->pattern_.add(
-      this->stiffness_, this->points_, i, stressDerivative(this->model_, p.moduli, this->points_.deformationAt(p, at)));
+      k, this->points_, i, stressDerivative(this->model_, p.moduli, this->points_.deformationAt(p, at)));
   }
+}
+
+/// Each half of many points has numbers of its own.
+void SoftBody::assemble()
+{
+  const auto clear = [this](SparseLower& k)
+  {
+    k = k.values.empty() ? this->pattern_.zeros() : std::move(k);
+    std::ranges::fill(k.values, 0.0);
+  };
+  const std::size_t count = this->points_.points.size();
+  clear(this->stiffness_);
+  if (count <= mostAlone)
+  {
+    this->addPoints(0, count, this->stiffness_);
+    return;
+  }
+  clear(this->otherHalf_);
+  auto other = std::async([this, count] { this->addPoints(count / 2, count, this->otherHalf_); });
+  this->addPoints(0, count / 2, this->stiffness_);
+  other.get();
+  std::ranges::transform(
+    this->stiffness_.values, this->otherHalf_.values, this->stiffness_.values.begin(), std::plus<>());
 }
 
 bool SoftBody::factorAssembled()
@@ -161,6 +213,7 @@ bool SoftBody::factorAssembled()
   if (!this->stiffnessChanges())
   {
     this->stiffness_ = {}; // it is not asked for again
+    this->otherHalf_ = {};
   }
   return factored;
 }
@@ -171,14 +224,15 @@ bool SoftBody::refactor()
   return this->factorAssembled();
 }
 
-std::optional<Eigen::VectorXd> SoftBody::newtonStep(const Eigen::VectorXd& open)
+std::optional<Eigen::VectorXd> SoftBody::newtonStep(const Eigen::VectorXd& open, double share)
 {
   this->assemble();
   if (this->factoring_ == Factoring::WhenOld && this->factor_.ready())
   {
-    constexpr double share = 1e-3;
     constexpr int mostIterations = 8; // as many solves cost about a factor
-    if (OldFactorAnswer answer = solveByOldFactor(this->stiffness_, this->factor_, open, share, mostIterations);
+    this->factor_.keepSingle();
+    if (OldFactorAnswer answer =
+          solveByOldFactor(this->stiffness_, this->factor_.single(), open, share, mostIterations);
         answer.reached)
     {
       return std::move(answer.x);
@@ -191,9 +245,12 @@ bool SoftBody::settle(const Eigen::VectorXd& load_N, int steps, const std::stop_
 {
   if (!this->stiffnessChanges())
   {
-    this->displacement_ = this->linearAnswer(load_N + this->always_N_);
+    this->displacement_ = this->restUnder(load_N);
     return true;
   }
+  // What the stiffness of the first state leaves of a load that has changed is more than this, so no more is asked for.
+  constexpr double firstShare = 0.03, laterShare = 1e-3;
+  double energy = this->energyAt(this->displacement_);
   for (int i = 0; i < steps && !stop.stop_requested(); ++i)
   {
     const Eigen::VectorXd inner = this->innerForces();
@@ -203,34 +260,36 @@ bool SoftBody::settle(const Eigen::VectorXd& load_N, int steps, const std::stop_
     {
       return true;
     }
-    const std::optional<Eigen::VectorXd> step = this->newtonStep(open);
+    const std::optional<Eigen::VectorXd> step = this->newtonStep(open, i == 0 && steps > 1 ? firstShare : laterShare);
     if (!step)
     {
       return false;
     }
-    this->stepDown(load_N, this->scatter(*step), open.dot(*step));
+    energy = this->stepDown(load_N, this->scatter(*step), open.dot(*step), energy);
   }
   return true;
 }
 
-void SoftBody::stepDown(const Eigen::VectorXd& load_N, const Eigen::VectorXd& step, double slope)
+double SoftBody::stepDown(const Eigen::VectorXd& load_N, const Eigen::VectorXd& step, double slope, double before)
 {
   constexpr double enough = 1e-4; // Armijo's share of what the slope promises.
   constexpr int mostHalvings = 20;
-  const double before = this->energyAt(this->displacement_);
   const double work = load_N.dot(step);
   // Below what rounding leaves of the energy nothing can be judged: the step is as good as its length is small.
   const double rounding = 1e-14 * (std::abs(before) + std::abs(work));
+  const Eigen::VectorXd from = this->displacement_;
   double length = 1.0;
-  for (int i = 0; i < mostHalvings; ++i, length *= 0.5)
+  double after = 0.0;
+  for (int i = 0; i <= mostHalvings; ++i, length *= 0.5)
   {
-    const double now = this->energyAt(this->displacement_ + length * step) - length * work;
-    if (now <= before - enough * length * slope + rounding)
+    this->displacement_ = from + length * step;
+    after = this->energyAt(this->displacement_);
+    if (after - length * work <= before - enough * length * slope + rounding)
     {
       break;
     }
   }
-  this->displacement_ += length * step;
+  return after;
 }
 
 SparseColumns SoftBody::ofFree(const SparseColumns& h) const

@@ -53,14 +53,15 @@ public:
   [[nodiscard]] const Eigen::VectorXd& displacement() const { return this->displacement_; }
   /// The displacement under the permanent loads alone.
   [[nodiscard]] const Eigen::VectorXd& atRest() const { return this->atRest_; }
+  [[nodiscard]] bool isHeld(std::size_t node) const { return this->pattern_.numbers()[node] < 0; }
   [[nodiscard]] std::size_t factorBytes() const { return this->factor_.bytes(); }
 
   /// Factors the stiffness of the present state. False if it is not positive definite.
   [[nodiscard]] bool refactor();
   /// Newton steps towards the rest under `load_N` (three numbers a node), each as long as it lowers the energy: up to
   /// `steps`, or until nothing is left unbalanced but rounding. False if a factor failed: the state stays as it was.
-  /// Steps by an old factor are solved to a thousandth; compliance() and linearAnswer() are then of that factor. No
-  /// other step begins once a stop is asked for.
+  /// Steps by an old factor are solved to a thousandth, the first of several to three hundredths; compliance() and
+  /// linearAnswer() are then of that factor. No other step begins once a stop is asked for.
   [[nodiscard]] bool settle(const Eigen::VectorXd& load_N, int steps, const std::stop_token& stop = {});
   /// Finds the equilibrium under new permanent loads, in addition to all other loads, three numbers per node [N]. False
   /// if it does not come to rest there, or a stop was asked for.
@@ -84,6 +85,11 @@ public:
   [[nodiscard]] Eigen::MatrixXd compliance(const SparseColumns& h, const SparseColumns& n) const;
   /// Displacement by the last factor: K^-1 load, three numbers a node [u].
   [[nodiscard]] Eigen::VectorXd linearAnswer(const Eigen::VectorXd& load_N) const;
+  /// The rest under a load of a body whose stiffness never changes; it is not brought there.
+  [[nodiscard]] Eigen::VectorXd restUnder(const Eigen::VectorXd& load_N) const
+  {
+    return this->linearAnswer(load_N + this->always_N_);
+  }
 
 private:
   /// Nodal forces of the strain at a point with deformation gradient `f` [N].
@@ -94,15 +100,21 @@ private:
   [[nodiscard]] Eigen::VectorXd gather(const Eigen::VectorXd& ofNodes) const;
   [[nodiscard]] Eigen::VectorXd scatter(const Eigen::VectorXd& ofFree) const;
   void assemble();
+  /// Adds the stiffness of the points from `begin` to `end`.
+  void addPoints(std::size_t begin, std::size_t end, SparseLower& k) const;
   [[nodiscard]] bool factorAssembled();
-  /// The step that the stiffness of this state makes of open forces; nothing where it could not be factored.
-  [[nodiscard]] std::optional<Eigen::VectorXd> newtonStep(const Eigen::VectorXd& open);
-  void stepDown(const Eigen::VectorXd& load_N, const Eigen::VectorXd& step, double slope);
+  /// The step that the stiffness of this state makes of open forces, by an old factor solved to that share; nothing
+  /// where it could not be factored.
+  [[nodiscard]] std::optional<Eigen::VectorXd> newtonStep(const Eigen::VectorXd& open, double share);
+  /// From a state with that elastic energy; the one after it.
+  [[nodiscard]] double stepDown(
+    const Eigen::VectorXd& load_N, const Eigen::VectorXd& step, double slope, double before);
 
   StrainPoints points_;
   ElasticModel model_;
   StiffnessPattern pattern_;
   SparseLower stiffness_;
+  SparseLower otherHalf_; ///< of half of the points, while they are added up
   SparseFactor factor_;
   Factoring factoring_;
   std::size_t factorings_ = 0;

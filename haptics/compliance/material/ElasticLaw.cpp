@@ -130,45 +130,27 @@ Mat3 withoutNegative(const Mat3& symmetric)
   return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).asDiagonal() * solver.eigenvectors().transpose();
 }
 
-Mat9 inStretches(const PrincipalHessian& h)
+StressDerivative derivativeOf(const PrincipalHessian& h)
 {
-  Mat9 d = Mat9::Zero();
-  const Mat3 scaling = withoutNegative(h.scaling);
+  StressDerivative d;
+  d.stretch = withoutNegative(h.scaling);
+  d.straight.diagonal() = d.stretch.diagonal();
+  d.crossed.setZero();
   for (int k = 0; k < 3; ++k)
   {
-    for (int l = 0; l < 3; ++l)
-    {
-      d(4 * k, 4 * l) = scaling(k, l);
-    }
-    const int ij = 3 * ((k + 2) % 3) + (k + 1) % 3;
-    const int ji = 3 * ((k + 1) % 3) + (k + 2) % 3;
+    const int i = (k + 1) % 3;
+    const int j = (k + 2) % 3;
     const double flip = std::max(h.flip[k], 0.0);
     const double twist = std::max(h.twist[k], 0.0);
-    d(ij, ij) = d(ji, ji) = 0.5 * (flip + twist);
-    d(ij, ji) = d(ji, ij) = 0.5 * (flip - twist);
+    d.straight(i, j) = d.straight(j, i) = 0.5 * (flip + twist);
+    d.crossed(i, j) = d.crossed(j, i) = 0.5 * (flip - twist);
   }
   return d;
 }
 
-Mat9 turned(const PrincipalStretches& p, const Mat9& d)
+PrincipalHessian hookeHessian(const ElasticModuli& m)
 {
-  Mat9 turn;
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      turn.block<3, 3>(3 * i, 3 * j) = p.v(i, j) * p.u;
-    }
-  }
-  const Mat9 half = turn.lazyProduct(d); // the blocks that a product is usually cut to are larger
-  return half.lazyProduct(turn.transpose());
-}
-
-Mat9 hookeDerivative(const ElasticModuli& m)
-{
-  const PrincipalHessian h{ Mat3::Constant(m.lambda) + 2.0 * m.mu * Mat3::Identity(), Vec3::Constant(2.0 * m.mu),
-    Vec3::Zero() };
-  return inStretches(h);
+  return { Mat3::Constant(m.lambda) + 2.0 * m.mu * Mat3::Identity(), Vec3::Constant(2.0 * m.mu), Vec3::Zero() };
 }
 
 std::string saying(const char* before, double value, const char* after)
@@ -239,16 +221,18 @@ Mat3 stressOf(ElasticModel model, const ElasticModuli& moduli, const Mat3& f)
   }
 }
 
-Mat9 stressDerivative(ElasticModel model, const ElasticModuli& moduli, const Mat3& f)
+StressDerivative stressDerivative(ElasticModel model, const ElasticModuli& moduli, const Mat3& f)
 {
   if (model == ElasticModel::Linear)
   {
-    return hookeDerivative(moduli);
+    return derivativeOf(hookeHessian(moduli));
   }
   const PrincipalStretches p = principalStretches(f);
-  const PrincipalHessian h =
-    model == ElasticModel::NeoHookean ? neoHookeanHessian(moduli, p.s) : coRotationalHessian(moduli, p.s);
-  return turned(p, inStretches(h));
+  StressDerivative d =
+    derivativeOf(model == ElasticModel::NeoHookean ? neoHookeanHessian(moduli, p.s) : coRotationalHessian(moduli, p.s));
+  d.u = p.u;
+  d.v = p.v;
+  return d;
 }
 
 } // namespace palpate

@@ -10,8 +10,6 @@
 namespace palpate
 {
 
-using Mat9 = Eigen::Matrix<double, 9, 9>;
-
 /// How stress follows from deformation. F is the deformation gradient, 1 at rest.
 enum class ElasticModel : std::uint8_t
 {
@@ -42,8 +40,26 @@ struct ElasticModuli
 /// First Piola-Kirchhoff stress P = d energy / dF [N/u^2].
 [[nodiscard]] Mat3 stressOf(ElasticModel model, const ElasticModuli& moduli, const Mat3& f);
 
-/// dP/dF [N/u^2] on the columns of F one below the other. Eigenvalues below 0 are set to 0, so that a Newton step goes
-/// down: by the signed singular values (Smith, de Goes & Kim 2019, "Analytic eigensystems").
-[[nodiscard]] Mat9 stressDerivative(ElasticModel model, const ElasticModuli& moduli, const Mat3& f);
+/// dP/dF [N/u^2] in the frames of the principal stretches, where few of its 81 numbers are not 0. Eigenvalues below 0
+/// are set to 0, so that a Newton step goes down: by the signed singular values (Smith, de Goes & Kim 2019, "Analytic
+/// eigensystems").
+struct StressDerivative
+{
+  Mat3 u = Mat3::Identity(); ///< F = u s v^T
+  Mat3 v = Mat3::Identity();
+  Mat3 stretch;  ///< of stress i by stretch k
+  Mat3 straight; ///< of component ij by component ij of F; the diagonal is that of `stretch`
+  Mat3 crossed;  ///< of component ij by component ji
+
+  /// Sum over j, l of a_j (dP_ij / dF_kl) b_l, for two gradients that v^T has turned.
+  [[nodiscard]] Mat3 between(const Vec3& a, const Vec3& b) const
+  {
+    Mat3 inFrame = this->stretch.cwiseProduct(a * b.transpose()) + this->crossed.cwiseProduct(b * a.transpose());
+    inFrame.diagonal() = this->straight * a.cwiseProduct(b);
+    return this->u * inFrame * this->u.transpose();
+  }
+};
+
+[[nodiscard]] StressDerivative stressDerivative(ElasticModel model, const ElasticModuli& moduli, const Mat3& f);
 
 } // namespace palpate

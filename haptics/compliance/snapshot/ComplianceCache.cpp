@@ -3,8 +3,18 @@
 
 #include <algorithm>
 
+#include "haptics/compliance/body/KeptInverse.h"
+
 namespace palpate
 {
+namespace
+{
+
+/// By a factor, the columns of one of so many vertices cost as much as the compliance of all, which takes no solve
+/// backwards and half of the product.
+constexpr std::size_t moreThanAllOf = 2;
+
+} // namespace
 
 bool ComplianceCache::knows(std::uint32_t vertex) const
 {
@@ -16,49 +26,75 @@ Eigen::Index ComplianceCache::rowOf(std::uint32_t vertex) const
   return 3 * (std::ranges::find(this->vertices_, vertex) - this->vertices_.begin());
 }
 
-std::vector<std::uint32_t> ComplianceCache::learn(const std::vector<std::uint32_t>& wanted, std::size_t most)
+std::vector<std::uint32_t> ComplianceCache::unknownOf(const std::vector<std::uint32_t>& wanted) const
 {
-  std::vector<std::uint32_t> known;
   std::vector<std::uint32_t> unknown;
-  for (const std::uint32_t vertex : wanted)
+  std::ranges::copy_if(wanted, std::back_inserter(unknown), [this](std::uint32_t v) { return !this->knows(v); });
+  return unknown;
+}
+
+std::vector<std::uint32_t> ComplianceCache::learn(
+  const std::vector<std::uint32_t>& wanted, std::size_t most, const KeptInverse* kept)
+{
+  std::vector<std::uint32_t> unknown = this->unknownOf(wanted);
+  if (unknown.empty())
   {
-    const bool isNew = !this->knows(vertex);
-    if (!isNew || this->vertices_.empty() || unknown.size() < most)
-    {
-      known.push_back(vertex);
-      unknown.insert(unknown.end(), isNew ? 1 : 0, vertex);
-    }
+    return wanted;
   }
+  if (kept && !kept->knows(this->patches_.columnsOf(this->vertices_)))
+  {
+    this->makeRoom(wanted, mostKnown); // for what it could not pair with those that are new
+  }
+  const bool all = kept || this->vertices_.empty() || unknown.size() <= most;
+  if (!all)
+  {
+    unknown.resize(most);
+  }
+  if (all && !kept && moreThanAllOf * unknown.size() > wanted.size())
+  {
+    unknown = wanted;
+    this->forget();
+  }
+  std::vector<std::uint32_t> known;
+  std::ranges::copy_if(wanted, std::back_inserter(known),
+    [&](std::uint32_t v) { return this->knows(v) || std::ranges::find(unknown, v) != unknown.end(); });
   if (!unknown.empty())
   {
-    std::vector<std::uint32_t> kept;
-    std::ranges::copy_if(known, std::back_inserter(kept), [this](std::uint32_t v) { return this->knows(v); });
-    for (const std::uint32_t vertex : this->vertices_)
-    {
-      if (kept.size() + unknown.size() < mostKnown && std::ranges::find(kept, vertex) == kept.end())
-      {
-        kept.push_back(vertex);
-      }
-    }
-    this->blocks_ = this->between(kept);
-    this->vertices_ = std::move(kept);
-    this->add(unknown);
+    this->makeRoom(known, unknown.size());
+    this->add(unknown, kept);
   }
   return known;
 }
 
-void ComplianceCache::add(const std::vector<std::uint32_t>& unknown)
+/// Forgets the oldest of those that are not asked for.
+void ComplianceCache::makeRoom(const std::vector<std::uint32_t>& wanted, std::size_t more)
+{
+  std::vector<std::uint32_t> left;
+  std::ranges::copy_if(wanted, std::back_inserter(left), [this](std::uint32_t v) { return this->knows(v); });
+  for (const std::uint32_t vertex : this->vertices_)
+  {
+    if (left.size() + more < mostKnown && std::ranges::find(left, vertex) == left.end())
+    {
+      left.push_back(vertex);
+    }
+  }
+  this->blocks_ = this->between(left);
+  this->vertices_ = std::move(left);
+}
+
+void ComplianceCache::add(const std::vector<std::uint32_t>& unknown, const KeptInverse* kept)
 {
   const auto before = static_cast<Eigen::Index>(3 * this->vertices_.size());
   const auto more = static_cast<Eigen::Index>(3 * unknown.size());
   this->vertices_.insert(this->vertices_.end(), unknown.begin(), unknown.end());
   const SparseColumns all = this->patches_.columnsOf(this->vertices_);
-  if (before == 0)
+  if (before == 0 && !kept)
   {
     this->blocks_ = this->body_.compliance(all);
     return;
   }
-  const Eigen::MatrixXd columns = this->body_.compliance(all, this->patches_.columnsOf(unknown));
+  const SparseColumns added = this->patches_.columnsOf(unknown);
+  const Eigen::MatrixXd columns = kept ? kept->compliance(all, added) : this->body_.compliance(all, added);
   this->blocks_.conservativeResize(before + more, before + more);
   this->blocks_.bottomLeftCorner(more, before) = columns.topRows(before).transpose();
   // Of what rounding makes of the pairs among the new ones, one half counts.

@@ -63,7 +63,9 @@ struct ComplianceSnapshot
   double energy_Nu = 0.0;             ///< elastic energy, those forces taken off by this compliance
   double residual_N = 0.0;            ///< that its Newton steps left
   bool struck = false;                ///< the hand is faster than the body can follow: its inertia is not computed
-  double mostGradient = 0.0;          ///< largest |F - 1|: from .1 small strain is a few per cent off, from .5 far off
+  /// Largest |F - 1|: from .1 small strain is a few per cent off, from .5 far off. 0 of a body that was not brought to
+  /// its rest (SnapshotMaker::answerBy).
+  double mostGradient = 0.0;
 
   [[nodiscard]] Mat3 between(std::uint32_t a, std::uint32_t b) const noexcept
   {

@@ -6,7 +6,7 @@
 namespace palpate
 {
 
-void takeSecant(const std::vector<Vec3>& beyond_u, ComplianceSnapshot& snapshot)
+Eigen::VectorXd loadOnPlaces(const ComplianceSnapshot& snapshot)
 {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(snapshot.compliance.rows());
   for (std::size_t i = 0; i < snapshot.forceAt.size(); ++i)
@@ -17,19 +17,20 @@ void takeSecant(const std::vector<Vec3>& beyond_u, ComplianceSnapshot& snapshot)
       load.segment<3>(3 * snapshot.placeOf[at.vertices[c]]) += at.weights[c] * snapshot.force_N[i];
     }
   }
+  return load;
+}
+
+void takeSecant(const Eigen::VectorXd& moved_u, ComplianceSnapshot& snapshot)
+{
+  const Eigen::VectorXd load = loadOnPlaces(snapshot);
   Eigen::VectorXd tangent = snapshot.compliance * load;
-  Eigen::VectorXd secant = tangent;
-  for (std::size_t i = 0; i < snapshot.near.size(); ++i)
-  {
-    secant.segment<3>(3 * static_cast<Eigen::Index>(i)) += beyond_u[snapshot.near[i]];
-  }
   const double byTangent = load.dot(tangent);
-  const double bySecant = load.dot(secant);
+  const double bySecant = load.dot(moved_u);
   if (byTangent > 0.0 && bySecant > 0.0)
   {
     // Scaled before they are multiplied: the products are symmetric to the last bit.
     tangent /= std::sqrt(byTangent);
-    secant /= std::sqrt(bySecant);
+    const Eigen::VectorXd secant = moved_u / std::sqrt(bySecant);
     snapshot.compliance += secant * secant.transpose() - tangent * tangent.transpose();
   }
 }

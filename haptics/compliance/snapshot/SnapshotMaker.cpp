@@ -7,6 +7,7 @@
 #include <limits>
 #include <queue>
 
+#include "haptics/compliance/body/KeptInverse.h"
 #include "haptics/compliance/snapshot/PointCompliance.h"
 #include "haptics/compliance/snapshot/SecantStep.h"
 
@@ -248,18 +249,26 @@ void SnapshotMaker::choose(const SnapshotRequest& request, ComplianceSnapshot& s
   snapshot.struck = speed * std::max(this->naturalPeriod_s_, request.period_s) > this->surface_.patch_u[at];
 }
 
+void SnapshotMaker::answerBy(std::shared_ptr<const KeptInverse> kept)
+{
+  this->kept_ = this->body_.stiffnessChanges() ? nullptr : std::move(kept);
+}
+
 void SnapshotMaker::addCompliance(Spread& spread, ComplianceSnapshot& snapshot)
 {
-  if (this->body_.stiffnessChanges())
+  this->byKept_ = this->kept_ && this->kept_->knows(spread.patches.columnsOf(snapshot.near));
+  if (spread.factoring != this->body_.factorings())
   {
-    snapshot.compliance = this->body_.compliance(spread.patches.columnsOf(snapshot.near));
+    spread.factoring = this->body_.factorings();
+    spread.known.forget();
     spread.rungs.clear();
+    spread.depths.clear();
   }
-  else
-  {
-    snapshot.near = spread.known.learn(snapshot.near, newVertices(this->body_.factorBytes()));
-    snapshot.compliance = spread.known.between(snapshot.near);
-  }
+  // What is not known of a factor that will be another one soon is not worth to be left out.
+  const std::size_t most =
+    this->body_.stiffnessChanges() ? ComplianceSnapshot::mostVertices : newVertices(this->body_.factorBytes());
+  snapshot.near = spread.known.learn(snapshot.near, most, this->byKept_ ? this->kept_.get() : nullptr);
+  snapshot.compliance = spread.known.between(snapshot.near);
   snapshot.placeOf = distancesFrom(this->surface_, snapshot.free_W, snapshot.near).from;
 }
 
@@ -309,7 +318,7 @@ void SnapshotMaker::prepareSurface(const ComplianceSnapshot& snapshot)
   {
     this->layer_.emplace(this->surface_.poisson);
   }
-  if (this->normals_W_.empty() || this->body_.stiffnessChanges())
+  if (this->normals_W_.empty())
   {
     this->normals_W_ = normalsOf(this->surface_, snapshot.free_W);
   }
@@ -352,7 +361,7 @@ void SnapshotMaker::addSprings(const SnapshotRequest& request, Spread& spread, C
   }
   this->prepareSurface(snapshot);
   this->learnRungs(spread, snapshot);
-  if (this->body_.stiffnessChanges() || spread.ball_u != request.radius_u)
+  if (spread.ball_u != request.radius_u)
   {
     spread.depths.clear();
     spread.ball_u = request.radius_u;
@@ -381,22 +390,25 @@ void SnapshotMaker::addSprings(const SnapshotRequest& request, Spread& spread, C
   }
 }
 
-/// How far the surface has moved beyond the answer of the last factor to the load.
-std::vector<Vec3> SnapshotMaker::beyondTangent_u(const Eigen::VectorXd& load_N) const
+/// What it stores is half of what its forces do; at its rest nothing is left of them, and how far it is strained inside
+/// is not asked for.
+SoftBodyState SnapshotMaker::stateOf(const ComplianceSnapshot& snapshot) const
 {
-  const Eigen::VectorXd& atRest = this->body_.atRest();
-  std::vector<Vec3> beyond_u =
-    this->surface_.placesOf(atRest, this->body_.displacement() - this->body_.linearAnswer(load_N));
-  std::ranges::transform(
-    beyond_u, this->untouched_W_, beyond_u.begin(), [](const Vec3& a, const Vec3& b) { return Vec3(a - b); });
-  return beyond_u;
+  if (this->isSettled())
+  {
+    return this->body_.stateUnder(this->load_N_);
+  }
+  const Eigen::VectorXd load = loadOnPlaces(snapshot);
+  SoftBodyState state;
+  state.energy_Nu = 0.5 * load.dot(snapshot.compliance * load);
+  return state;
 }
 
 std::shared_ptr<const ComplianceSnapshot> SnapshotMaker::make(const SnapshotRequest& request, int newtonSteps)
 {
   Spread& spread = this->spreadFor(request);
-  const Eigen::VectorXd load = this->loadOf(request, spread);
-  if (!this->body_.settle(load, newtonSteps))
+  this->load_N_ = this->loadOf(request, spread);
+  if (this->isSettled() && !this->body_.settle(this->load_N_, newtonSteps))
   {
     return nullptr;
   }
@@ -408,14 +420,15 @@ std::shared_ptr<const ComplianceSnapshot> SnapshotMaker::make(const SnapshotRequ
   snapshot->free_W = this->untouched_W_;
   this->choose(request, *snapshot);
   this->addCompliance(spread, *snapshot);
-  this->addSprings(request, spread, *snapshot);
   snapshot->forceAt = request.forceAt;
   snapshot->force_N = request.force_N;
+  this->addSprings(request, spread, *snapshot);
   if (this->body_.stiffnessChanges())
   {
-    takeSecant(this->beyondTangent_u(load), *snapshot);
+    takeSecant(
+      spread.patches.displacementsOf(snapshot->near, this->body_.displacement() - this->body_.atRest()), *snapshot);
   }
-  const SoftBodyState state = this->body_.stateUnder(load);
+  const SoftBodyState state = this->stateOf(*snapshot);
   snapshot->energy_Nu = state.energy_Nu - 0.5 * forceYieldOf(*snapshot);
   if (request.tip_u > 0.0 && request.radius_u <= 0.0)
   {

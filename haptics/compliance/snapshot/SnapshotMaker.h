@@ -51,6 +51,15 @@ public:
   /// Brings the body to its rest under the tool's force by so many Newton steps, and extracts the snapshot for the
   /// servo. Null if a factor failed.
   [[nodiscard]] std::shared_ptr<const ComplianceSnapshot> make(const SnapshotRequest& request, int newtonSteps = 3);
+  /// From now on a body whose stiffness never changes answers from this where it knows the nodes that are pressed, else
+  /// by the factor; in either case without being brought to its rest: see load_N(). Null: nothing is kept, and it is.
+  void answerBy(std::shared_ptr<const KeptInverse> kept);
+  /// Whether the last snapshot was such an answer of what is kept.
+  [[nodiscard]] bool answeredByKept() const { return this->byKept_; }
+  /// Whether the body is at its rest under the load of the last snapshot, as far as Newton steps led.
+  [[nodiscard]] bool isSettled() const { return !this->kept_; }
+  /// The load of the last snapshot on the nodes of the body [N].
+  [[nodiscard]] const Eigen::VectorXd& load_N() const { return this->load_N_; }
   /// How many widths of patches something is kept of: no more than mostWidths.
   [[nodiscard]] std::size_t widths() const { return this->spreads_.size(); }
 
@@ -64,7 +73,8 @@ private:
     }
 
     SpreadPatches patches;
-    ComplianceCache known;                                 ///< where its stiffness never changes
+    ComplianceCache known;                                 ///< of one factor
+    std::size_t factoring = 0;                             ///< which one
     std::map<std::uint32_t, std::vector<PatchRung>> rungs; ///< within each vertex's patch, likewise
     std::map<std::uint32_t, BallDepth> depths;             ///< of a ball there, likewise
     double ball_u = 0.0;                                   ///< its radius
@@ -76,26 +86,29 @@ private:
   [[nodiscard]] Eigen::VectorXd loadOf(const SnapshotRequest& request, Spread& spread) const;
   void choose(const SnapshotRequest& request, ComplianceSnapshot& snapshot) const;
   void addCompliance(Spread& spread, ComplianceSnapshot& snapshot);
+  [[nodiscard]] SoftBodyState stateOf(const ComplianceSnapshot& snapshot) const;
   void learnRungs(Spread& spread, const ComplianceSnapshot& snapshot) const;
   [[nodiscard]] BallDepth depthAt(
     const ComplianceSnapshot& snapshot, std::size_t place, double ball_u, const std::vector<PatchRung>& within) const;
   [[nodiscard]] double edgeThatLacks_u(std::uint32_t vertex) const;
   void addTips(double tip_u, ComplianceSnapshot& snapshot);
   void prepareSurface(const ComplianceSnapshot& snapshot);
-  [[nodiscard]] std::vector<Vec3> beyondTangent_u(const Eigen::VectorXd& load_N) const;
   void addSprings(const SnapshotRequest& request, Spread& spread, ComplianceSnapshot& snapshot);
 
   SoftBody& body_;
   const SoftSurface& surface_;
   double naturalPeriod_s_;
-  std::vector<Vec3> untouched_W_;        ///< the surface under the permanent loads
-  std::vector<Vec3> normals_W_;          ///< of its vertices, to either side; empty: not asked for yet
-  std::optional<LayerCompliance> layer_; ///< of its material, likewise
-  std::optional<BallDepth> under_;       ///< where the ball was in the last snapshot
-  double radius_u_ = 0.0;                ///< of the ball that spreads are for
-  double tip_u_ = 0.0;                   ///< of the tip that they are for
-  std::map<double, Spread> spreads_;     ///< by the least radius of a patch; 0: as edges ask for
-  int level_ = mostHalvings;             ///< how often the ball's radius is halved to that
+  std::shared_ptr<const KeptInverse> kept_; ///< null: nothing is kept
+  bool byKept_ = false;                     ///< the last snapshot
+  Eigen::VectorXd load_N_;                  ///< of the last snapshot
+  std::vector<Vec3> untouched_W_;           ///< the surface under the permanent loads
+  std::vector<Vec3> normals_W_;             ///< of its vertices, to either side; empty: not asked for yet
+  std::optional<LayerCompliance> layer_;    ///< of its material, likewise
+  std::optional<BallDepth> under_;          ///< where the ball was in the last snapshot
+  double radius_u_ = 0.0;                   ///< of the ball that spreads are for
+  double tip_u_ = 0.0;                      ///< of the tip that they are for
+  std::map<double, Spread> spreads_;        ///< by the least radius of a patch; 0: as edges ask for
+  int level_ = mostHalvings;                ///< how often the ball's radius is halved to that
   std::uint32_t version_ = 0;
 };
 

@@ -2,6 +2,8 @@
 #include "haptics/compliance/snapshot/SoftSurface.h"
 
 #include <algorithm>
+#include <iterator>
+#include <ranges>
 #include <set>
 
 #include "haptics/geometry/mesh/TriangleMesh.h"
@@ -68,6 +70,25 @@ std::vector<Vec3> SoftSurface::placesOf(const Eigen::VectorXd& atRest, const Eig
     places[v] += this->map.displacementOf(v, further);
   }
   return places;
+}
+
+std::vector<std::uint32_t> borderNodesFrom(const SoftSurface& surface, const Vec3& place_W)
+{
+  const BorderFaces& border = *surface.border;
+  std::vector<std::pair<double, std::uint32_t>> found;
+  for (const auto* faces : { &border.faces(), &border.halves() })
+  {
+    for (const std::uint32_t node : *faces | std::views::join)
+    {
+      found.emplace_back((border.place(node) - place_W).squaredNorm(), node);
+    }
+  }
+  std::ranges::sort(found);
+  const auto twice = std::ranges::unique(found);
+  found.erase(twice.begin(), twice.end());
+  std::vector<std::uint32_t> nodes;
+  std::ranges::transform(found, std::back_inserter(nodes), [](const auto& at) { return at.second; });
+  return nodes;
 }
 
 SoftSurface makeSoftSurface(const SoftBody& body, const TetraMesh& mesh, double edges)

@@ -33,6 +33,9 @@ struct SoftSurface
   [[nodiscard]] std::vector<Vec3> placesOf(const Eigen::VectorXd& atRest, const Eigen::VectorXd& pressed) const;
 };
 
+/// The nodes that patches of a surface have, halves of edges included: nearest to a place first.
+[[nodiscard]] std::vector<std::uint32_t> borderNodesFrom(const SoftSurface& surface, const Vec3& place_W);
+
 /// `mesh`: the checked tetrahedra of the body; `edges`: the patches' radius in lengths of edges.
 [[nodiscard]] SoftSurface makeSoftSurface(const SoftBody& body, const TetraMesh& mesh, double edges = patchEdges);
 

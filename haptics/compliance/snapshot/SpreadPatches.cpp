@@ -55,6 +55,20 @@ SparseColumns SpreadPatches::columnsOf(std::span<const std::uint32_t> vertices)
   return this->map_.columnsOf(places);
 }
 
+Eigen::VectorXd SpreadPatches::displacementsOf(std::span<const std::uint32_t> vertices, const Eigen::VectorXd& ofNodes)
+{
+  const SparseColumns patches = this->columnsOf(vertices);
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(patches.count()));
+  for (std::size_t c = 0; c < patches.count(); ++c)
+  {
+    for (std::size_t i = patches.start[c]; i < patches.start[c + 1]; ++i)
+    {
+      moved[static_cast<Eigen::Index>(c)] += patches.values[i] * ofNodes[patches.rows[i]];
+    }
+  }
+  return moved;
+}
+
 void SpreadPatches::addForce(std::uint32_t vertex, const Vec3& force_N, Eigen::VectorXd& ofNodes)
 {
   if (this->spread_u_ <= 0.0)

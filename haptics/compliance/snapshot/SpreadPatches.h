@@ -23,6 +23,9 @@ public:
 
   /// Three columns a vertex, as SurfaceMap has them.
   [[nodiscard]] SparseColumns columnsOf(std::span<const std::uint32_t> vertices);
+  /// Of the vertices' patches, three numbers each, as the body's nodes move: three numbers a node [u].
+  [[nodiscard]] Eigen::VectorXd displacementsOf(
+    std::span<const std::uint32_t> vertices, const Eigen::VectorXd& ofNodes);
   void addForce(std::uint32_t vertex, const Vec3& force_N, Eigen::VectorXd& ofNodes);
   /// One column each, along the vertices' normals: radiiWithin() of the first vertex, then those of the next.
   [[nodiscard]] SparseColumns columnsWithin(std::span<const std::uint32_t> vertices, std::span<const Vec3> normals);

@@ -17,6 +17,10 @@ extern "C"
     const double* alpha, const double* a, const int* lda, double* b, const int* ldb);
   void dtrsv_(const char* uplo, const char* trans, const char* diag, const int* n, const double* a, const int* lda,
     double* x, const int* incx);
+  void sgemv_(const char* trans, const int* m, const int* n, const float* alpha, const float* a, const int* lda,
+    const float* x, const int* incx, const float* beta, float* y, const int* incy);
+  void strsv_(const char* uplo, const char* trans, const char* diag, const int* n, const float* a, const int* lda,
+    float* x, const int* incx);
   void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 }
 // NOLINTEND(readability-identifier-naming)
@@ -80,6 +84,26 @@ inline void solveRight(int m, int n, ConstBlock l, Transposed ofL, Block x) noex
   }
   const char other = ofL == Transposed::Yes ? 'N' : 'T';
   dtrsv_(&lower, &other, &plain, &n, l.values, &l.ld, x.values, &x.ld);
+}
+
+/// y <- A x, or A^T x; A: m x n, in single precision.
+inline void multiplyVector(int m, int n, const float* a, int ld, Transposed ofA, const float* x, float* y) noexcept
+{
+  const Turn turn(oneCallAtATime);
+  const char trans = static_cast<char>(ofA);
+  const float one = 1.0F, none = 0.0F;
+  const int next = 1;
+  sgemv_(&trans, &m, &n, &one, a, &ld, x, &next, &none, y, &next);
+}
+
+/// x <- L^-1 x, or L^-T x; `l`: lower triangle of n columns, in single precision.
+inline void solveVector(int n, const float* l, int ld, Transposed ofL, float* x) noexcept
+{
+  const Turn turn(oneCallAtATime);
+  const char lower = 'L', plain = 'N';
+  const char trans = static_cast<char>(ofL);
+  const int next = 1;
+  strsv_(&lower, &trans, &plain, &n, l, &ld, x, &next);
 }
 
 /// Lower triangle of C (n x n) <- A A^T; `a`: n x k.

@@ -5,7 +5,7 @@ namespace palpate
 {
 
 OldFactorAnswer solveByOldFactor(
-  const SparseLower& k, const SparseFactor& old, const Eigen::VectorXd& b, double share, int most)
+  const SparseLower& k, const SingleFactor& old, const Eigen::VectorXd& b, double share, int most)
 {
   OldFactorAnswer answer{ Eigen::VectorXd::Zero(b.size()) };
   Eigen::VectorXd residual = b;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/compliance/solve/SparseFactor.h"
+#include "haptics/compliance/solve/SingleFactor.h"
+#include "haptics/compliance/solve/StiffnessPattern.h"
 
 namespace palpate
 {
@@ -16,8 +17,8 @@ struct OldFactorAnswer
 
 /// Solves K x = b by conjugate gradients, preconditioned by the factor of a matrix that K has moved on from, until the
 /// residual in the factor's own norm has fallen to a share of its initial value, in at most so many iterations; each
-/// costs about one solve.
+/// costs about one solve in single precision. What is summed up is in double precision.
 [[nodiscard]] OldFactorAnswer solveByOldFactor(
-  const SparseLower& k, const SparseFactor& old, const Eigen::VectorXd& b, double share, int most);
+  const SparseLower& k, const SingleFactor& old, const Eigen::VectorXd& b, double share, int most);
 
 } // namespace palpate

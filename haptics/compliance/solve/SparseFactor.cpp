@@ -7,6 +7,7 @@
 
 #include "haptics/compliance/solve/Blas.h"
 #include "haptics/compliance/solve/EliminationPath.h"
+#include "haptics/compliance/solve/SingleFactor.h"
 
 namespace palpate
 {
@@ -64,6 +65,7 @@ struct SparseFactor::Hidden
   SupernodalView pattern;
   std::vector<int> slots; ///< of each number of the matrix
   std::vector<double> values;
+  SingleFactor single;
   bool ready = false;
 };
 
@@ -96,6 +98,7 @@ bool SparseFactor::factor(const SparseLower& matrix)
 {
   Hidden& h = *this->hidden_;
   h.ready = false;
+  h.single = {};
   if (h.slots.size() != matrix.values.size())
   {
     return false;
@@ -112,6 +115,20 @@ bool SparseFactor::factor(const SparseLower& matrix)
 bool SparseFactor::ready() const
 {
   return this->hidden_->ready;
+}
+
+void SparseFactor::keepSingle()
+{
+  Hidden& h = *this->hidden_;
+  if (h.ready && !h.single.ready())
+  {
+    h.single = SingleFactor(h.pattern, h.values);
+  }
+}
+
+const SingleFactor& SparseFactor::single() const
+{
+  return this->hidden_->single;
 }
 
 Eigen::VectorXd SparseFactor::solve(const Eigen::VectorXd& b) const

@@ -9,6 +9,8 @@
 namespace palpate
 {
 
+class SingleFactor;
+
 /// L L^T of a symmetric positive definite matrix by supernodes, in METIS' order of elimination, which CHOLMOD finds
 /// once for a pattern, one pattern at a time in a process. Not for the servo thread.
 class SparseFactor
@@ -24,6 +26,9 @@ public:
   /// False if the matrix is not positive definite: there is no factor then. Throws std::bad_alloc.
   [[nodiscard]] bool factor(const SparseLower& matrix);
   [[nodiscard]] bool ready() const;
+  /// Keeps it in single precision too, until it is factored again.
+  void keepSingle();
+  [[nodiscard]] const SingleFactor& single() const;
   /// K x = b.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 

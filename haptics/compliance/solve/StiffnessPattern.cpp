@@ -2,6 +2,7 @@
 #include "haptics/compliance/solve/StiffnessPattern.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace palpate
 {
@@ -125,19 +126,18 @@ void StiffnessPattern::addBlock(
   }
 }
 
-void StiffnessPattern::add(SparseLower& k, const StrainPoints& body, std::size_t point, const Mat9& stiffness) const
+void StiffnessPattern::add(
+  SparseLower& k, const StrainPoints& body, std::size_t point, const StressDerivative& stiffness) const
 {
   const StrainPoint& p = body.points[point];
   const auto nodes = body.nodesOf(p);
-  const auto gradients = body.gradientsOf(p);
+  std::vector<Vec3> gradients;
+  std::ranges::transform(body.gradientsOf(p), std::back_inserter(gradients),
+    [&stiffness](const Vec3& g) { return Vec3(stiffness.v.transpose() * g); });
   std::size_t slot = this->firstSlot_[point];
   for (std::size_t a = 0; a < nodes.size(); ++a)
   {
-    Eigen::Matrix<double, 3, 9> left = Eigen::Matrix<double, 3, 9>::Zero();
-    for (int i = 0; i < 3; ++i)
-    {
-      left += p.volume_u3 * gradients[a][i] * stiffness.middleRows<3>(3 * i);
-    }
+    const Vec3 weighed = p.volume_u3 * gradients[a];
     for (std::size_t b = 0; b <= a; ++b, ++slot)
     {
       const std::int32_t row = this->numbers_[nodes[a]];
@@ -146,8 +146,7 @@ void StiffnessPattern::add(SparseLower& k, const StrainPoints& body, std::size_t
       {
         continue;
       }
-      const Mat3 block = left.leftCols<3>() * gradients[b][0] + left.middleCols<3>(3) * gradients[b][1] +
-                         left.rightCols<3>() * gradients[b][2];
+      const Mat3 block = stiffness.between(weighed, gradients[b]);
       if (row >= column)
       {
         this->addBlock(k, this->slots_[slot], row, column, block);

@@ -36,7 +36,7 @@ public:
   /// Zeros in the pattern.
   [[nodiscard]] SparseLower zeros() const;
   /// Adds volume times g_a : dP/dF : g_b of every pair of nodes of a point.
-  void add(SparseLower& k, const StrainPoints& body, std::size_t point, const Mat9& stiffness) const;
+  void add(SparseLower& k, const StrainPoints& body, std::size_t point, const StressDerivative& stiffness) const;
 
 private:
   void findSlots(const StrainPoints& body, const std::vector<std::vector<std::int32_t>>& below);

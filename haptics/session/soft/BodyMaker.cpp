@@ -5,11 +5,9 @@
 #include <iterator>
 #include <utility>
 
-#include <Eigen/Geometry>
-
+#include "haptics/compliance/body/KeptInverse.h"
 #include "haptics/compliance/body/NaturalPeriod.h"
-#include "haptics/compliance/mesh/FilledTwice.h"
-#include "haptics/compliance/snapshot/PointCompliance.h"
+#include "haptics/session/soft/BodySight.h"
 
 namespace palpate
 {
@@ -127,11 +125,9 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
   {
     return nullptr;
   }
-  this->struck_ = snapshot->struck;
-  this->throughItself_u_ = this->throughItself_u(*snapshot);
-  this->wentThroughItself_ = this->wentThroughItself_ || this->throughItself_u_ > 0.0;
   this->hand_W_ = hand.device_W;
-  this->last_ = hand.radius_u > 0.0 ? nullptr : snapshot; // what a ball presses on is shown dented by the ball
+  this->last_ = snapshot;
+  this->underPoints_ = hand.radius_u <= 0.0;
   auto pressed = std::make_shared<PressedBody>();
   pressed->revision = ++this->revision_;
   pressed->period_s = period_s;
@@ -144,107 +140,56 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
   return pressed;
 }
 
-/// A place under a force goes with its patch, and between vertices further (PointCompliance.h), not with the nodes of
-/// its triangle. Of each vertex of the surface, how much further than its node it is shown, so that such places are
-/// where they are felt to be.
-std::vector<Vec3> BodyMaker::dents_u() const
+void BodyMaker::lookThrough()
 {
-  std::vector<Vec3> dents(this->surface_.vertices.size(), Vec3::Zero());
-  const std::size_t count = this->last_ ? this->last_->forceAt.size() : 0;
-  std::vector<CompliantPoint> points;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    points.push_back(compliantPoint(*this->last_, this->last_->forceAt[i]));
-  }
-  const std::vector<Vec3> places_W = count > 0 ? this->surface_.placesOf(*this->body_) : std::vector<Vec3>();
-  for (const CompliantPoint& point : points)
-  {
-    Vec3 left = Vec3::Zero();
-    for (std::size_t j = 0; j < count; ++j)
-    {
-      left += complianceBetween(*this->last_, point, points[j]) * this->last_->force_N[j];
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      const std::uint32_t v = point.at.vertices[c];
-      left += point.at.weights[c] * (this->last_->free_W[v] - places_W[v] - dents[v]);
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      dents[point.at.vertices[c]] += point.at.weights[c] / point.at.weights.squaredNorm() * left;
-    }
-  }
-  return dents;
+  const BodySight sight = this->sight();
+  this->wentThroughItself_ = this->wentThroughItself_ || throughItself_u(sight, displacementOf(sight)) > 0.0;
 }
 
-/// From where the ball presses most, the way that it pushes. A body does not meet itself: below a fold that is pressed
-/// shut it goes on through itself.
-double BodyMaker::throughItself_u(const ComplianceSnapshot& snapshot) const
+BodySight BodyMaker::sight() const
 {
-  constexpr double rounding = 1e-9; // of the line
-  const auto most = std::ranges::max_element(snapshot.force_N, {}, [](const Vec3& f) { return f.squaredNorm(); });
-  if (most == snapshot.force_N.end() || most->squaredNorm() == 0.0)
+  BodySight sight;
+  sight.body = this->body_.get();
+  sight.surface = &this->surface_;
+  sight.checked = &this->checked_;
+  if (this->last_ && !this->snapshots_.isSettled())
   {
-    return 0.0;
+    sight.load_N = this->snapshots_.load_N();
   }
-  const TetraMesh& mesh = this->checked_.mesh;
-  std::vector<Vec3> places_W;
-  Eigen::AlignedBox3d box;
-  for (std::size_t v = 0; v < mesh.vertices_W.size(); ++v)
+  else
   {
-    places_W.emplace_back(
-      mesh.vertices_W[v] + this->body_->displacement().segment<3>(3 * static_cast<Eigen::Index>(v)));
-    box.extend(places_W.back());
+    sight.displacement_u = this->body_->displacement();
   }
-  const SurfacePoint& at = snapshot.forceAt[static_cast<std::size_t>(most - snapshot.force_N.begin())];
-  LinePiece below{ Vec3::Zero(), most->normalized(), box.diagonal().norm() };
-  for (int c = 0; c < 3; ++c)
-  {
-    below.from_W += at.weights[c] * places_W[this->surface_.vertices[at.vertices[c]]];
-  }
-  const double twice_u = filledTwice(mesh, places_W, below);
-  return twice_u > rounding * below.length_u ? twice_u : 0.0;
-}
-
-void BodyMaker::addStrain(BodyShape& shape) const
-{
-  const StrainPoints& points = this->body_->points();
-  const Eigen::VectorXd& u = this->body_->displacement();
-  std::vector<Mat3> deformation;
-  for (const StrainPoint& p : points.points)
-  {
-    deformation.push_back(points.deformationAt(p, { u.data(), static_cast<std::size_t>(u.size()) }));
-    const double gradient = (deformation.back() - Mat3::Identity()).norm();
-    if (gradient > shape.mostGradient)
-    {
-      shape.mostGradient = gradient;
-      shape.worst_W = points.rest_W[points.nodesOf(p).front()];
-    }
-  }
-  shape.deformation = points.deformationOfTetras(deformation);
+  sight.snapshot = this->last_;
+  sight.underPoints = this->underPoints_;
+  sight.hand_W = this->hand_W_;
+  return sight;
 }
 
 BodyShape BodyMaker::shape() const
 {
-  BodyShape shape;
-  shape.struck = this->struck_;
-  shape.hand_W = this->hand_W_;
-  shape.throughItself_u = this->throughItself_u_;
-  for (std::size_t v = 0; v < this->checked_.mesh.vertices_W.size(); ++v)
+  return shapeOf(this->sight());
+}
+
+std::shared_ptr<KeptInverse> BodyMaker::keepAround(const Vec3& place_W)
+{
+  constexpr double staysWithin = 0.25; // of its reach: a new one around nearly the same place would answer no more
+  const bool mayAnswer =
+    this->kept_ && (this->snapshots_.answeredByKept() || this->kept_->known() < this->kept_->size() ||
+                     (place_W - this->keptAround_W_).norm() <= staysWithin * this->keptReach_u_);
+  if (this->body_->stiffnessChanges() || mayAnswer)
   {
-    shape.displacement_u.emplace_back(this->body_->displacement().segment<3>(3 * static_cast<Eigen::Index>(v)));
+    return nullptr;
   }
-  shape.dent_u.assign(shape.displacement_u.size(), Vec3::Zero());
-  const std::vector<Vec3> dents = this->dents_u();
-  for (std::size_t i = 0; i < this->surface_.vertices.size(); ++i)
-  {
-    if (const std::uint32_t node = this->surface_.vertices[i]; !this->checked_.fixed[node])
-    {
-      shape.dent_u[node] = dents[i]; // what is held is shown where it is held
-    }
-  }
-  this->addStrain(shape);
-  return shape;
+  const std::vector<std::uint32_t> nodes = borderNodesFrom(this->surface_, place_W);
+  this->snapshots_.answerBy(nullptr); // before there is memory for another one
+  this->kept_.reset();
+  this->kept_ = std::make_shared<KeptInverse>(*this->body_, nodes);
+  this->snapshots_.answerBy(this->kept_);
+  this->keptAround_W_ = place_W;
+  const std::uint32_t farthest = nodes[std::min(nodes.size(), KeptInverse::mostNodes) - 1];
+  this->keptReach_u_ = (this->body_->points().rest_W[farthest] - place_W).norm();
+  return this->kept_;
 }
 
 } // namespace palpate

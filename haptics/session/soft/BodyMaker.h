@@ -12,6 +12,8 @@
 namespace palpate
 {
 
+struct BodySight;
+
 /// How a soft body was when its last snapshot was made.
 struct BodyShape
 {
@@ -54,9 +56,15 @@ public:
   [[nodiscard]] std::shared_ptr<const PressedBody> press(
     const BodyHand& hand, double period_s, int newtonSteps = usualSteps);
 
+  /// An inverse to condense around a place, from which this answers as far as it is condensed; null: there is one that
+  /// answered the last snapshot or may answer the next, or none is of use to the body's law.
+  [[nodiscard]] std::shared_ptr<KeptInverse> keepAround(const Vec3& place_W);
+  /// What the last snapshot was made of; it lives as long as this.
+  [[nodiscard]] BodySight sight() const;
   [[nodiscard]] BodyShape shape() const;
-  /// Whether the body has passed through itself below a contact, in any of its snapshots.
+  /// Whether the body has passed through itself below a contact, in any of the snapshots after which this was asked.
   [[nodiscard]] bool wentThroughItself() const noexcept { return this->wentThroughItself_; }
+  void lookThrough();
   [[nodiscard]] const CheckedTetras& checked() const noexcept { return this->checked_; }
 
   /// One step leaves up to 30 % of the force at 10 Hz, three leave 3 %.
@@ -65,9 +73,6 @@ public:
 private:
   BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::string name, std::uint64_t revision);
   [[nodiscard]] std::shared_ptr<const Scene> sceneOf(const ComplianceSnapshot& snapshot);
-  [[nodiscard]] std::vector<Vec3> dents_u() const;
-  void addStrain(BodyShape& shape) const;
-  [[nodiscard]] double throughItself_u(const ComplianceSnapshot& snapshot) const;
   [[nodiscard]] std::vector<Surface> surfacesWith(const std::vector<Vec3>& free_W, bool standingBeside);
 
   CheckedTetras checked_;
@@ -81,10 +86,12 @@ private:
   std::uint64_t first_; ///< the revision before its first snapshot: forces on older ones are at another body's vertices
   std::uint64_t revision_;
   Vec3 hand_W_ = Vec3::Zero();                     ///< of the last snapshot
-  std::shared_ptr<const ComplianceSnapshot> last_; ///< the last snapshot, where points press; null: a ball, or none yet
-  bool struck_ = false;
-  double throughItself_u_ = 0.0;
+  std::shared_ptr<const ComplianceSnapshot> last_; ///< null: none yet
+  bool underPoints_ = false;                       ///< the last one, and not under a ball
   bool wentThroughItself_ = false;
+  std::shared_ptr<KeptInverse> kept_; ///< null: none yet
+  Vec3 keptAround_W_ = Vec3::Zero();
+  double keptReach_u_ = 0.0;                      ///< distance of its farthest node from there
   std::shared_ptr<const TriangleMesh> heldFaces_; ///< that nothing moves
   std::shared_ptr<const Scene> held_;             ///< of these
 };

@@ -4,9 +4,14 @@
 #include <utility>
 
 #include "haptics/recording/inputs/Bodies.h"
+#include "haptics/session/soft/SoftAside.h"
 
 namespace palpate
 {
+
+SoftTask::SoftTask(WorkerChannel<Order, Status>& channel, SoftLinks& links) : channel_(channel), links_(links) {}
+
+SoftTask::~SoftTask() = default;
 
 std::optional<double> SoftTask::iterate()
 {
@@ -14,7 +19,20 @@ std::optional<double> SoftTask::iterate()
   {
     return std::nullopt;
   }
-  this->publish(this->maker_->press(this->links_.hand.read(), this->period_s()));
+  const BodyHand& hand = this->links_.hand.read();
+  const auto body = this->maker_->press(hand, this->period_s());
+  if (body && !this->aside_)
+  {
+    // The first shape is there with the first snapshot; the others are nothing that a snapshot waits for.
+    this->show(this->maker_->shape());
+    this->aside_ = std::make_unique<SoftAside>([this](BodyShape shape) { this->show(std::move(shape)); });
+  }
+  this->publish(body);
+  if (body)
+  {
+    this->aside_->look(this->maker_->sight());
+    this->aside_->condense(this->maker_->keepAround(hand.ball_W));
+  }
   return this->period_s();
 }
 
@@ -26,14 +44,26 @@ void SoftTask::step(double time_s)
   }
   const std::shared_ptr<const PressedBody> before = this->paced_->now();
   (void)this->paced_->at(time_s, this->links_.hand.read());
-  if (this->paced_->now() != before)
+  if (this->paced_->now() == before)
   {
-    this->publish(this->paced_->now());
+    return;
   }
+  if (this->paced_->now())
+  {
+    this->show(this->maker_->shape());
+  }
+  this->publish(this->paced_->now());
+}
+
+void SoftTask::show(BodyShape shape)
+{
+  this->channel_.report([shown = std::make_shared<const BodyShape>(std::move(shape))](SoftStatus& status, const Order&)
+    { status.shape = shown; });
 }
 
 void SoftTask::giveUp()
 {
+  this->aside_.reset();
   this->paced_.reset();
   this->maker_.reset();
   this->channel_.report(
@@ -61,6 +91,7 @@ bool SoftTask::apply(Order order, const std::stop_token& stop, bool again)
 
 bool SoftTask::build(const std::stop_token& stop)
 {
+  this->aside_.reset();
   this->paced_.reset();
   this->maker_.reset();
   this->links_.bodies.publish(nullptr);
@@ -87,7 +118,6 @@ bool SoftTask::build(const std::stop_token& stop)
 
 void SoftTask::publish(std::shared_ptr<const PressedBody> body)
 {
-  const auto shape = body ? std::make_shared<const BodyShape>(this->maker_->shape()) : nullptr;
   this->channel_.report(
     [&](SoftStatus& status, const Order&)
     {
@@ -95,7 +125,6 @@ void SoftTask::publish(std::shared_ptr<const PressedBody> body)
                             : "The stiffness matrix of the soft body is no longer positive definite (the body is "
                               "overloaded). The last shape is kept; release the body";
       status.snapshots += body ? 1 : 0;
-      status.shape = body ? shape : status.shape;
     });
   if (body)
   {

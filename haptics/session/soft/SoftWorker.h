@@ -14,6 +14,7 @@ namespace palpate
 {
 
 struct SoftLinks;
+class SoftAside;
 
 /// How a soft body is, for a person to see.
 struct SoftStatus : WorkStatus
@@ -52,7 +53,8 @@ public:
   static constexpr bool isHeld = false;
   [[nodiscard]] static SoftLinks& linksOf(auto& all) noexcept { return all.soft; }
 
-  SoftTask(WorkerChannel<Order, Status>& channel, SoftLinks& links) : channel_(channel), links_(links) {}
+  SoftTask(WorkerChannel<Order, Status>& channel, SoftLinks& links);
+  ~SoftTask();
   bool apply(Order order, const std::stop_token& stop, bool again);
   std::optional<double> iterate();
   void step(double time_s);
@@ -61,6 +63,7 @@ public:
 private:
   bool build(const std::stop_token& stop);
   void publish(std::shared_ptr<const PressedBody> body);
+  void show(BodyShape shape);
   [[nodiscard]] double period_s() const noexcept { return workerPeriod_s(this->now_.choice.rate_Hz); }
 
   WorkerChannel<Order, Status>& channel_;
@@ -69,6 +72,7 @@ private:
   std::unique_ptr<BodyMaker> maker_;
   std::optional<VirtualBody> paced_; ///< in virtual time
   std::uint64_t revision_ = 0;       ///< of the last snapshot
+  std::unique_ptr<SoftAside> aside_; ///< null: nothing has been shown; last: it ends before what it uses
 };
 
 } // namespace palpate

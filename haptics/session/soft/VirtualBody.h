@@ -20,6 +20,8 @@ public:
   [[nodiscard]] const std::shared_ptr<const PressedBody>& now() const noexcept { return this->now_; }
 
 private:
+  [[nodiscard]] std::shared_ptr<const PressedBody> press(const BodyHand& hand);
+
   BodyMaker& maker_;
   double period_s_;
   double due_s_ = 0.0; ///< arrival time of the pending snapshot

@@ -22,6 +22,20 @@ Mat3 randomMatrix(Random& random, double size)
   return size * m;
 }
 
+/// dP/dF on the columns of F one below the other.
+Eigen::Matrix<double, 9, 9> onColumns(const StressDerivative& d)
+{
+  Eigen::Matrix<double, 9, 9> all;
+  for (int j = 0; j < 3; ++j)
+  {
+    for (int l = 0; l < 3; ++l)
+    {
+      all.block<3, 3>(3 * j, 3 * l) = d.between(d.v.row(j).transpose(), d.v.row(l).transpose());
+    }
+  }
+  return all;
+}
+
 TEST(ElasticLaw, StressIsTheSlopeOfEnergyAndItsDerivativeTheSlopeOfStress)
 {
   Random random(testSeed(182));
@@ -33,7 +47,7 @@ TEST(ElasticLaw, StressIsTheSlopeOfEnergyAndItsDerivativeTheSlopeOfStress)
     for (const ElasticModel law : laws)
     {
       const Mat3 stress = stressOf(law, moduli, f);
-      const Mat9 derivative = stressDerivative(law, moduli, f);
+      const Eigen::Matrix<double, 9, 9> derivative = onColumns(stressDerivative(law, moduli, f));
       for (int i = 0; i < 9; ++i)
       {
         Mat3 step = Mat3::Zero();
@@ -56,7 +70,7 @@ TEST(ElasticLaw, NoDirectionIsSoftEnoughToGoUp)
     const Mat3 f = randomMatrix(random, 1.0); // squeezed, mirrored, anything
     for (const ElasticModel law : laws)
     {
-      const Eigen::VectorXd slopes = test::eigenvaluesOf(stressDerivative(law, moduli, f));
+      const Eigen::VectorXd slopes = test::eigenvaluesOf(onColumns(stressDerivative(law, moduli, f)));
       EXPECT_GE(slopes[0], -1e-12 * slopes[8]);
     }
   }
@@ -88,12 +102,12 @@ TEST(ElasticLaw, StretchesAndTurnsMakeUpAnyMatrix)
 TEST(ElasticLaw, AtRestAllLawsAreHookes)
 {
   const ElasticModuli moduli = moduliOf(1.0, 0.4, 1.0).value;
-  const Mat9 hooke = stressDerivative(ElasticModel::Linear, moduli, Mat3::Identity());
+  const Eigen::Matrix<double, 9, 9> hooke = onColumns(stressDerivative(ElasticModel::Linear, moduli, Mat3::Identity()));
   for (const ElasticModel law : laws)
   {
     EXPECT_LE(stressOf(law, moduli, Mat3::Identity()).norm(), 1e-15);
     EXPECT_NEAR(energyDensity(law, moduli, Mat3::Identity()), 0.0, 1e-15);
-    EXPECT_LE((stressDerivative(law, moduli, Mat3::Identity()) - hooke).norm(), 1e-14);
+    EXPECT_LE((onColumns(stressDerivative(law, moduli, Mat3::Identity())) - hooke).norm(), 1e-14);
   }
 }
 
