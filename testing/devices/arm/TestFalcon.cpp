@@ -20,6 +20,8 @@ using test::FalconRig;
 /// What a count shows of the tip at most: 0.036 degrees of an arm of 60 mm, and the farthest that legs stretch it.
 constexpr double falconCount_m = 2e-4;
 
+constexpr double largestOff_rad = 2e-7; ///< the library that the table was printed by computes in floats
+
 std::vector<std::uint8_t> writeFirmware(const std::string& file)
 {
   std::vector<std::uint8_t> bytes(1000);
@@ -30,7 +32,6 @@ std::vector<std::uint8_t> writeFirmware(const std::string& file)
 
 TEST(FalconModel, HasTheAnglesOfTheTableOfFacts)
 {
-  constexpr double largestOff_rad = 2e-7; // the library that the table was printed by computes in floats
   const auto expect = [](const Vec3& tip_m, const Vec3& angles)
   { EXPECT_LT((test::FalconModel::anglesAt(tip_m) - angles).norm(), largestOff_rad) << tip_m.transpose(); };
   expect({ 0.0, 0.0, 0.12 }, { 0.417448223, 0.417448223, 0.417448223 });
