@@ -153,7 +153,7 @@ TEST(KeptInverse, ASnapshotOfItIsThatOfTheFactorWhateverPressesWherever)
     const auto truth = byFactor.make(request);
     EXPECT_FALSE(byFactor.answeredByKept());
     expectAlike(*found, *truth, 1e-12);
-    // Where the body is not brought to its rest, what is drawn is found later.
+    // Where the body is not brought to its rest, the drawn shape is found later.
     EXPECT_LE((soft.body->restUnder(byKept.load_N()) - soft.body->displacement()).norm(),
       1e-12 * soft.body->displacement().norm());
   }
