@@ -108,8 +108,8 @@ std::unique_ptr<HapticDevice> proven(std::unique_ptr<HapticDevice> device)
 
 CalibratedDevice::CalibratedDevice(std::unique_ptr<HapticDevice> device, const Calibration& calibration)
   : device_(proven(std::move(device))), calibration_(calibration),
-    info_(calibratedInfo(this->device_->info(), calibration)),
-    sensors_(sensorsOf(calibration)), motors_(motorsOf(calibration)), middle_D_(middleOf(calibration))
+    info_(calibratedInfo(this->device_->info(), calibration)), sensors_(sensorsOf(calibration)),
+    motors_(motorsOf(calibration)), middle_D_(middleOf(calibration))
 {
   if (auto* const holder = dynamic_cast<WallHolder*>(this->device_.get()))
   {

@@ -24,7 +24,7 @@ struct SelfTestPlan
   bool wheel = false;       ///< the device has one axis, however many it says it has
   bool offersWalls = false; ///< with viscosity
   bool shakes = false;
-  bool knowsAxes = false; ///< each push must move the hand where it points; nobody is sent to the ends
+  bool knowsAxes = false;         ///< each push must move the hand where it points; nobody is sent to the ends
   bool simulated = false;         ///< ticks may come late
   double effectsEndAfter_s = 0.0; ///< unless they are renewed; 0: they do not end
   double radius_m = 0.0;          ///< of the workspace, as it is assumed so far

@@ -269,8 +269,9 @@ SelfTestReason reasonOf(MotorMotion motion)
 SelfTestReason graver(SelfTestReason a, SelfTestReason b)
 {
   constexpr std::array<SelfTestReason, 12> order{ SelfTestReason::PushUnclear, SelfTestReason::BothAxes,
-    SelfTestReason::Turned, SelfTestReason::Reversed, SelfTestReason::AnswersLate, SelfTestReason::Sometimes, SelfTestReason::Fades, SelfTestReason::SharedAxis,
-    SelfTestReason::NoExpiry, SelfTestReason::NotMoved, SelfTestReason::NoMotion, SelfTestReason::None };
+    SelfTestReason::Turned, SelfTestReason::Reversed, SelfTestReason::AnswersLate, SelfTestReason::Sometimes,
+    SelfTestReason::Fades, SelfTestReason::SharedAxis, SelfTestReason::NoExpiry, SelfTestReason::NotMoved,
+    SelfTestReason::NoMotion, SelfTestReason::None };
   const auto rank = [&](SelfTestReason reason) { return std::find(order.begin(), order.end(), reason); };
   return rank(a) < rank(b) ? a : b;
 }

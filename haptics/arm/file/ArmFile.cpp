@@ -112,7 +112,8 @@ ArmGeometry geometryOf(const Node& root)
 ArmJoint jointOf(const Node& node, bool isHinge)
 {
   std::vector<const char*> keys{ "low_deg", "high_deg", "zero_deg", "counts_per_turn", "gear", "follows", "share",
-    "calibrated", "motor", "max_torque_Nm", "torque_step_Nm", "torque_constant_Nm_per_A", "rotor_kg_m2", "damping_Nms", "friction_Nm" };
+    "calibrated", "motor", "max_torque_Nm", "torque_step_Nm", "torque_constant_Nm_per_A", "rotor_kg_m2", "damping_Nms",
+    "friction_Nm" };
   if (isHinge)
   {
     keys.insert(keys.end(), { "at_m", "turn", "axis" });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tools that are large or tight, in units of work: data that are kept between updates, and how rarely the work runs out.
+// Tools that are large or tight, in units of work: data that are kept between updates, and how rarely the work runs
+// out.
 #include <gtest/gtest.h>
 
 #include <algorithm>
