@@ -38,6 +38,7 @@ std::shared_ptr<const Scene> Bender::snapshot(double time_s, const Scene* felt)
   inputs[0].mesh = std::move(mesh);
   inputs[0].lineRadius_u = this->lineRadius_u;
   inputs[0].pose_WS = this->poseAt(time_s);
+  inputs[0].frame = this->frame;
   inputs.insert(inputs.end(), this->standing_.begin(), this->standing_.end());
   SceneBuildResult built = this->builder_.build(inputs, felt);
   for (const SurfaceReport& report : built.reports)

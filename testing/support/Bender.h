@@ -53,6 +53,7 @@ public:
   HapticParameters parameters; ///< stiffness and friction are the test's
   RendererState state;
   std::optional<double> lineRadius_u;                  ///< given: the mesh holds curves of this radius
+  std::uint64_t frame = 0;                             ///< names the surface's frame: it bends there under any pose
   std::function<Pose(double time_s)> path_WS;          ///< of the surface's frame; where there is none, it is W
   std::function<TickOutput(const TickInput&)> compute; ///< a tick; the renderer's on `state` unless given
   std::function<void(const std::shared_ptr<const Scene>&)> onScene = {}; ///< sees each one before its first tick

@@ -186,8 +186,8 @@ private:
 
   [[nodiscard]] Vec3 nearestOn(std::uint32_t triangle) const noexcept
   {
-    const FaceRecord face = this->before_.face(triangle);
-    return nearestOnTriangle(this->x_W_, face.corner_W[0], face.corner_W[1], face.corner_W[2]);
+    const auto [a, b, c] = cornersIn(this->before_, triangle);
+    return nearestOnTriangle(this->x_W_, a, b, c);
   }
 
   /// Over an edge or a corner the triangle that faces the ball most has it on its free side; the others may not.

@@ -88,7 +88,6 @@ struct Nearest
   double clearance = std::numeric_limits<double>::infinity(); ///< from the centre to the surface, or to its coat
   double coat = 0.0;
   Vec3 foot_W = Vec3::Zero();
-  Vec3 normal_W = Vec3::Zero(); ///< of the face or across the curve, for a centre that lies in it
   std::uint32_t surface = 0;
   std::uint32_t triangle = 0;
 };
@@ -108,8 +107,7 @@ Vec3 acrossAt(const AnySurface& surface, std::uint32_t triangle, const Vec3& x_W
 }
 
 template<SceneView AnyScene>
-Nearest nearestWithin(
-  const AnyScene& scene, const Vec3& x_W, double reach, bool bySide, const FacesAround* around) noexcept
+Nearest nearestWithin(const AnyScene& scene, const Vec3& x_W, double reach, const FacesAround* around) noexcept
 {
   Nearest nearest;
   forEachNear(scene, x_W, reach, around,
@@ -121,7 +119,7 @@ Nearest nearestWithin(
       const double clearance = (x_W - foot_W).norm() - coat;
       if (clearance < nearest.clearance)
       {
-        nearest = { clearance, coat, foot_W, acrossAt(surface, t, x_W, bySide), s, t };
+        nearest = { clearance, coat, foot_W, s, t };
       }
     });
   return nearest;
@@ -175,14 +173,15 @@ bool seatRound(
   for (int round = 0; round < rounds; ++round)
   {
     const Vec3 x = p_W + y;
-    const Nearest nearest = nearestWithin(scene, x, r, plan.seatsBySide, around);
+    const Nearest nearest = nearestWithin(scene, x, r, around);
     if (nearest.clearance >= r - tol)
     {
       x_W = x;
       return true;
     }
     const double distance = nearest.clearance + nearest.coat;
-    const Vec3 n = distance > tol ? Vec3((x - nearest.foot_W).normalized()) : nearest.normal_W;
+    const Vec3 n = distance > tol ? Vec3((x - nearest.foot_W).normalized())
+                                  : acrossAt(surfaceOf(scene, nearest.surface), nearest.triangle, x, plan.seatsBySide);
     planes.set(nearest, { n, r + nearest.coat - n.dot(p_W - nearest.foot_W) });
     furthest = std::max(furthest, r + nearest.coat);
     const ProjectionResult out = projectOntoPlanes(planes.rows(), Vec3::Zero(), resolution.slack());

@@ -169,11 +169,11 @@ void renewKept(const AnyScene& scene, double radius_u, const Vec3& from_W, GodOb
 {
   FacesAround& around = state.around;
   const double share = shareOf(scene);
-  const bool mayBeLast = std::exchange(around.isNew, false) && share >= 1.0;
+  const bool isNew = std::exchange(around.isNew, false);
   const Vec3 way_W = state.x_W - from_W;
   const SweepQuery next = straightQuery(state.x_W, state.x_W + way_W, radius_u);
   const Reach needed = reachFor(sweptBallOf(next));
-  if (mayBeLast || !mayKeep(scene))
+  if (isNew || !mayKeep(scene))
   {
     return;
   }

@@ -11,7 +11,6 @@
 #include "haptics/contact/sweep/TreeWalk.h"
 #include "haptics/contact/view/RestOfWay.h"
 #include "haptics/contact/view/SceneView.h"
-#include "haptics/geometry/tree/SurfaceRecords.h"
 
 namespace palpate
 {
@@ -41,16 +40,18 @@ PlacedDisc discIn(const SurfaceData& data, std::uint32_t leaf, std::uint32_t lan
 /// Radii are laid down in single precision, which loses 1e-7: a millionth more holds the triangle all the same.
 constexpr double wider = 1.000001;
 
-/// The disc of a face that is on its way, where the face is now: the tree has only a ball there.
+/// The disc of a face that is on its way, where the face is now: the tree has only a ball there. The disc is round the
+/// centroid, which is quick to find, and not the least one.
 PlacedDisc discOn(const std::array<Vec3, 3>& corners) noexcept
 {
-  const Disc disc = discOf(corners);
-  const Vec3 cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  const double area = cross.norm();
+  const auto& [a, b, c] = corners;
+  const Vec3 centre = (a + b + c) / 3.0, cross = (b - a).cross(c - a);
+  const double radius2 =
+    std::max({ (a - centre).squaredNorm(), (b - centre).squaredNorm(), (c - centre).squaredNorm() });
+  const double radius_u = std::sqrt(radius2), area = cross.norm();
   // A triangle a thousand times as long as it is high would need an exact normal, and one without area has none.
-  const bool flat = area > 1e-3 * disc.radius_u * disc.radius_u;
-  return { disc.centre_W, disc.centre_W, flat ? Vec3(cross / area) : Vec3(Vec3::Zero()), wider * disc.radius_u,
-    disc.radius_u };
+  const bool flat = area > 1e-3 * radius2;
+  return { centre, centre, flat ? Vec3(cross / area) : Vec3(Vec3::Zero()), wider * radius_u, radius_u };
 }
 
 PlacedDisc discIn(const BentSurface& shape, std::uint32_t leaf, std::uint32_t lane) noexcept

@@ -2,6 +2,7 @@
 #include "haptics/contact/sweep/Sweep.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "haptics/contact/sweep/DiscFilter.h"
 #include "haptics/contact/sweep/NearFilter.h"
@@ -25,6 +26,41 @@ void sweepSurface(const Shape& shape, std::uint32_t surface, const SweepQuery& q
   walkNearFirst(
     nodesOf(shape), boundsOf(shape), m, budget, best, [&sweep](std::uint32_t leaf) noexcept { sweep.testLeaf(leaf); });
 }
+
+/// A motion as the surfaces of listed faces see it: it is taken to one that moves once for all of its faces in a row.
+template<SceneView AnyScene>
+class MotionInSurfaces
+{
+public:
+  MotionInSurfaces(const AnyScene& scene, const SweptBall& m) noexcept : scene_(scene), m_(m) {}
+
+  /// Calls ask(shape, motion) with a surface in its own frame.
+  template<class Ask>
+  void ask(std::uint32_t surface, Ask ask) noexcept
+  {
+    const auto& view = this->surfaces_.of(this->scene_, surface);
+    if constexpr (std::is_same_v<AnyScene, MovingScene>)
+    {
+      if (surface != this->number_)
+      {
+        this->inSurface_ = askTree(view, this->m_, [](const SweptBall& m) noexcept { return m; });
+        this->number_ = surface;
+      }
+      askShape(view, [&](const auto& shape) noexcept { ask(shape, this->inSurface_); });
+    }
+    else
+    {
+      askTree(view, this->m_, [&](const SweptBall& m) noexcept { ask(view, m); });
+    }
+  }
+
+private:
+  const AnyScene& scene_;
+  const SweptBall& m_;
+  OneSurface<AnyScene> surfaces_;
+  SweptBall inSurface_;
+  std::uint32_t number_ = SurfaceData::none;
+};
 
 /// What was hit beyond what is proven free may not be the first.
 SweepHit settled(SweepHit best) noexcept
@@ -56,7 +92,7 @@ SweepHit sweepListed(
   DiscFilter filter(widest, frame.centre_W, frame.perUnit, frame.extent);
   NearFilter near(widest, frame);
   double looked = 1.0; // so much of the way still matters
-  OneSurface<AnyScene> surfaces;
+  MotionInSurfaces motion(scene, m);
   for (int quad = 0; quad < list.quads(); ++quad)
   {
     if (best.work >= budget)
@@ -73,13 +109,8 @@ SweepHit sweepListed(
     for (; lanes != 0; lanes &= lanes - 1)
     {
       const FaceList::Face& face = list.face(quad * 4 + __builtin_ctz(static_cast<unsigned>(lanes)));
-      const auto& surface = surfaces.of(scene, face.surface);
-      askTree(surface, m,
-        [&](const SweptBall& inSurface) noexcept
-        {
-          askShape(surface, [&](const auto& shape) noexcept
-            { SurfaceSweep(shape, face.surface, query, inSurface, best).testTriangle(face.triangle); });
-        });
+      motion.ask(face.surface, [&](const auto& shape, const SweptBall& inSurface) noexcept
+        { SurfaceSweep(shape, face.surface, query, inSurface, best).testTriangle(face.triangle); });
     }
     if (best.t < 0.5 * looked)
     {
