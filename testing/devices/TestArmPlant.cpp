@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "devices/simulated/ArmPlant.h"
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/arm/ArmDynamics.h"
 #include "haptics/arm/file/ArmFile.h"
@@ -15,7 +16,7 @@ namespace palpate
 namespace
 {
 
-constexpr double tick_s = 1e-3;
+constexpr double armPeriod_s = 1e-3;
 
 /// An arm that keeps its energy: without friction, damping, steps.
 ArmPlan lossless(ArmPlan plan)
@@ -75,11 +76,11 @@ TEST(ArmPlant, IsPushedAsHardAsItsApparentMassSays)
   weightless.gravity_D.setZero();
   for (int i = 0; i < 3; ++i)
   {
-    ArmPlant plant(weightless, HandModel{}, tick_s);
+    ArmPlant plant(weightless, HandModel{}, armPeriod_s);
     ASSERT_TRUE(plant.begin(p, Vec3::Zero()));
     const Vec3 n = part.directions_D.col(i);
     plant.step(0.5 * n, {});
-    EXPECT_LE((plant.speed_D() - 0.5 * tick_s / part.mass_kg[i] * n).norm(), 1e-9);
+    EXPECT_LE((plant.speed_D() - 0.5 * armPeriod_s / part.mass_kg[i] * n).norm(), 1e-9);
   }
 }
 
@@ -95,7 +96,7 @@ TEST(ArmPlant, HoldsItselfAgainstGravityAndPushesAsCommanded)
     }
     // A hand that yields as a spring: it bears the push of the device.
     const HandModel hand = *handModel("firm");
-    ArmPlant plant(plan, hand, tick_s);
+    ArmPlant plant(plan, hand, armPeriod_s);
     const Vec3 start = plan.workSpace.centre_D;
     ASSERT_TRUE(plant.begin(start, Vec3::Zero()));
     const Vec3 force(0.5, -1.0, 0.8);
@@ -112,7 +113,7 @@ TEST(ArmPlant, StopsAtTheEndOfAJointAndWhereItsLinksDoNotReach)
   for (const char* name : { "falcon", "woodenhaptics-2015", "pantograph" })
   {
     SCOPED_TRACE(name);
-    ArmPlant plant(knownArm(name).value, HandModel{}, tick_s);
+    ArmPlant plant(knownArm(name).value, HandModel{}, armPeriod_s);
     ASSERT_TRUE(plant.begin(plant.arm().plan().workSpace.centre_D, Vec3::Zero()));
     for (int tick = 0; tick < 2000; ++tick)
     {
@@ -140,7 +141,7 @@ TEST(SimulatedArm, ShowsItsPlaceByItsEncodersAndAllocatesNothing)
     const test::AllocationGuard guard;
     for (int tick = 0; tick < 500; ++tick)
     {
-      ASSERT_EQ(device.read(tick * tick_s, sample), DeviceStatus::Ok);
+      ASSERT_EQ(device.read(tick * armPeriod_s, sample), DeviceStatus::Ok);
       device.write({});
       apart = std::max(apart, (sample.pose_D.p - device.position_D()).norm());
       EXPECT_EQ(sample.velocity_D.linear, Vec3(Vec3::Zero()));
