@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// An arm as JSON text, "palpate arm", version 1: docs/devices.md has its keys. Not trusted: one sentence with the
+/// An arm as JSON text, "palpate arm", version 1: docs/arms.md has its keys. Not trusted: one sentence with the
 /// place and the reason, and no arm, where something is missing, unknown or impossible.
 [[nodiscard]] Outcome<ArmPlan> parseArm(const std::string& text);
 

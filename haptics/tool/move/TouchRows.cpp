@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "haptics/tool/move/RowCells.h"
+
 namespace palpate
 {
 namespace
@@ -29,14 +31,17 @@ bool showsMore(NearPairs& near, LeafPair& pair, double gap_u)
 } // namespace
 
 TouchRows::TouchRows(const BoxedMesh& tool_B, const BoxedMesh& scene_W, double restGap_u)
-  : tool_B_(tool_B), scene_W_(scene_W), restGap_u_(restGap_u), cells_(cellOfRows * restGap_u)
+  : tool_B_(tool_B), scene_W_(scene_W), restGap_u_(restGap_u),
+    cells_(std::make_unique<RowCells>(cellOfRows * restGap_u))
 {
 }
+
+TouchRows::~TouchRows() = default;
 
 void TouchRows::findTouching(NearPairs& near, const Pose& pose_W, double way_u)
 {
   this->rows_.clear();
-  this->cells_.clear();
+  this->cells_->clear();
   this->asked_ = 0;
   ScrewStep still;
   still.from_W = pose_W;
@@ -147,7 +152,7 @@ bool TouchRows::add(const TouchFeature& feature, const Place& place)
   row.offset_u = row.plane.gap_u;
   row.offset_u = 2.0 * row.plane.gap_u - row.linear_u(place.made);
   constexpr double sameDirection = 1e-7; // radians: a row for each would only repeat what the other says
-  const bool known = this->cells_.any(row.plane.arm_W, this->restGap_u_,
+  const bool known = this->cells_->any(row.plane.arm_W, this->restGap_u_,
     [&](std::uint32_t number)
     {
       const TouchRow& other = this->rows_[number];
@@ -157,7 +162,7 @@ bool TouchRows::add(const TouchFeature& feature, const Place& place)
   if (!known)
   {
     this->rows_.push_back(row);
-    this->cells_.add(row.plane.arm_W);
+    this->cells_->add(row.plane.arm_W);
   }
   return !known;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "haptics/tool/move/RowCells.h"
 #include "haptics/tool/move/StepProof.h"
 #include "haptics/tool/move/TouchFeature.h"
 #include "haptics/tool/solve/NearestMotion.h"
@@ -24,11 +24,16 @@ struct TouchRow
   }
 };
 
+class RowCells;
+
 /// Finds rows. Rows of one plane and one point are taken once.
 class TouchRows
 {
 public:
   TouchRows(const BoxedMesh& tool_B, const BoxedMesh& scene_W, double restGap_u);
+  ~TouchRows();
+  TouchRows(const TouchRows&) = delete;
+  TouchRows& operator=(const TouchRows&) = delete;
 
   /// All that touches where the tool stands.
   void findTouching(NearPairs& near, const Pose& pose_W, double way_u);
@@ -61,7 +66,7 @@ private:
   const BoxedMesh& scene_W_;
   double restGap_u_;
   std::vector<TouchRow> rows_;
-  RowCells cells_;
+  std::unique_ptr<RowCells> cells_; ///< of rows_
   std::uint64_t asked_ = 0;
   std::vector<TouchFeature> found_; ///< kept for its room
 };
