@@ -44,7 +44,7 @@ struct LedTool
     WorkBudget unlimited(std::numeric_limits<std::uint64_t>::max());
     static_cast<void>(front.gather(this->move.pose_W(), near_m, unlimited));
     NearPairs pairs(*this->tool.shape_B, *this->scene_W);
-    pairs.rebuild(front.near(), front.way_u());
+    pairs.rebuild(front.near(), front.way_u(), front.margin_u());
     TouchRows rows(*this->tool.shape_B, *this->scene_W, gap_m);
     rows.findTouching(pairs, this->move.pose_W(), front.way_u());
     ToolContacts set = this->move.contacts();
