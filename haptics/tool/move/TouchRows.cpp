@@ -37,6 +37,7 @@ TouchRows::TouchRows(const BoxedMesh& tool_B, const BoxedMesh& scene_W, double r
 }
 
 TouchRows::~TouchRows() = default;
+TouchRows::TouchRows(TouchRows&& other) noexcept = default;
 
 void TouchRows::findTouching(NearPairs& near, const Pose& pose_W, double way_u)
 {

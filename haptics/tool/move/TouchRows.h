@@ -32,8 +32,7 @@ class TouchRows
 public:
   TouchRows(const BoxedMesh& tool_B, const BoxedMesh& scene_W, double restGap_u);
   ~TouchRows();
-  TouchRows(const TouchRows&) = delete;
-  TouchRows& operator=(const TouchRows&) = delete;
+  TouchRows(TouchRows&& other) noexcept;
 
   /// All that touches where the tool stands.
   void findTouching(NearPairs& near, const Pose& pose_W, double way_u);
