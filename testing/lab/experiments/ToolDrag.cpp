@@ -28,9 +28,15 @@ const char* const coupling = "virtual coupling";
 /// A tool that is led by a hand, in m.
 struct LedTool
 {
-  LedTool(const TriangleMesh& toolMesh, const TriangleMesh& sceneMesh, const Pose& start_W)
-    : tool(makeTool(toolMesh).value), scene_W(makeToolScene(cleanMesh(sceneMesh).mesh, tool)),
+  LedTool(const TriangleMesh& toolMesh, const TriangleMesh& sceneMesh, const Pose& first_W)
+    : tool(makeTool(toolMesh).value), scene_W(makeToolScene(cleanMesh(sceneMesh).mesh, tool)), start_W(first_W),
       move(tool, scene_W, tool.gyration_u)
+  {
+    static_cast<void>(move.place(start_W));
+  }
+  /// The same tool where it began.
+  LedTool(const LedTool& other)
+    : tool(other.tool), scene_W(other.scene_W), start_W(other.start_W), move(tool, scene_W, tool.gyration_u)
   {
     static_cast<void>(move.place(start_W));
   }
@@ -60,6 +66,7 @@ struct LedTool
 
   ToolMesh tool;
   std::shared_ptr<const BoxedMesh> scene_W;
+  Pose start_W;
   ToolMove move;
 };
 
