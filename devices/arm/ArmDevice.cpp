@@ -28,7 +28,7 @@ double resolutionOf(const Arm& arm, const JointVector& q)
   {
     const ArmJoint& joint = arm.plan().joints[static_cast<std::size_t>(i)];
     const double step_rad =
-      joint.counts_per_turn > 0.0 ? 2.0 * std::numbers::pi / std::fabs(joint.counts_per_turn * joint.gear) : 0.0;
+      joint.countsPerTurn > 0.0 ? 2.0 * std::numbers::pi / std::fabs(joint.countsPerTurn * joint.gear) : 0.0;
     longest_m = std::max(longest_m, step_rad * J.col(i).head<3>().norm());
   }
   return longest_m;

@@ -228,7 +228,7 @@ std::optional<HandExchange::Hand> ArmLink::handOf(Attached& device, const WireRe
   for (int i = 0; i < this->arm_->joints(); ++i)
   {
     const double unit =
-      this->setup_.tellsAngles ? 360.0 : this->arm_->plan().joints[static_cast<std::size_t>(i)].counts_per_turn;
+      this->setup_.tellsAngles ? 360.0 : this->arm_->plan().joints[static_cast<std::size_t>(i)].countsPerTurn;
     turned_rad[i] = 2.0 * std::numbers::pi * reading.encoder[static_cast<std::size_t>(i)] / unit;
   }
   device.joints = this->setup_.tellsAngles ? turned_rad : this->arm_->jointsOfEncoders(turned_rad);

@@ -81,7 +81,7 @@ double stepOf(const Arm& arm, const JointVector& q)
   const ArmJacobian J = arm.jacobian(q);
   for (int k = 0; k < arm.joints(); ++k)
   {
-    const double perTurn = arm.plan().joints[static_cast<std::size_t>(k)].counts_per_turn;
+    const double perTurn = arm.plan().joints[static_cast<std::size_t>(k)].countsPerTurn;
     const double count_rad = perTurn > 0.0 ? 2.0 * M_PI / perTurn : 0.0;
     step = std::max(step, count_rad * (J.topRows<3>() * arm.gears().col(k)).norm());
   }

@@ -63,7 +63,7 @@ JointVector Arm::jointsOf(const JointCounts& counts) const noexcept
   for (int k = 0; k < this->joints_; ++k)
   {
     const auto i = static_cast<std::size_t>(k);
-    const double perTurn = this->plan_.joints[i].counts_per_turn;
+    const double perTurn = this->plan_.joints[i].countsPerTurn;
     turns[k] = perTurn > 0.0 ? turn_rad * counts[i] / perTurn : 0.0;
   }
   return this->jointsOfEncoders(turns);
@@ -82,7 +82,7 @@ JointCounts Arm::countsOf(const JointVector& q) const noexcept
   for (int k = 0; k < this->joints_; ++k)
   {
     const auto i = static_cast<std::size_t>(k);
-    const double count = std::floor(encoders_rad[k] / turn_rad * this->plan_.joints[i].counts_per_turn);
+    const double count = std::floor(encoders_rad[k] / turn_rad * this->plan_.joints[i].countsPerTurn);
     counts[i] = std::isfinite(count) ? static_cast<std::int32_t>(std::clamp(count, -most, most)) : 0;
   }
   return counts;
@@ -91,7 +91,7 @@ JointCounts Arm::countsOf(const JointVector& q) const noexcept
 JointVector Arm::shown(const JointVector& q) const noexcept
 {
   const bool counts = std::all_of(this->plan_.joints.begin(), this->plan_.joints.begin() + this->joints_,
-    [](const ArmJoint& joint) { return joint.counts_per_turn > 0.0; });
+    [](const ArmJoint& joint) { return joint.countsPerTurn > 0.0; });
   return counts ? this->jointsOf(this->countsOf(q)) : q;
 }
 

@@ -87,7 +87,7 @@ std::string refuseJoint(const ArmJoint& joint)
   {
     return "its angle at count 0 is not finite";
   }
-  if (!isSize(joint.counts_per_turn) || !isSize(joint.rotor_kg_m2) || !isSize(joint.damping_Nms) ||
+  if (!isSize(joint.countsPerTurn) || !isSize(joint.rotor_kg_m2) || !isSize(joint.damping_Nms) ||
       !isSize(joint.friction_Nm) || !isSize(joint.torqueStep_Nm) || !isSize(joint.torqueConstant_Nm_per_A) ||
       !(joint.maxTorque_Nm >= 0.0))
   {

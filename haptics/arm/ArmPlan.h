@@ -59,12 +59,12 @@ struct ArmJoint
 {
   double low_rad = -std::numeric_limits<double>::infinity();
   double high_rad = std::numeric_limits<double>::infinity();
-  double zero_rad = 0.0;        ///< at count 0
-  double counts_per_turn = 0.0; ///< of the encoder; 0: it tells angles
-  double gear = 1.0;            ///< turns of encoder and motor a turn of the joint; below 0: against it
-  int follows = -1;             ///< a joint whose encoder's turn moves this one too, from 0; -1: none
-  double followShare = 0.0;     ///< turns of this joint for one that that joint's own encoder gives to its joint
-  std::int32_t calibrated = 0;  ///< count in the pose of calibration
+  double zero_rad = 0.0;       ///< at count 0
+  double countsPerTurn = 0.0;  ///< of the encoder; 0: it tells angles
+  double gear = 1.0;           ///< turns of encoder and motor a turn of the joint; below 0: against it
+  int follows = -1;            ///< a joint whose encoder's turn moves this one too, from 0; -1: none
+  double followShare = 0.0;    ///< turns of this joint for one that that joint's own encoder gives to its joint
+  std::int32_t calibrated = 0; ///< count in the pose of calibration
   bool hasMotor = true;
   double maxTorque_Nm = std::numeric_limits<double>::infinity(); ///< of the motor
   double torqueStep_Nm = 0.0;                                    ///< of the motor's command; 0: any torque

@@ -43,7 +43,7 @@ file(WRITE "${doc}/changelog" "palpate (${CPACK_PACKAGE_VERSION}) unstable; urge
 run(gzip -9n "${doc}/changelog")
 
 # The pages are the program's own help.
-foreach (command IN ITEMS "" devices check touch replay labyrinth turn)
+foreach (command IN ITEMS "" devices arm check touch replay labyrinth turn)
   string(STRIP "palpate ${command}" words)
   string(REPLACE " " "-" name "${words}")
   set(page "${root}/share/man/man1/${name}.1")

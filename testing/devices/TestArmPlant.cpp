@@ -23,7 +23,7 @@ ArmPlan lossless(ArmPlan plan)
 {
   for (ArmJoint& joint : plan.joints)
   {
-    joint.friction_Nm = joint.damping_Nms = joint.counts_per_turn = joint.torqueStep_Nm = 0.0;
+    joint.friction_Nm = joint.damping_Nms = joint.countsPerTurn = joint.torqueStep_Nm = 0.0;
     joint.maxTorque_Nm = 0.0; // no motor acts: gravity is not held
   }
   return plan;
@@ -92,7 +92,7 @@ TEST(ArmPlant, HoldsItselfAgainstGravityAndPushesAsCommanded)
     ArmPlan plan = knownArm(name).value;
     for (ArmJoint& joint : plan.joints)
     {
-      joint.friction_Nm = joint.counts_per_turn = joint.torqueStep_Nm = 0.0;
+      joint.friction_Nm = joint.countsPerTurn = joint.torqueStep_Nm = 0.0;
     }
     // A hand that yields as a spring: it bears the push of the device.
     const HandModel hand = *handModel("firm");

@@ -96,7 +96,7 @@ class Package(unittest.TestCase):
         self.assertEqual([path.name for path in self.root.iterdir() if path.name != "test_ball_unittest.py"
                           and path.suffix != ".json"], ["usr"])
         names = {path.relative_to(self.usr).parts[0] for path in self.usr.rglob("*")}
-        self.assertEqual(names, {"bin", "include", "lib", "share"})
+        self.assertEqual(names, {"bin", "include", "lib", "libexec", "share"})
         text = "".join(str(path) for path in self.usr.rglob("*"))
         self.assertNotIn("__pycache__", text)
 

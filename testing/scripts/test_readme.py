@@ -46,7 +46,7 @@ class Bar(unittest.TestCase):
     TESTING = ROOT / "testing"
     text = (TESTING / "BAR.md").read_text(encoding="utf-8")
     sources = "".join(path.read_text(encoding="utf-8") for path in TESTING.rglob("*.c[px][px]"))
-    defined = set(re.findall(r"^TEST(?:_P|_F)?\((\w+), (\w+)\)", sources, re.MULTILINE))
+    defined = set(re.findall(r"^(?:TYPED_)?TEST(?:_P|_F)?\((\w+), (\w+)\)", sources, re.MULTILINE))
     # Each experiment's rows.
     experiments = {name: {int(row) for row in rows.split(",") if row.strip()} for name, rows in re.findall(
         r'^    \{ "([a-z-]+)",.*?\{ ?([\d, ]*)\}', (TESTING / "lab/Experiments.cpp").read_text(encoding="utf-8"),

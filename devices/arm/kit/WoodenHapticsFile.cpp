@@ -53,7 +53,7 @@ ArmJoint jointOf(Numbers& numbers, char axis)
   ArmJoint joint;
   const double sign = numbers.isSet("motor_and_body_aligned", axis) ? -1.0 : 1.0;
   joint.gear = sign * numbers.of("diameter_body", axis) / numbers.of("diameter_capstan", axis);
-  joint.counts_per_turn = numbers.of("cpr_encoder", axis);
+  joint.countsPerTurn = numbers.of("cpr_encoder", axis);
   joint.calibrated = static_cast<std::int32_t>(std::lround(std::fmod(numbers.of("calibrate_enc", axis), 32768.0)));
   joint.torqueConstant_Nm_per_A = numbers.of("torque_constant_motor", axis);
   joint.maxTorque_Nm = 1e-3 * WoodenHapticsWire::largest_mA * joint.torqueConstant_Nm_per_A;
@@ -121,9 +121,9 @@ Outcome<WoodenHapticsArm> readWoodenHapticsFile(const std::string& text)
   }
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
-    arm.Nm_per_A[i] = arm.setup.plan->joints[i].torqueConstant_Nm_per_A;
+    arm.constants_Nm_per_A[i] = arm.setup.plan->joints[i].torqueConstant_Nm_per_A;
     arm.setup.counters[i] = static_cast<std::int16_t>(arm.setup.plan->joints[i].calibrated);
-    if (!(arm.Nm_per_A[i] > 0.0))
+    if (!(arm.constants_Nm_per_A[i] > 0.0))
     {
       return { {}, "a torque constant must be above 0" };
     }

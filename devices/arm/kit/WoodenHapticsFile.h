@@ -14,7 +14,7 @@ namespace palpate
 struct WoodenHapticsArm
 {
   ArmSetup setup;
-  std::array<double, 3> Nm_per_A{}; ///< of the motors
+  std::array<double, 3> constants_Nm_per_A{}; ///< of the motors
 };
 /// The problem is a phrase without the file's name.
 [[nodiscard]] Outcome<WoodenHapticsArm> readWoodenHapticsFile(const std::string& text);

@@ -33,7 +33,8 @@ ArmKit woodenHapticsKit(const std::shared_ptr<HidBus>& hid, const std::string& f
       : Outcome<WoodenHapticsArm>{ {}, "it is missing or empty: put the file that came with the arm there" };
   ArmKit kit;
   kit.road = "woodenhaptics";
-  kit.bus = std::make_shared<HidArmBus>(hid, std::make_shared<WoodenHapticsWire>(arm.value.Nm_per_A), reportBytes);
+  kit.bus =
+    std::make_shared<HidArmBus>(hid, std::make_shared<WoodenHapticsWire>(arm.value.constants_Nm_per_A), reportBytes);
   kit.setup = std::move(arm.value.setup);
   kit.setup.what = "WoodenHaptics or Polhem arm";
   kit.problem = arm.ok() ? "" : "the arm's geometry cannot be read from " + file + ": " + arm.problem;

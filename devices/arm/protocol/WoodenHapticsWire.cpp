@@ -19,7 +19,7 @@ void WoodenHapticsWire::encode(const WireOrder& order, WireBytes& bytes) const
   bytes.clear();
   for (std::size_t i = 0; i < WireOrder::motors; ++i)
   {
-    const double current_mA = 1e3 * order.motor_Nm[i] / this->Nm_per_A_[i];
+    const double current_mA = 1e3 * order.motor_Nm[i] / this->constants_Nm_per_A_[i];
     put16(bytes, order.counters ? (*order.counters)[3 + i] : nearest16(current_mA, largest_mA));
   }
   put16(bytes, order.counters ? setCounters : applyCurrents);

@@ -14,14 +14,17 @@ public:
   static constexpr std::size_t length = 14;
   static constexpr double largest_mA = 2000.0;
 
-  /// `Nm_per_A`: torque of each motor for an ampere.
-  explicit WoodenHapticsWire(const std::array<double, WireOrder::motors>& Nm_per_A) : Nm_per_A_(Nm_per_A) {}
+  /// `constants_Nm_per_A`: torque of each motor for an ampere.
+  explicit WoodenHapticsWire(const std::array<double, WireOrder::motors>& constants_Nm_per_A)
+    : constants_Nm_per_A_(constants_Nm_per_A)
+  {
+  }
 
   void encode(const WireOrder& order, WireBytes& bytes) const override;
   [[nodiscard]] std::optional<WireReading> decode(std::span<const std::uint8_t> answer) const override;
 
 private:
-  std::array<double, WireOrder::motors> Nm_per_A_;
+  std::array<double, WireOrder::motors> constants_Nm_per_A_;
 };
 
 } // namespace palpate

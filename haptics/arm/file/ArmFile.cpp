@@ -124,7 +124,7 @@ ArmJoint jointOf(const Node& node, bool isHinge)
   joint.low_rad = rad_per_deg * node.number("low_deg", joint.low_rad / rad_per_deg);
   joint.high_rad = rad_per_deg * node.number("high_deg", joint.high_rad / rad_per_deg);
   joint.zero_rad = rad_per_deg * node.number("zero_deg", 0.0);
-  joint.counts_per_turn = node.size("counts_per_turn");
+  joint.countsPerTurn = node.size("counts_per_turn");
   joint.gear = node.number("gear", 1.0);
   joint.follows = node.whole("follows", 0, 0, mostJoints) - 1;
   joint.followShare = node.number("share", 0.0);

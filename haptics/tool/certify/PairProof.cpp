@@ -43,7 +43,7 @@ double PairProof::provenUntil(
 
 double PairProof::proven(const MovingPair& pair, const Span& span, int depth, CachedPlane* cached) noexcept
 {
-  if (!this->budget_.spend(workPrice::span))
+  if (!this->budget_.spend(work_price::span))
   {
     return span.from;
   }

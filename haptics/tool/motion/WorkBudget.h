@@ -28,7 +28,7 @@ private:
 };
 
 /// What else costs, in units, as it was measured.
-namespace workPrice
+namespace work_price
 {
 constexpr std::uint64_t span = 8;        ///< a test of a part of a step of two triangles
 constexpr std::uint64_t leafPlane = 8;   ///< the search for a plane between two leaves
@@ -38,6 +38,6 @@ constexpr std::size_t looksPerUnit = 8;  ///< looks at a pair's key
 constexpr std::size_t planesPerUnit = 3; ///< planes between boxes that are asked for a gap
 constexpr std::uint64_t gap = 1;         ///< the gap that a known plane shows
 constexpr std::uint64_t touching = 2;    ///< two triangles that are asked for what touches
-} // namespace workPrice
+} // namespace work_price
 
 } // namespace palpate

@@ -38,13 +38,13 @@ public:
   StepVerdict judge()
   {
     const std::size_t looks = this->near_.leaves().size() + this->near_.triangles().size();
-    if (!this->budget_.spend(1 + looks / workPrice::looksPerUnit))
+    if (!this->budget_.spend(1 + looks / work_price::looksPerUnit))
     {
       this->verdict_.share = 0.0;
       return std::move(this->verdict_);
     }
     this->near_.setStep(this->step_, this->task_.way_u);
-    static_cast<void>(this->budget_.spend(this->collect() * workPrice::gap)); // each doubt asks
+    static_cast<void>(this->budget_.spend(this->collect() * work_price::gap)); // each doubt asks
     for (const DoubtfulPair& doubt : this->verdict_.doubtful)
     {
       if (this->verdict_.share <= 0.0)
@@ -149,7 +149,7 @@ private:
     {
       return;
     }
-    if (!this->budget_.spend(workPrice::leafPlane))
+    if (!this->budget_.spend(work_price::leafPlane))
     {
       this->verdict_.share = this->shareBy(known);
       return;

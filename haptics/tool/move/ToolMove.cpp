@@ -181,7 +181,7 @@ ToolMove::ProvenStep ToolMove::planProven(const Vec6& wish, WorkBudget& budget)
   ProvenStep found;
   for (int round = 0; round < mostRounds; ++round)
   {
-    static_cast<void>(budget.spend(workPrice::plan + workPrice::planOfRow * this->rows_.rows().size()));
+    static_cast<void>(budget.spend(work_price::plan + work_price::planOfRow * this->rows_.rows().size()));
     found.planned = StepPlan(this->rows_.rows(), this->pose_W_, limits).plan(wish);
     const ScrewStep& step = found.planned.step;
     const double way_u = step.displacement_u(this->tool_.reach_u);
@@ -226,7 +226,7 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
     return Advance::Spent;
   }
   this->rows_.findTouching(this->near_, this->pose_W_, this->front_->way_u());
-  static_cast<void>(budget.spend(workPrice::touching * this->rows_.asked())); // the proof asks
+  static_cast<void>(budget.spend(work_price::touching * this->rows_.asked())); // the proof asks
   const Lead led = this->lead(device_W, budget);
   const ProvenStep found = this->planProven(led.wish, budget);
   if (found.rests)

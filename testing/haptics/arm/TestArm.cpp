@@ -144,7 +144,7 @@ TEST(Arm, ReadsItsCountsAsItShowsThem)
     SCOPED_TRACE(plan.name);
     const Arm arm(plan);
     test::Random random(test::testSeed(876));
-    for (int i = 0; i < 200 && plan.joints[0].counts_per_turn > 0.0; ++i)
+    for (int i = 0; i < 200 && plan.joints[0].countsPerTurn > 0.0; ++i)
     {
       JointCounts counts{};
       for (int k = 0; k < arm.joints(); ++k)
@@ -156,7 +156,7 @@ TEST(Arm, ReadsItsCountsAsItShowsThem)
       for (int k = 0; k < arm.joints(); ++k)
       {
         turns[k] = 2.0 * M_PI * (counts[static_cast<std::size_t>(k)] + 0.5) /
-                   plan.joints[static_cast<std::size_t>(k)].counts_per_turn;
+                   plan.joints[static_cast<std::size_t>(k)].countsPerTurn;
       }
       const JointVector q = arm.jointsOfEncoders(turns);
       EXPECT_EQ(arm.countsOf(q), counts);

@@ -89,7 +89,7 @@ ArmPlan linearised(const ArmPlan& plan)
   plain.maxCondition = 1e6;
   for (ArmJoint& joint : plain.joints)
   {
-    joint.friction_Nm = joint.counts_per_turn = joint.torqueStep_Nm = 0.0;
+    joint.friction_Nm = joint.countsPerTurn = joint.torqueStep_Nm = 0.0;
     joint.maxTorque_Nm = std::numeric_limits<double>::infinity();
   }
   return plain;
