@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <future>
 #include <limits>
 
 #include "haptics/compliance/body/SurfaceLoads.h"
 #include "haptics/compliance/solve/OldFactor.h"
+#include "haptics/core/InTwo.h"
 
 namespace palpate
 {
@@ -56,9 +56,10 @@ auto sumOf(std::size_t count, const Part& part)
   {
     return part(0, count);
   }
-  auto other = std::async(part, count / 2, count); // here, where no thread is to be had
-  auto sum = part(0, count / 2);
-  sum += other.get();
+  decltype(part(0, count)) sum, rest;
+  inTwo(
+    2, [&] { sum = part(0, count / 2); }, [&] { rest = part(count / 2, count); });
+  sum += rest;
   return sum;
 }
 
@@ -188,7 +189,11 @@ void SoftBody::assemble()
 {
   const auto clear = [this](SparseLower& k)
   {
-    k = k.values.empty() ? this->pattern_.zeros() : std::move(k);
+    if (k.values.empty())
+    {
+      k = this->pattern_.zeros();
+      return;
+    }
     std::ranges::fill(k.values, 0.0);
   };
   const std::size_t count = this->points_.points.size();
@@ -199,9 +204,9 @@ void SoftBody::assemble()
     return;
   }
   clear(this->otherHalf_);
-  auto other = std::async([this, count] { this->addPoints(count / 2, count, this->otherHalf_); });
-  this->addPoints(0, count / 2, this->stiffness_);
-  other.get();
+  inTwo(
+    2, [&] { this->addPoints(0, count / 2, this->stiffness_); },
+    [&] { this->addPoints(count / 2, count, this->otherHalf_); });
   std::ranges::transform(
     this->stiffness_.values, this->otherHalf_.values, this->stiffness_.values.begin(), std::plus<>());
 }

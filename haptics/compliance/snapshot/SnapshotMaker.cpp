@@ -283,7 +283,10 @@ void SnapshotMaker::learnRungs(Spread& spread, const ComplianceSnapshot& snapsho
   }
   std::vector<Vec3> normals;
   std::ranges::transform(unknown, std::back_inserter(normals), [this](std::uint32_t v) { return this->normals_W_[v]; });
-  const Eigen::VectorXd own = this->body_.ownCompliance(spread.patches.columnsWithin(unknown, normals));
+  const SparseColumns within = spread.patches.columnsWithin(unknown, normals);
+  const Eigen::VectorXd own = this->byKept_ && this->kept_->knows(within)
+                                ? Eigen::VectorXd(this->kept_->compliance(within, within).diagonal())
+                                : this->body_.ownCompliance(within);
   Eigen::Index column = 0;
   for (const std::uint32_t v : unknown)
   {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "haptics/compliance/body/KeptInverse.h"
@@ -174,9 +175,11 @@ BodyShape BodyMaker::shape() const
 std::shared_ptr<KeptInverse> BodyMaker::keepAround(const Vec3& place_W)
 {
   constexpr double staysWithin = 0.25; // of its reach: a new one around nearly the same place would answer no more
+  const double off_u = (place_W - this->keptAround_W_).norm();
+  // A hand that strokes to and fro must not begin a new one at every turn.
   const bool mayAnswer =
-    this->kept_ && (this->snapshots_.answeredByKept() || this->kept_->known() < this->kept_->size() ||
-                     (place_W - this->keptAround_W_).norm() <= staysWithin * this->keptReach_u_);
+    this->kept_ && (this->snapshots_.answeredByKept() ||
+                     off_u <= (this->kept_->known() < this->kept_->size() ? 1.0 : staysWithin) * this->keptReach_u_);
   if (this->body_->stiffnessChanges() || mayAnswer)
   {
     return nullptr;
@@ -187,8 +190,9 @@ std::shared_ptr<KeptInverse> BodyMaker::keepAround(const Vec3& place_W)
   this->kept_ = std::make_shared<KeptInverse>(*this->body_, nodes);
   this->snapshots_.answerBy(this->kept_);
   this->keptAround_W_ = place_W;
-  const std::uint32_t farthest = nodes[std::min(nodes.size(), KeptInverse::mostNodes) - 1];
-  this->keptReach_u_ = (this->body_->points().rest_W[farthest] - place_W).norm();
+  this->keptReach_u_ = nodes.size() <= KeptInverse::mostNodes
+                         ? std::numeric_limits<double>::infinity() // it has all nodes of the border
+                         : (this->body_->points().rest_W[nodes[KeptInverse::mostNodes - 1]] - place_W).norm();
   return this->kept_;
 }
 

@@ -31,7 +31,10 @@ std::optional<double> SoftTask::iterate()
   if (body)
   {
     this->aside_->look(this->maker_->sight());
-    this->aside_->condense(this->maker_->keepAround(hand.ball_W));
+    if (hand.tick > 0) // before, the place of the hand is not known
+    {
+      this->aside_->condense(this->maker_->keepAround(hand.ball_W));
+    }
   }
   return this->period_s();
 }

@@ -134,9 +134,8 @@ void ToolTask::placeIn(const Order& order)
     this->publishNone(true);
     return;
   }
-  const std::size_t triangles = tool.shape_B->mesh().triangles.size() + around.mesh_S->mesh().triangles.size();
-  this->follower_.emplace(ToolMove(tool, std::move(around.mesh_S), order.choice.weighs_u()), this->links_,
-    ToolFollower::workOf(triangles),
+  const std::uint64_t work = ToolFollower::workOf(tool, *around.mesh_S);
+  this->follower_.emplace(ToolMove(tool, std::move(around.mesh_S), order.choice.weighs_u()), this->links_, work,
     ToolStart{ around.scene_WS, this->revision_, was_W, this->came_.newestFirst(this->links_.hand.read()) });
   this->revision_ = this->follower_->revision();
 }

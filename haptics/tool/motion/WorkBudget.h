@@ -8,7 +8,7 @@ namespace palpate
 {
 
 /// Work that may still be done: a budget in time would give other poses on every machine. The unit is what a pair of
-/// boxes costs that is visited, about 50 ns on a core of 2020; see WorkPrice.
+/// boxes costs that is visited, about 50 ns on a core of 2020; see work_price.
 class WorkBudget
 {
 public:

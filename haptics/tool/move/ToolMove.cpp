@@ -19,7 +19,10 @@ constexpr double leastMargin = 16.0; // rest gaps
 constexpr double marginOfWay = 1.5;  // times what an update usually moves
 constexpr double marginGrowth = 1.4; // for each gathering within an update; twice overshoots as badly as once
 constexpr double roomLeft = 0.4;     // of the margin: with less it gathers
-constexpr int mostSteps = 60, mostRounds = 12, idleSteps = 2, mostDoublings = 2;
+constexpr int mostSteps = 60, mostRounds = 12, idleSteps = 2;
+/// Of the work of updates that leave a tool where it is: a step in a fit all around costs many times the usual work
+/// before its first plane is looked for, and a tool with less would stand still for good.
+constexpr int mostDoublings = 5;
 constexpr double widestCircle = 16.0; // rest gaps that steps which lead back to where they began go at rest
 constexpr double worthMoving = 0.25;  // of a step: with less the rows in the way are added first
 

@@ -55,7 +55,8 @@ void PairFront::begin(const BoxPose& pose, double margin_u, WorkBudget& budget)
   this->margin_u_ = margin_u;
   this->gathered_u_ = this->way_u_;
   this->touching_ = 0;
-  if (this->front_.size() + this->near_.size() > 2 * this->freshFront_ + mostGrowth || this->front_.size() == 0)
+  if (this->front_.size() + this->near_.size() > 2 * this->freshFront_ + mostGrowth ||
+      this->front_.size() + this->near_.size() == 0)
   {
     this->front_.clear();
     this->near_.clear();

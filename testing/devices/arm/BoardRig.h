@@ -10,6 +10,7 @@
 #include "devices/arm/WireLine.h"
 #include "testing/devices/arm/BoardModel.h"
 #include "testing/devices/arm/ModelTime.h"
+#include "testing/devices/arm/ServoSide.h"
 
 namespace palpate::test
 {
@@ -80,7 +81,7 @@ private:
 };
 
 /// An arm whose board is such a model: a tick of the servo, then an exchange.
-struct BoardRig
+struct BoardRig : ServoSide
 {
   using Open = std::function<ArmBus::Opened()>;
 
@@ -94,12 +95,7 @@ struct BoardRig
     this->device.prove();
   }
 
-  void tick()
-  {
-    this->status = this->device.read(1e-9 * static_cast<double>(this->time.now_ns()), this->sample);
-    this->lostTicks += this->status == DeviceStatus::Lost ? 1 : 0;
-    this->device.write(this->command);
-  }
+  void tick() { ServoSide::tick(this->device, this->time.now_ns()); }
   /// A millisecond, or as long as the exchange takes.
   void pass()
   {
@@ -116,24 +112,12 @@ struct BoardRig
       this->pass();
     }
   }
-  /// A person lets go of all force, then this is asked for.
-  void ask(const Vec3& force_N)
-  {
-    this->command = {};
-    this->run(5);
-    this->command.wrench_D.force = force_N;
-    this->run(50);
-  }
 
   ModelTime& time;
   std::shared_ptr<BoardModel> board;
   HidEntry entry{ "board", 1, 2, "7", "board" };
   std::shared_ptr<ArmBus> bus;
   ArmDevice device;
-  DeviceCommand command;
-  DeviceSample sample;
-  DeviceStatus status = DeviceStatus::Ok;
-  int lostTicks = 0;
 };
 
 } // namespace palpate::test

@@ -30,7 +30,7 @@ public:
   {
     EXPECT_EQ(this->falcon_.rig.device.open(), "");
     this->falcon_.home();
-    this->falcon_.rig.ask({ 0.0, 1.0, 0.0 });
+    ask(this->falcon_.rig, { 0.0, 1.0, 0.0 });
     EXPECT_GT(this->falcon_.model->force_N().norm(), 0.9);
   }
   test::BoardRig& rig() override { return this->falcon_.rig; }
@@ -47,7 +47,7 @@ public:
     EXPECT_EQ(this->diy_.rig.device.open(), "");
     this->diy_.setInPose();
     EXPECT_TRUE(this->diy_.model->lead({ 0.01, 0.085, 0.0 }));
-    this->diy_.rig.ask({ 0.0, 1.0, 0.0 });
+    ask(this->diy_.rig, { 0.0, 1.0, 0.0 });
     EXPECT_GT(this->diy_.model->force_N().norm(), 0.9);
   }
   test::BoardRig& rig() override { return this->diy_.rig; }

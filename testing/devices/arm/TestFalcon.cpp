@@ -46,7 +46,7 @@ TEST(Falcon, IsUsedAtOnceWhereItsFirmwareRunsAndGivesNoForceBeforeAllItsMotorsAr
   ASSERT_EQ(falcon.rig.device.open(), "");
   for (std::size_t homed = 0; homed < 3; ++homed)
   {
-    falcon.rig.ask({ 0.0, 0.0, 2.0 });
+    ask(falcon.rig, { 0.0, 0.0, 2.0 });
     EXPECT_EQ(falcon.rig.status, DeviceStatus::Waiting) << "places mean nothing";
     EXPECT_EQ(falcon.model->motor, (std::array<int, 3>{ 0, 0, 0 })) << homed;
     EXPECT_TRUE(falcon.model->homing);
@@ -55,7 +55,7 @@ TEST(Falcon, IsUsedAtOnceWhereItsFirmwareRunsAndGivesNoForceBeforeAllItsMotorsAr
     EXPECT_EQ(falcon.rig.device.step()->button, "") << "it says by itself when it is homed";
     falcon.model->homed[homed] = true;
   }
-  falcon.rig.ask({ 0.0, 0.0, 2.0 });
+  ask(falcon.rig, { 0.0, 0.0, 2.0 });
   EXPECT_EQ(falcon.rig.status, DeviceStatus::Ok);
   EXPECT_FALSE(falcon.rig.device.step());
   EXPECT_NEAR(falcon.model->force_N().z(), 2.0, falcon.model->step_N() + 0.02);
@@ -70,7 +70,7 @@ TEST(Falcon, AppliesTheForceThatIsAskedToAStepOfItsNumbersInItsWorkSpace)
   FalconRig falcon;
   ASSERT_EQ(falcon.rig.device.open(), "");
   falcon.home();
-  falcon.rig.ask(Vec3::Zero());
+  ask(falcon.rig, Vec3::Zero());
   test::Random random(7);
   for (int i = 0; i < 300; ++i)
   {
@@ -107,7 +107,7 @@ TEST(Falcon, IsLoadedFromTheFileThatAPersonChooses)
   EXPECT_EQ(falcon.loader->pieces.front(), 62U);
   EXPECT_EQ(falcon.loader->pieces.back(), 1000U % 62U);
   falcon.home();
-  falcon.rig.ask({ 0.0, 1.0, 0.0 });
+  ask(falcon.rig, { 0.0, 1.0, 0.0 });
   EXPECT_EQ(falcon.rig.status, DeviceStatus::Ok);
   EXPECT_NEAR(falcon.model->force_N().y(), 1.0, falcon.model->step_N() + 0.01);
 }

@@ -7,7 +7,7 @@
 #include "devices/arm/kit/Kits.h"
 #include "devices/arm/protocol/HaplyServiceWire.h"
 #include "testing/devices/arm/FakeService.h"
-#include "testing/devices/arm/ModelTime.h"
+#include "testing/devices/arm/ServoSide.h"
 #include "testing/support/Random.h"
 
 namespace palpate
@@ -19,30 +19,11 @@ using test::FakeService;
 using Answers = FakeService::Says::Answer;
 
 /// An arm of that service: a tick of the servo, then an exchange, of a millisecond of the link's clock each.
-struct HaplyRig
+struct HaplyRig : test::ServoSide
 {
   HaplyRig() { this->device.prove(); }
 
-  void run(int exchanges)
-  {
-    for (int i = 0; i < exchanges; ++i)
-    {
-      this->status = this->device.read(1e-9 * static_cast<double>(this->time.now_ns()), this->sample);
-      this->lostTicks += this->status == DeviceStatus::Lost ? 1 : 0;
-      this->device.write(this->command);
-      const std::uint64_t before = this->device.link().answers();
-      static_cast<void>(this->device.link().pass());
-      // What did not answer took its time.
-      this->time.pass(this->device.link().answers() != before ? perMs_ns : ArmLink::answer_ms * perMs_ns);
-    }
-  }
-  void ask(const Vec3& force_N)
-  {
-    this->command = {};
-    this->run(5);
-    this->command.wrench_D.force = force_N;
-    this->run(5);
-  }
+  void run(int exchanges) { this->exchange(this->device, this->time, exchanges); }
 
   FakeService service;
   FakeService::Says says;
@@ -50,10 +31,6 @@ struct HaplyRig
   HaplyPorts ports{ service.port(), service.port(), service.eventPort(), "/nowhere" };
   ArmKit kit = haplyKit(ports);
   ArmDevice device{ "haply", kit.bus, { "049D", 0, 0, "049D", "Haply inverse3" }, kit.setup, { false, &time } };
-  DeviceCommand command;
-  DeviceSample sample;
-  DeviceStatus status = DeviceStatus::Ok;
-  int lostTicks = 0;
 };
 
 TEST(HaplyService, IsListedByItsOwnNumberAndToldNothing)
@@ -92,7 +69,7 @@ TEST(HaplyService, IsNamedTheProgramAndSetToIdentityAndAppliesTheForceThatIsAske
     rig.service.say(rig.says);
     ASSERT_EQ(rig.device.open(), "") << version;
     const Vec3 force_N(0.5, -1.25, 2.0);
-    rig.ask(force_N);
+    ask(rig, force_N, 5);
     EXPECT_EQ(rig.status, DeviceStatus::Ok);
     EXPECT_EQ(rig.service.programsName(), "Palpate");
     EXPECT_TRUE(rig.service.transformIsIdentity());
@@ -134,13 +111,13 @@ TEST(HaplyService, IsAwaitedUntilTheDeviceIsReadyAndCalibrated)
     rig.says.calibrated = !ready;
     rig.service.say(rig.says);
     ASSERT_EQ(rig.device.open(), "");
-    rig.ask({ 0.0, 0.0, 1.0 });
+    ask(rig, { 0.0, 0.0, 1.0 }, 5);
     EXPECT_EQ(rig.status, DeviceStatus::Waiting);
     EXPECT_EQ(rig.service.force_N().norm(), 0.0);
     ASSERT_TRUE(rig.device.step());
     rig.says.ready = rig.says.calibrated = true;
     rig.service.say(rig.says);
-    rig.ask({ 0.0, 0.0, 1.0 });
+    ask(rig, { 0.0, 0.0, 1.0 }, 5);
     EXPECT_EQ(rig.status, DeviceStatus::Ok);
     EXPECT_EQ(rig.service.force_N(), Vec3(0.0, 0.0, 1.0));
   }
@@ -152,13 +129,13 @@ TEST(HaplyService, WithASpaceThatAnotherProgramMovesOrWithoutPowerGivesNoForceAn
   rig.says.keepsTransform = true;
   rig.service.say(rig.says);
   ASSERT_EQ(rig.device.open(), "");
-  rig.ask({ 0.0, 0.0, 1.0 });
+  ask(rig, { 0.0, 0.0, 1.0 }, 5);
   EXPECT_EQ(rig.service.force_N().norm(), 0.0);
   EXPECT_THAT(rig.device.linkReport().message, testing::HasSubstr("another program moves the space"));
   rig.says.keepsTransform = false;
   rig.says.power = false;
   rig.service.say(rig.says);
-  rig.ask({ 0.0, 0.0, 1.0 });
+  ask(rig, { 0.0, 0.0, 1.0 }, 5);
   EXPECT_EQ(rig.service.force_N().norm(), 0.0);
   EXPECT_THAT(rig.device.linkReport().message, testing::HasSubstr("no power supply"));
 }
@@ -169,7 +146,7 @@ TEST(HaplyService, EndsTheForceWithTheNameOfAnEvent)
   {
     HaplyRig rig;
     ASSERT_EQ(rig.device.open(), "");
-    rig.ask({ 0.0, 0.0, 1.0 });
+    ask(rig, { 0.0, 0.0, 1.0 }, 5);
     ASSERT_EQ(rig.service.force_N().z(), 1.0);
     rig.says.event = event;
     rig.service.say(rig.says);
@@ -191,7 +168,7 @@ TEST(HaplyService, ThatSaysSomethingElseIsLostWithinTwentyMillisecondsAndIsToldN
   {
     HaplyRig rig;
     ASSERT_EQ(rig.device.open(), "");
-    rig.ask({ 0.0, 0.0, 1.0 });
+    ask(rig, { 0.0, 0.0, 1.0 }, 5);
     ASSERT_EQ(rig.service.force_N().z(), 1.0);
     rig.says.answer = answer;
     rig.service.say(rig.says);

@@ -9,7 +9,7 @@
 
 #include "devices/arm/ArmDevice.h"
 #include "devices/arm/kit/Kits.h"
-#include "testing/devices/arm/ModelTime.h"
+#include "testing/devices/arm/ServoSide.h"
 #include "testing/support/Eventually.h"
 
 namespace palpate
@@ -26,42 +26,20 @@ Function* fakeFunction(const char* library, const char* name)
 }
 
 /// The first device of a kit.
-struct LibraryRig
+struct LibraryRig : test::ServoSide
 {
   explicit LibraryRig(ArmKit itsKit) : kit(std::move(itsKit)), kits{ kit }
   {
     EXPECT_EQ(this->found.size(), 1U);
     this->device.prove();
   }
-  void run(int exchanges)
-  {
-    for (int i = 0; i < exchanges; ++i)
-    {
-      this->status = this->device.read(1e-9 * static_cast<double>(this->time.now_ns()), this->sample);
-      this->lostTicks += this->status == DeviceStatus::Lost ? 1 : 0;
-      this->device.write(this->command);
-      const std::uint64_t before = this->device.link().answers();
-      static_cast<void>(this->device.link().pass());
-      this->time.pass(this->device.link().answers() != before ? perMs_ns : ArmLink::answer_ms * perMs_ns);
-    }
-  }
-  void ask(const Vec3& force_N)
-  {
-    this->command = {};
-    this->run(5);
-    this->command.wrench_D.force = force_N;
-    this->run(5);
-  }
+  void run(int exchanges) { this->exchange(this->device, this->time, exchanges); }
 
   test::ModelTime time;
   ArmKit kit;
   std::vector<ArmKit> kits;
   std::vector<FoundArm> found = findArms(kits);
   ArmDevice device{ "arm", kit.bus, found.at(0).entry, kit.setup, { false, &time } };
-  DeviceCommand command;
-  DeviceSample sample;
-  DeviceStatus status = DeviceStatus::Ok;
-  int lostTicks = 0;
 };
 
 TEST(ForceDimension, IsAbsentWithoutHarmAndWhatItMissesIsNamed)
@@ -81,7 +59,7 @@ TEST(ForceDimension, ExchangesForceForPlaceTurnVelocityAndButtonsAndSetsTheWatch
 {
   LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
   ASSERT_EQ(rig.device.open(), "");
-  rig.ask({ 1.0, -2.0, 3.0 });
+  ask(rig, { 1.0, -2.0, 3.0 }, 5);
   const auto force = fakeFunction<double(int)>(PALPATE_FAKE_DHD, "fakeForce");
   EXPECT_EQ(Vec3(force(0), force(1), force(2)), Vec3(1.0, -2.0, 3.0));
   EXPECT_EQ(fakeFunction<int()>(PALPATE_FAKE_DHD, "fakeWatchdog")(), 20);
@@ -98,7 +76,7 @@ TEST(ForceDimension, ThatReportsAnErrorIsLostWithItsText)
 {
   LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
   ASSERT_EQ(rig.device.open(), "");
-  rig.ask({ 1.0, 0.0, 0.0 });
+  ask(rig, { 1.0, 0.0, 0.0 }, 5);
   const auto fail = fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeFail");
   fail(1);
   rig.run(2);
@@ -139,7 +117,7 @@ TEST_P(OpenHapticsRates, ExchangesInTheVendorsCallsAtTheirRate)
   LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
   EXPECT_EQ(rig.device.info().pacing, Pacing::Callback);
   ASSERT_EQ(rig.device.open(), "");
-  rig.ask({ 1.0, -2.0, 0.5 });
+  ask(rig, { 1.0, -2.0, 0.5 }, 5);
   rig.run(3);
   const auto force = fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeForce");
   EXPECT_EQ(Vec3(force(0), force(1), force(2)), Vec3(1.0, -2.0, 0.5));
@@ -165,7 +143,7 @@ TEST(OpenHaptics, WhoseSchedulerStopsOrReportsAnErrorIsLost)
   {
     LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
     ASSERT_EQ(rig.device.open(), "");
-    rig.ask({ 1.0, 0.0, 0.0 });
+    ask(rig, { 1.0, 0.0, 0.0 }, 5);
     rate(0);
     rig.run(6);
     EXPECT_GE(rig.lostTicks, 1);
@@ -174,7 +152,7 @@ TEST(OpenHaptics, WhoseSchedulerStopsOrReportsAnErrorIsLost)
   }
   LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
   ASSERT_EQ(rig.device.open(), "");
-  rig.ask({ 1.0, 0.0, 0.0 });
+  ask(rig, { 1.0, 0.0, 0.0 }, 5);
   fail(0x0201);
   rig.run(5);
   EXPECT_EQ(rig.lostTicks, 0) << "a force that the device cut is none";

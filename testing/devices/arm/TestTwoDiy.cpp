@@ -29,7 +29,7 @@ TEST(TwoDiy, BeginsItsAnglesInThePoseInWhichThePersonPresses)
   TwoDiyRig diy;
   diy.model->place({ 2.0, 0.5, 0.0 });
   ASSERT_EQ(diy.rig.device.open(), "");
-  diy.rig.ask({ 0.5, 0.0, 0.0 });
+  ask(diy.rig, { 0.5, 0.0, 0.0 });
   EXPECT_EQ(diy.rig.status, DeviceStatus::Waiting);
   EXPECT_EQ(diy.model->force_N().norm(), 0.0);
   ASSERT_TRUE(diy.rig.device.step());
@@ -47,7 +47,7 @@ TEST(TwoDiy, AppliesTheForceThatIsAskedToAStepOfItsTorque)
   TwoDiyRig diy;
   ASSERT_EQ(diy.rig.device.open(), "");
   diy.setInPose();
-  diy.rig.ask(Vec3::Zero());
+  ask(diy.rig, Vec3::Zero());
   test::Random random(11);
   for (int i = 0; i < 300; ++i)
   {
@@ -71,7 +71,7 @@ TEST(TwoDiy, IsToldNoTorqueBeforeItIsLetGo)
   ASSERT_EQ(diy.rig.device.open(), "");
   diy.setInPose();
   diy.model->lead({ 0.01, 0.085, 0.0 });
-  diy.rig.ask({ 0.5, 0.5, 0.0 });
+  ask(diy.rig, { 0.5, 0.5, 0.0 });
   ASSERT_GT(diy.model->force_N().norm(), 0.6);
   diy.rig.device.close();
   EXPECT_EQ(diy.model->force_N().norm(), 0.0);

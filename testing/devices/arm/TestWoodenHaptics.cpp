@@ -107,10 +107,7 @@ TEST(WoodenHaptics, IsLimitedToOneNewtonUntilItIsProven)
   WoodenHapticsRig rig(false);
   ASSERT_EQ(rig.open(), "");
   EXPECT_EQ(rig.device.info().maxForce_N.value, 1.0);
-  rig.command = {};
-  rig.run(5);
-  rig.command.wrench_D.force = Vec3(0.0, 3.0, 0.0);
-  rig.run(10);
+  ask(rig, Vec3(0.0, 3.0, 0.0), 10);
   EXPECT_NEAR((rig.model->force_N() - Vec3(0.0, 1.0, 0.0)).norm(), 0.0, rig.model->halfStep_N() + 1e-2);
 }
 
@@ -130,10 +127,7 @@ TEST_P(WoodenHapticsFaults, EndTheForceWithinTwentyMilliseconds)
 {
   WoodenHapticsRig rig;
   ASSERT_EQ(rig.open(), "");
-  rig.command = {};
-  rig.run(5);
-  rig.command.wrench_D.force = Vec3(0.0, 2.0, 0.0);
-  rig.run(50);
+  ask(rig, Vec3(0.0, 2.0, 0.0));
   ASSERT_GT(rig.model->force_N().norm(), 1.9);
   GetParam().happen(rig);
   rig.run(20);
@@ -165,10 +159,7 @@ TEST(WoodenHaptics, IsToldNoForceAtEachStepOfAnExchangeThatIsUnplugged)
   {
     WoodenHapticsRig rig;
     ASSERT_EQ(rig.open(), "");
-    rig.command = {};
-    rig.run(5);
-    rig.command.wrench_D.force = Vec3(0.0, 2.0, 0.0);
-    rig.run(50);
+    ask(rig, Vec3(0.0, 2.0, 0.0));
     rig.port.callsUntilUnplugged = calls;
     rig.run(20);
     EXPECT_EQ(rig.status, DeviceStatus::Lost) << calls;
@@ -180,10 +171,7 @@ TEST(WoodenHaptics, OneAnswerThatIsMissingCostsOneMomentOfForceAndNoMore)
 {
   WoodenHapticsRig rig;
   ASSERT_EQ(rig.open(), "");
-  rig.command = {};
-  rig.run(5);
-  rig.command.wrench_D.force = Vec3(0.0, 2.0, 0.0);
-  rig.run(50);
+  ask(rig, Vec3(0.0, 2.0, 0.0));
   rig.model->wrongAnswers = 1;
   rig.tick();
   rig.pass(); // the wrong answer
@@ -198,10 +186,7 @@ TEST(WoodenHaptics, ComesBackWithoutForceAndWithItsCountersUnset)
 {
   WoodenHapticsRig rig;
   ASSERT_EQ(rig.open(), "");
-  rig.command = {};
-  rig.run(5);
-  rig.command.wrench_D.force = Vec3(0.0, 2.0, 0.0);
-  rig.run(50);
+  ask(rig, Vec3(0.0, 2.0, 0.0));
   rig.port.present = false;
   rig.run(600);
   rig.port.present = true;
@@ -212,10 +197,7 @@ TEST(WoodenHaptics, ComesBackWithoutForceAndWithItsCountersUnset)
   rig.run(50);
   EXPECT_EQ(rig.status, DeviceStatus::Ok);
   EXPECT_EQ(rig.model->force_N().norm(), 0.0) << "only a person brings it back";
-  rig.command = {};
-  rig.run(5);
-  rig.command.wrench_D.force = Vec3(0.0, 2.0, 0.0);
-  rig.run(5);
+  ask(rig, Vec3(0.0, 2.0, 0.0), 5);
   EXPECT_GT(rig.model->force_N().norm(), 1.9);
 }
 
@@ -223,10 +205,7 @@ TEST(WoodenHaptics, GivesNoForceWhileTheServoIsSilentAndForCommandsThatAreNoNumb
 {
   WoodenHapticsRig rig;
   ASSERT_EQ(rig.open(), "");
-  rig.command = {};
-  rig.run(5);
-  rig.command.wrench_D.force = Vec3(0.0, 2.0, 0.0);
-  rig.run(50);
+  ask(rig, Vec3(0.0, 2.0, 0.0));
   for (int i = 0; i < 25; ++i)
   {
     rig.pass();
@@ -243,10 +222,7 @@ TEST(WoodenHaptics, IsLeftWithoutForce)
 {
   WoodenHapticsRig rig;
   ASSERT_EQ(rig.open(), "");
-  rig.command = {};
-  rig.run(5);
-  rig.command.wrench_D.force = Vec3(0.0, 2.0, 0.0);
-  rig.run(50);
+  ask(rig, Vec3(0.0, 2.0, 0.0));
   rig.device.close();
   EXPECT_EQ(rig.model->force_N().norm(), 0.0);
 }

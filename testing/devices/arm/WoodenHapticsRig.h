@@ -6,6 +6,7 @@
 
 #include "devices/arm/ArmDevice.h"
 #include "devices/arm/kit/Kits.h"
+#include "testing/devices/arm/ServoSide.h"
 #include "testing/devices/arm/WoodenHapticsModel.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/TemporaryFolder.h"
@@ -14,7 +15,7 @@ namespace palpate::test
 {
 
 /// A WoodenHaptics on a bus in virtual time: a tick of the servo, then an exchange.
-struct WoodenHapticsRig
+struct WoodenHapticsRig : ServoSide
 {
   explicit WoodenHapticsRig(bool proven = true)
   {
@@ -41,12 +42,7 @@ struct WoodenHapticsRig
     this->run(30);
     return problem;
   }
-  void tick()
-  {
-    this->status = this->device.read(1e-9 * static_cast<double>(this->bus->time().now_ns()), this->sample);
-    this->lostTicks += this->status == DeviceStatus::Lost ? 1 : 0;
-    this->device.write(this->command);
-  }
+  void tick() { ServoSide::tick(this->device, this->bus->time().now_ns()); }
   void pass()
   {
     const std::int64_t before_ns = this->bus->time().now_ns();
@@ -72,10 +68,6 @@ struct WoodenHapticsRig
   FakePort& port = bus->plug(model, plugOf());
   ArmKit kit = kitOn(bus, folder);
   ArmDevice device{ "woodenhaptics", kit.bus, port.entry, kit.setup, { false, &bus->time() } };
-  DeviceCommand command;
-  DeviceSample sample;
-  DeviceStatus status = DeviceStatus::Ok;
-  int lostTicks = 0;
 };
 
 } // namespace palpate::test

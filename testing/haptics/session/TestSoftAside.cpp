@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
 #include <mutex>
 
 #include <gtest/gtest.h>
@@ -9,6 +7,7 @@
 #include "SoftBlock.h"
 #include "haptics/session/soft/BodyMaker.h"
 #include "haptics/session/soft/SoftAside.h"
+#include "testing/support/Eventually.h"
 
 namespace palpate::test
 {
@@ -93,39 +92,34 @@ TEST(SoftBodyMaker, KeepsOneInverseAsLongAsItMayAnswer)
   EXPECT_FALSE(madeOf(softBlock(ElasticModel::NeoHookean))->keepAround(topOfBlock())) << "no stiffness to keep";
 }
 
-TEST(SoftAside, LooksAtTheNewestSightAndCondensesMeanwhile)
+TEST(SoftAside, ShowsTheNewestSightInTheEndAndCondensesMeanwhile)
 {
   const auto maker = madeOf(softBlock(ElasticModel::Linear));
   const auto first = maker->press({}, 0.01);
-  ASSERT_TRUE(first && maker->press(handOn(*first, 0.5), 0.01));
+  ASSERT_TRUE(first && maker->press(handOn(*first, 0.1), 0.01));
+  const BodySight light = maker->sight();
+  ASSERT_TRUE(maker->press(handOn(*first, 0.5), 0.01));
   const BodyShape truth = maker->shape();
   std::mutex mutex;
-  std::condition_variable changed;
   std::vector<BodyShape> seen;
   const auto kept = maker->keepAround(topOfBlock());
-  {
-    SoftAside aside(
-      [&](BodyShape shape)
-      {
-        const std::lock_guard lock(mutex);
-        seen.push_back(std::move(shape));
-        changed.notify_one();
-      });
-    aside.condense(kept);
-    aside.look(maker->sight());
-    std::unique_lock lock(mutex);
-    while (seen.empty() || kept->known() < kept->size())
+  SoftAside aside(
+    [&](BodyShape shape)
     {
-      changed.wait_for(lock, std::chrono::milliseconds(1));
-    }
-    seen.clear();
-    lock.unlock();
-    aside.look(maker->sight());
-    lock.lock();
-    changed.wait(lock, [&] { return !seen.empty(); });
-  }
-  EXPECT_EQ(seen.back().displacement_u, truth.displacement_u);
-  EXPECT_EQ(seen.back().dent_u, truth.dent_u);
+      const std::lock_guard lock(mutex);
+      seen.push_back(std::move(shape));
+    });
+  const auto isLast = [&](const BodyShape& shape)
+  {
+    const std::lock_guard lock(mutex);
+    return !seen.empty() && seen.back().displacement_u == shape.displacement_u && seen.back().dent_u == shape.dent_u;
+  };
+  aside.condense(kept);
+  aside.look(light);
+  EXPECT_TRUE(eventually([&] { return kept->known() == kept->size() && isLast(shapeOf(light)); }));
+  aside.look(light);
+  aside.look(maker->sight());
+  EXPECT_TRUE(eventually([&] { return isLast(truth); }));
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include "Tools.h"
 #include "haptics/tool/move/ToolPair.h"
+#include "haptics/tool/worker/ToolFollower.h"
 #include "testing/support/NoisySphere.h"
 
 namespace palpate::test
@@ -105,7 +106,7 @@ TEST(ToolPair, ThrownAtEachOtherWhileBothTurnNeitherPassesTheOther)
       const double s = k / 8.0;
       const ToolPair::Poses hands_W{ Pose{ (60.0 * s - 30.0) * way + s * aside, turnBy(s * 1.4 * random.direction()) },
         Pose{ (30.0 - 60.0 * s) * way, turnBy(s * 1.4 * random.direction()) } };
-      pair.update(hands_W, 16000);
+      pair.update(hands_W, ToolFollower::usualWork);
       pushed += pair.pushes(hands_W)[0].force.norm() > 0.0 ? 1 : 0;
     }
   }

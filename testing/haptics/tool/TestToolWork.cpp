@@ -151,16 +151,41 @@ TEST(ToolWork, ANutFollowsItsScrewAtOneTurnASecondToWithinItsPlay)
   EXPECT_EQ(judged.judge.found(), 0u) << "of " << judged.judge.judged();
 }
 
+TEST(ToolWork, ANutThatFindsNoStepWithTheWorkOfAnUpdateGoesOnWithThatOfLaterOnes)
+{
+  constexpr int around = 64;
+  constexpr double pitch = 2.0, lead = pitch / (2.0 * std::numbers::pi), play = 0.3;
+  JudgedTool judged(threadMesh({ 5.0 + play, pitch, 6.0 }, around), threadMesh({ 5.0, pitch, 12.0 }, around), 0);
+  const Pose start_W{ judged.tool.centre_W, Quat::Identity() };
+  ASSERT_EQ(judged.move.place(start_W), "");
+  constexpr double turn = 0.2;
+  const Pose hand_W{ start_W.p + Vec3(0, 0, lead * turn + 2.0 * play), turnBy(Vec3(0, 0, turn)) };
+  const auto left = [&] { return turnFromTo(judged.move.pose_W().q, hand_W.q).norm(); };
+  int standing = 0, longest = 0;
+  double last = left();
+  for (int i = 0; i < 400 && left() > 0.05; ++i)
+  {
+    static_cast<void>(judged.move.update(hand_W, ToolFollower::usualWork / 16));
+    standing = left() == last ? standing + 1 : 0;
+    longest = std::max(longest, standing);
+    last = left();
+  }
+  EXPECT_LE(left(), 0.05);
+  EXPECT_LE(longest, 12) << "updates without any turn, one after the other";
+  EXPECT_EQ(judged.judge.found(), 0u) << "of " << judged.judge.judged();
+}
+
 TEST(ToolWork, AToolOf5ThousandTrianglesOn100ThousandIsRarelyOutOfWork)
 {
   const ToolMesh tool = makeTool(scaled(NoisySphere(5000, 1.0).mesh(), 0.3)).value;
-  ToolMove move(tool, makeToolScene(cleanMesh(NoisySphere(100000, 1.0).mesh()).mesh, tool), tool.gyration_u);
+  const auto scene_W = makeToolScene(cleanMesh(NoisySphere(100000, 1.0).mesh()).mesh, tool);
+  ToolMove move(tool, scene_W, tool.gyration_u);
   ASSERT_EQ(move.place({ Vec3(80.0, 0.0, 0.0), Quat::Identity() }), "");
   int spent = 0;
   constexpr int updates = 400;
   for (int i = 0; i < updates; ++i)
   {
-    spent += move.update(windingHand(1e-3 * i, 100.0), ToolFollower::workOf(105'000)).spent ? 1 : 0;
+    spent += move.update(windingHand(1e-3 * i, 100.0), ToolFollower::workOf(tool, *scene_W)).spent ? 1 : 0;
   }
   EXPECT_LE(spent, updates / 10);
 }

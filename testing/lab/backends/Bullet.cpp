@@ -4,16 +4,12 @@
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 
 #include "testing/lab/backends/Backend.h"
+#include "testing/lab/backends/BulletPoint.h"
 
 namespace palpate::lab
 {
 namespace
 {
-
-btVector3 point(const Vec3& v)
-{
-  return { static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z()) };
-}
 
 /// Keeps the first hit of a segment.
 class FirstHit final : public btTriangleRaycastCallback
@@ -39,7 +35,8 @@ public:
   {
     for (const auto& [a, b, c] : mesh.triangles)
     {
-      this->triangles_.addTriangle(point(mesh.vertices_W[a]), point(mesh.vertices_W[b]), point(mesh.vertices_W[c]));
+      this->triangles_.addTriangle(
+        toBullet(mesh.vertices_W[a]), toBullet(mesh.vertices_W[b]), toBullet(mesh.vertices_W[c]));
     }
     this->shape_ = std::make_unique<btBvhTriangleMeshShape>(&this->triangles_, true);
   }
@@ -51,7 +48,7 @@ public:
 
   [[nodiscard]] std::optional<double> firstHit(const Vec3& from_W, const Vec3& to_W) override
   {
-    FirstHit callback(point(from_W), point(to_W));
+    FirstHit callback(toBullet(from_W), toBullet(to_W));
     this->shape_->performRaycast(&callback, callback.m_from, callback.m_to);
     return callback.found() ? std::optional<double>(callback.m_hitFraction) : std::nullopt;
   }

@@ -5,17 +5,13 @@
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleMesh.h>
 
+#include "testing/lab/backends/BulletPoint.h"
 #include "testing/lab/backends/Peers.h"
 
 namespace palpate::lab
 {
 namespace
 {
-
-btVector3 point(const Vec3& v)
-{
-  return { static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z()) };
-}
 
 Vec3 vector(const btVector3& v)
 {
@@ -30,7 +26,7 @@ public:
   {
     for (const auto& [a, b, c] : world.mesh->triangles)
     {
-      const auto corner = [&](std::uint32_t i) { return point(this->perUnit_ * world.mesh->vertices_W[i]); };
+      const auto corner = [&](std::uint32_t i) { return toBullet(this->perUnit_ * world.mesh->vertices_W[i]); };
       this->triangles_.addTriangle(corner(a), corner(b), corner(c));
     }
     this->shape_ = std::make_unique<btBvhTriangleMeshShape>(&this->triangles_, true);
@@ -63,8 +59,8 @@ private:
       return false;
     }
     btTransform from = btTransform::getIdentity(), to = from;
-    from.setOrigin(point(this->x_));
-    to.setOrigin(point(goal));
+    from.setOrigin(toBullet(this->x_));
+    to.setOrigin(toBullet(goal));
     btCollisionWorld::ClosestConvexResultCallback hit(from.getOrigin(), to.getOrigin());
     btCollisionWorld::objectQuerySingle(
       &this->ball_, from, to, &this->mesh_, this->shape_.get(), this->mesh_.getWorldTransform(), hit, 0.0f);
