@@ -47,9 +47,7 @@ bool FirmwareLine::runs()
 std::string FirmwareLine::guarded()
 {
   const auto wire = std::make_shared<FalconWire>();
-  WireBytes noTorque;
-  wire->encode({}, noTorque);
-  Outcome<Guard> guard = Guard::start(this->port_->handle(), FtdiPort::out, noTorque);
+  Outcome<Guard> guard = Guard::start(this->port_->handle(), FtdiPort::out, wire->farewell());
   if (!guard.ok())
   {
     return guard.problem;

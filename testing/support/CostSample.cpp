@@ -11,13 +11,23 @@ namespace
 
 const MonotonicClock wall;
 
+std::int64_t timeOf_ns(clockid_t clock) noexcept
+{
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<std::int64_t>(now.tv_sec) * 1000000000 + now.tv_nsec;
+}
+
 } // namespace
 
 std::int64_t ProcessorClock::now_ns() const noexcept
 {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<std::int64_t>(now.tv_sec) * 1000000000 + now.tv_nsec;
+  return timeOf_ns(CLOCK_THREAD_CPUTIME_ID);
+}
+
+std::int64_t ProgramClock::now_ns() const noexcept
+{
+  return timeOf_ns(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 CostSample::CostSample(std::size_t capacity) : CostSample(capacity, wall) {}

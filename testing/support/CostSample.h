@@ -18,6 +18,13 @@ public:
   [[nodiscard]] std::int64_t now_ns() const noexcept override;
 };
 
+/// Processor time of all threads of this program: for calls that use more than one.
+class ProgramClock final : public Clock
+{
+public:
+  [[nodiscard]] std::int64_t now_ns() const noexcept override;
+};
+
 /// Time to read a clock, at the least [ns].
 [[nodiscard]] std::int64_t readingOf_ns(const Clock& clock);
 

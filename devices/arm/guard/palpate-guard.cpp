@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// palpate-guard ENDPOINT HEX: sleeps until the pipe on descriptor 3 breaks or the program that started this one has
-// ended, then writes the bytes of HEX to the device on descriptor 4 and ends. ENDPOINT 0: the device is a file that is
+// palpate-guard PROCESS ENDPOINT HEX: sleeps until the pipe on descriptor 3 breaks or its parent is not PROCESS any
+// more, then writes the bytes of HEX to the device on descriptor 4 and ends. ENDPOINT 0: the device is a file that is
 // written to; else a USB device whose bulk endpoint has that number. Exit code 0: the device took them.
 #include <cerrno>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <linux/usbdevice_fs.h>
+#include <optional>
 #include <poll.h>
 #include <string_view>
 #include <sys/ioctl.h>
@@ -18,8 +19,18 @@ namespace
 {
 
 constexpr int pipeEnd = 3, device = 4;
-constexpr int attempts = 20;
-constexpr unsigned attempt_ms = 50;
+constexpr int attempts = 15;
+constexpr unsigned attempt_ms = 20, pause_ms = 5;
+
+/// None: this is no number.
+template<typename Number>
+std::optional<Number> numberOf(std::string_view digits)
+{
+  Number number{};
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const bool whole = error == std::errc() && end == digits.data() + digits.size();
+  return whole ? std::optional<Number>(number) : std::nullopt;
+}
 
 /// Empty: they are no such digits.
 std::vector<std::uint8_t> bytesOf(std::string_view hex)
@@ -37,8 +48,8 @@ std::vector<std::uint8_t> bytesOf(std::string_view hex)
   return hex.size() % 2 == 0 ? bytes : std::vector<std::uint8_t>{};
 }
 
-/// A child of that program that was forked and holds a copy of the pipe would hide its death, so it is looked besides
-/// whether the program is still the parent.
+/// A child of that program that was forked and holds a copy of the pipe would hide its death, so its being the parent
+/// is looked at, too. The program tells its number, as it may have died before this one asks for its parent's.
 void sleepUntilItIsOver(pid_t program)
 {
   constexpr int look_ms = 50;
@@ -64,26 +75,24 @@ bool writeTo(std::vector<std::uint8_t>& bytes, unsigned endpoint)
 
 int main(int count, char** arguments)
 {
-  if (count != 3)
+  if (count != 4)
   {
     return 2;
   }
-  const std::string_view number = arguments[1];
-  unsigned endpoint = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), endpoint);
-  std::vector<std::uint8_t> bytes = bytesOf(arguments[2]);
-  if (error != std::errc() || end != number.data() + number.size() || bytes.empty())
+  const std::optional<pid_t> program = numberOf<pid_t>(arguments[1]);
+  const std::optional<unsigned> endpoint = numberOf<unsigned>(arguments[2]);
+  std::vector<std::uint8_t> bytes = bytesOf(arguments[3]);
+  if (!program || !endpoint || bytes.empty())
   {
     return 2;
   }
   prctl(PR_SET_NAME, "palpate-guard");
-  sleepUntilItIsOver(getppid());
-  // A message that its program's death cut short takes the first of these bytes as its own, so they are sent again.
-  bool taken = false;
-  for (int i = 0; i < attempts; ++i)
+  sleepUntilItIsOver(*program);
+  bool taken = writeTo(bytes, *endpoint);
+  for (int i = 1; i < attempts && !taken; ++i)
   {
-    taken = writeTo(bytes, endpoint) || taken;
-    usleep(5000);
+    usleep(1000 * pause_ms);
+    taken = writeTo(bytes, *endpoint);
   }
   return taken ? 0 : 1;
 }

@@ -21,9 +21,7 @@ ArmBus::Opened openTwoDiy(const std::string& path)
     return { nullptr, std::move(port.problem) };
   }
   const auto wire = std::make_shared<TwoDiyWire>(TwoDiyWire::Setup{});
-  WireBytes noTorque;
-  wire->encode({}, noTorque);
-  Outcome<Guard> guard = Guard::start(port.value->handle(), 0, noTorque);
+  Outcome<Guard> guard = Guard::start(port.value->handle(), 0, wire->farewell());
   if (!guard.ok())
   {
     return { nullptr, std::move(guard.problem) };

@@ -113,8 +113,9 @@ Outcome<Guard> Guard::start(int link, unsigned endpoint, std::span<const std::ui
   {
     return { {}, std::string("the guard cannot be started: ") + std::strerror(errno) };
   }
-  std::string program = guardProgram(), where = std::to_string(endpoint), hex = hexOf(noTorque);
-  const std::array<char*, 4> arguments{ program.data(), where.data(), hex.data(), nullptr };
+  std::string program = guardProgram(), watched = std::to_string(getpid()), where = std::to_string(endpoint),
+              hex = hexOf(noTorque);
+  const std::array<char*, 5> arguments{ program.data(), watched.data(), where.data(), hex.data(), nullptr };
   pid_t process = -1;
   int failed = 0;
   {

@@ -8,7 +8,7 @@ namespace palpate
 namespace
 {
 
-constexpr std::uint8_t setUp = 1, pushAndTell = 2;
+constexpr std::uint8_t reset = 0, setUp = 1, pushAndTell = 2, noCommand = 3;
 constexpr std::uint8_t firstTwo = 0x03; ///< a bit for each port
 constexpr std::size_t axes = 2, length = 1 + 4 * axes;
 constexpr double farthest_deg = 7200.0;
@@ -38,6 +38,19 @@ void TwoDiyWire::encode(const WireOrder& order, WireBytes& bytes) const
     putFloat(
       bytes, std::isfinite(torque_Nm) ? static_cast<float>(std::clamp(torque_Nm, -largest_Nm, largest_Nm)) : 0.0F);
   }
+}
+
+WireBytes TwoDiyWire::farewell() const
+{
+  constexpr std::size_t longestRest = 64; // no message of the firmware waits for more
+  WireBytes bytes(longestRest, noCommand);
+  bytes.insert(bytes.end(), { reset, this->setup_.device });
+  WireOrder order;
+  order.counters.emplace();
+  WireBytes zeros;
+  this->encode(order, zeros);
+  bytes.insert(bytes.end(), zeros.begin(), zeros.end());
+  return bytes;
 }
 
 /// A message has no mark but the number of the device that it begins with.

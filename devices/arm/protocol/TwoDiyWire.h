@@ -29,6 +29,10 @@ public:
   /// Degrees of the two encoders.
   [[nodiscard]] std::optional<WireReading> decode(std::span<const std::uint8_t> answer) const override;
   [[nodiscard]] WireBytes greeting() const override;
+  /// The board takes the first bytes for the rest of a message that was cut short, so bytes come first that are small
+  /// as torques and no command; then a reset, as pins of a greeting that was cut short may be counted; the greeting;
+  /// zeros.
+  [[nodiscard]] WireBytes farewell() const override;
 
 private:
   Setup setup_;

@@ -66,6 +66,13 @@ public:
   [[nodiscard]] virtual std::optional<WireReading> decode(std::span<const std::uint8_t> answer) const = 0;
   /// What must be said once before the first request, without an answer; empty: nothing.
   [[nodiscard]] virtual WireBytes greeting() const { return {}; }
+  /// A guard's bytes: they end the torque also where the link's last message was cut short.
+  [[nodiscard]] virtual WireBytes farewell() const
+  {
+    WireBytes bytes;
+    this->encode({}, bytes);
+    return bytes;
+  }
 };
 
 } // namespace palpate

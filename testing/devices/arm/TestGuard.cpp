@@ -15,6 +15,7 @@
 #include "testing/devices/arm/PtyBoard.h"
 #include "testing/devices/arm/TwoDiyModel.h"
 #include "testing/support/Eventually.h"
+#include "testing/support/Random.h"
 
 namespace palpate
 {
@@ -44,8 +45,8 @@ constexpr double pushed_Nm = 0.05;
   }
 }
 
-/// A program that pushes a board, and is killed in the middle of it.
-void expectNoTorqueAfterDeath(bool withChild)
+/// A program that pushes a board, and is killed after it got that many answers.
+void expectNoTorqueAfterDeath(bool withChild, int answers)
 {
   test::TwoDiyModel model;
   test::PtyBoard board(model);
@@ -65,7 +66,7 @@ void expectNoTorqueAfterDeath(bool withChild)
     }
     return over();
   };
-  ASSERT_TRUE(serveUntil([&] { return model.torque_Nm[0] > 0.9 * pushed_Nm && model.answers > 50; }));
+  ASSERT_TRUE(serveUntil([&] { return model.torque_Nm[0] > 0.9 * pushed_Nm && model.answers >= answers; }));
   const auto killed = std::chrono::steady_clock::now();
   kill(program, SIGKILL);
   EXPECT_TRUE(serveUntil([&] { return model.torque_Nm[0] == 0.0 && model.torque_Nm[1] == 0.0; }));
@@ -82,12 +83,21 @@ void expectNoTorqueAfterDeath(bool withChild)
 
 TEST(Guard, EndsTheTorqueOfAProgramThatIsKilled)
 {
-  expectNoTorqueAfterDeath(false);
+  expectNoTorqueAfterDeath(false, 50);
 }
 
 TEST(Guard, EndsItAlsoWhereAChildOfTheProgramHoldsItsPipe)
 {
-  expectNoTorqueAfterDeath(true);
+  expectNoTorqueAfterDeath(true, 50);
+}
+
+TEST(Guard, EndsItAlsoWhereTheProgramIsKilledAtItsFirstPush)
+{
+  const std::size_t times = test::testCount(20);
+  for (std::size_t i = 0; i < times && !testing::Test::HasFailure(); ++i)
+  {
+    expectNoTorqueAfterDeath(true, 1);
+  }
 }
 
 TEST(Guard, ThatIsEndedItselfEndsTheForce)

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "devices/arm/protocol/TwoDiyWire.h"
 #include "testing/devices/arm/TwoDiyRig.h"
 #include "testing/support/Random.h"
 
@@ -22,6 +23,30 @@ TEST(TwoDiyModel, HasThePlacesOfTheTableOfFacts)
   EXPECT_LT((model.tipOf({ 140 * deg, 40 * deg, 0 }) - Vec3(0.01, 0.08280392, 0)).norm(), 1e-8);
   EXPECT_LT((model.tipOf({ 170 * deg, 60 * deg, 0 }) - Vec3(-0.01894242, 0.07178576, 0)).norm(), 1e-8);
   EXPECT_LT((model.tipOf({ 120 * deg, 10 * deg, 0 }) - Vec3(0.03894242, 0.07178576, 0)).norm(), 1e-8);
+}
+
+/// A message that was cut short stands before the guard's: the greeting of a board that pushes already, or torques.
+TEST(TwoDiy, GuardEndsItsTorqueWhateverWasCutShort)
+{
+  const TwoDiyWire wire({});
+  WireOrder order;
+  order.joint_Nm = { 0.07, -0.05, 0.0 };
+  WireBytes push, anew = wire.greeting();
+  wire.encode(order, push);
+  anew.insert(anew.end(), push.begin(), push.end());
+  for (const WireBytes& message : { push, anew })
+  {
+    for (std::size_t sent = 0; sent <= message.size(); ++sent)
+    {
+      test::TwoDiyModel model;
+      model.take(wire.greeting());
+      model.take(push);
+      ASSERT_GT(model.torque_Nm[0], 0.06);
+      model.take({ message.data(), sent });
+      model.take(wire.farewell());
+      EXPECT_EQ(model.torque_Nm, (std::array<double, 2>{})) << sent << " of " << message.size() << " bytes";
+    }
+  }
 }
 
 TEST(TwoDiy, BeginsItsAnglesInThePoseInWhichThePersonPresses)

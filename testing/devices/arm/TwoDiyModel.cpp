@@ -2,6 +2,7 @@
 #include "testing/devices/arm/TwoDiyModel.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -60,21 +61,17 @@ void TwoDiyModel::take(std::span<const std::uint8_t> bytes)
 
 bool TwoDiyModel::takeOne()
 {
-  constexpr std::size_t setUpBytes = 26, pushBytes = 10;
-  if (this->inbox_.empty())
-  {
-    return false;
-  }
-  const std::uint8_t command = this->inbox_[0];
-  const std::size_t length = command == 0 ? 2 : command == 1 ? setUpBytes : command == 2 ? pushBytes : 1;
+  const std::size_t length = this->commandLength();
   if (this->inbox_.size() < length)
   {
     return false;
   }
+  const std::uint8_t command = this->inbox_[0];
   if (command == 0)
   {
     ++this->resets;
     this->device_ = 0;
+    this->pins_.clear();
   }
   else if (command == 1)
   {
@@ -88,14 +85,55 @@ bool TwoDiyModel::takeOne()
   return true;
 }
 
+std::size_t TwoDiyModel::commandLength() const
+{
+  if (this->inbox_.size() < 2)
+  {
+    return this->inbox_.empty() || this->inbox_[0] <= 2 ? 2 : 1;
+  }
+  const bool own = this->device_ != 0 && this->inbox_[1] == this->device_;
+  switch (this->inbox_[0])
+  {
+    case 0:
+      return 2;
+    case 1:
+      return this->setUpIn().length;
+    case 2:
+      return own ? 2 + this->pins_.size() + 4 * this->torque_Nm.size() : 2;
+    default:
+      return 1;
+  }
+}
+
+/// Four ports: a byte for the direction of each motor and each encoder that the masks name, pins of sensors and pulses,
+/// then two floats for each encoder.
+TwoDiyModel::SetUp TwoDiyModel::setUpIn() const
+{
+  const auto at = [this](std::size_t i) { return i < this->inbox_.size() ? this->inbox_[i] : std::uint8_t{ 0 }; };
+  const auto ports = [](std::uint8_t mask) { return static_cast<std::size_t>(std::popcount(mask & 0xFU)); };
+  SetUp found;
+  const std::size_t encoderMask = 3 + ports(at(2));
+  found.encoders = ports(at(encoderMask));
+  const std::size_t sensors = encoderMask + 1 + found.encoders;
+  found.pulses = sensors + 1 + at(sensors);
+  found.parameters = found.pulses + 1 + at(found.pulses);
+  found.length = found.parameters + 8 * found.encoders;
+  return found;
+}
+
 void TwoDiyModel::setUp()
 {
+  const SetUp found = this->setUpIn();
   ++this->setUps;
   this->device_ = this->inbox_[1];
-  for (std::size_t i = 0; i < 2; ++i)
+  for (std::size_t i = found.pulses + 1; i < found.parameters; ++i)
   {
-    this->offset_deg_[i] = floatAt(this->inbox_, 10 + 8 * i);
-    this->countsPerTurn_[i] = floatAt(this->inbox_, 14 + 8 * i);
+    this->pins_.insert(this->inbox_[i]);
+  }
+  for (std::size_t i = 0; i < std::min<std::size_t>(2, found.encoders); ++i)
+  {
+    this->offset_deg_[i] = floatAt(this->inbox_, found.parameters + 8 * i);
+    this->countsPerTurn_[i] = floatAt(this->inbox_, found.parameters + 4 + 8 * i);
     this->began_deg_[i] = this->joints_rad()[static_cast<int>(i)] / deg;
   }
 }
@@ -104,11 +142,12 @@ void TwoDiyModel::setUp()
 void TwoDiyModel::push()
 {
   std::vector<std::uint8_t> answer{ this->inbox_[1] };
+  const std::size_t first = 2 + this->pins_.size();
   if (this->inbox_[1] == this->device_)
   {
     for (std::size_t i = 0; i < 2; ++i)
     {
-      const double asked_Nm = std::clamp<double>(floatAt(this->inbox_, 2 + 4 * i), -largest_Nm, largest_Nm);
+      const double asked_Nm = std::clamp<double>(floatAt(this->inbox_, first + 4 * i), -largest_Nm, largest_Nm);
       this->torque_Nm[i] = std::trunc(steps * asked_Nm / largest_Nm) * largest_Nm / steps;
       const double turned_deg = this->joints_rad()[static_cast<int>(i)] / deg - this->began_deg_[i];
       const double counts = std::floor((this->offset_deg_[i] + turned_deg) * this->countsPerTurn_[i] / 360.0 + 1e-6);

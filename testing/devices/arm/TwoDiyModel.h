@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <set>
 #include <vector>
 
 #include "testing/devices/arm/BoardModel.h"
@@ -29,11 +30,19 @@ public:
 private:
   /// True: one command was taken off the front.
   bool takeOne();
+  /// Of the command that the inbox begins with; more than the inbox has where more must come.
+  [[nodiscard]] std::size_t commandLength() const;
+  struct SetUp
+  {
+    std::size_t pulses = 0, parameters = 0, encoders = 0, length = 0; ///< places in the inbox; how many
+  };
+  [[nodiscard]] SetUp setUpIn() const;
   void setUp();
   void push();
 
   std::vector<std::uint8_t> inbox_;
-  std::uint8_t device_ = 0; ///< 0: not set up
+  std::uint8_t device_ = 0;     ///< 0: not set up
+  std::set<std::uint8_t> pins_; ///< whose pulse a message of torques begins with
   std::array<double, 2> offset_deg_{}, began_deg_{}, countsPerTurn_{};
 };
 
