@@ -189,12 +189,8 @@ OPEN = (
     "haptics/compliance/",
     "haptics/contact/",
     "haptics/geometry/tree/",
-    "haptics/session/soft/",
-    "haptics/session/tool/",
     "haptics/tool/",
     "testing/devices/arm/",
-    "testing/haptics/arm/",
-    "testing/oracles/arm/",
 )
 
 # In texts of the product also these. The key `laws` of a scene file is a name: it stands in quotes or before a colon.
