@@ -185,7 +185,6 @@ OPEN = (
     "devices/calibration/",
     "devices/io/",
     "devices/simulated/",
-    "haptics/arm/",
     "haptics/compliance/",
     "haptics/contact/",
     "haptics/geometry/tree/",
