@@ -187,7 +187,6 @@ OPEN = (
     "devices/simulated/",
     "haptics/compliance/",
     "haptics/contact/",
-    "haptics/geometry/tree/",
     "haptics/tool/",
     "testing/devices/arm/",
 )
