@@ -183,7 +183,6 @@ PRIVATE_IN_COMMENTS = r"\b(?:g[ai]v(?:es?|ing|en) way|bricks?|rub(?:s|bed|bing)?
 OPEN = (
     "devices/arm/",
     "devices/calibration/",
-    "devices/simulated/",
     "haptics/compliance/",
     "haptics/contact/",
     "haptics/tool/",
