@@ -185,7 +185,6 @@ OPEN = (
     "devices/calibration/",
     "haptics/compliance/",
     "haptics/contact/",
-    "haptics/tool/",
     "testing/devices/arm/",
 )
 
