@@ -183,7 +183,6 @@ PRIVATE_IN_COMMENTS = r"\b(?:g[ai]v(?:es?|ing|en) way|bricks?|rub(?:s|bed|bing)?
 OPEN = (
     "devices/arm/",
     "devices/calibration/",
-    "haptics/compliance/",
     "haptics/contact/",
     "testing/devices/arm/",
 )
