@@ -62,7 +62,7 @@ public:
   /// Data of the last snapshot, from which the shape is computed; valid as long as this maker.
   [[nodiscard]] BodySight sight() const;
   [[nodiscard]] BodyShape shape() const;
-  /// Whether the body has passed through itself below a contact, in any of the snapshots after which this was asked.
+  /// True if the body passed through itself below a contact in any snapshot that was followed by lookThrough().
   [[nodiscard]] bool wentThroughItself() const noexcept { return this->wentThroughItself_; }
   void lookThrough();
   [[nodiscard]] const CheckedTetras& checked() const noexcept { return this->checked_; }

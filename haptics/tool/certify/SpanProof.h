@@ -16,7 +16,7 @@ struct Span
   Mat3 turnFrom = Mat3::Identity(), turnTo = Mat3::Identity();
 };
 
-/// Two triangles during a step. Arms are the tool's corners from its centre, turned as at the step's start.
+/// Two triangles during a step. Arms are the tool's corners from its centre, rotated as at the step's start.
 struct MovingPair
 {
   Corners arms_W;

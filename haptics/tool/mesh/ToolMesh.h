@@ -45,7 +45,7 @@ struct ToolMesh
 /// The scene for a tool of this size, built for its rest gap. `clean`: in W.
 [[nodiscard]] std::shared_ptr<const BoxedMesh> makeToolScene(TriangleMesh clean, const ToolMesh& tool);
 
-/// Why a tool cannot stand at a pose in a scene, empty when it can: numbers that are not finite, a quaternion that is
+/// Why a tool cannot be at a pose in a scene, empty when it can: numbers that are not finite, a quaternion that is
 /// not of length one, coordinates so large beside the tool that its rest gap is lost in rounding.
 [[nodiscard]] std::string refusePose(const ToolMesh& tool, const Pose& pose_W);
 [[nodiscard]] std::string refuseScene(const ToolMesh& tool, const BoxedMesh& scene);

@@ -20,8 +20,8 @@ constexpr double marginOfWay = 1.5;  // times the usual motion in an update
 constexpr double marginGrowth = 1.4; // for each gathering within an update; a factor of 2 overshoots
 constexpr double roomLeft = 0.4;     // of the margin: with less left the pairs are gathered anew
 constexpr int mostSteps = 60, mostRounds = 12, idleSteps = 2;
-/// Of the work, after updates that leave a tool where it is: a step in a close fit costs many times the usual work
-/// before the first plane is searched, and a tool with less work would stand still for good.
+/// Most doublings of the work after updates that leave a tool where it is: a step in a close fit costs many times the
+/// usual work before the first plane is searched, and a tool with less work would stand still for good.
 constexpr int mostDoublings = 5;
 constexpr double widestCircle = 16.0; // rest gaps: path length of steps in a circle that count as rest
 constexpr double worthMoving = 0.25;  // of a step: with less the blocking rows are added first

@@ -156,7 +156,7 @@ NearPairs::LeafRange NearPairs::verticesOf(std::uint32_t toolNode)
   return range;
 }
 
-/// Several steps are tried from one pose, which is turned once for all of them.
+/// Several steps are tried from one pose, for which the corners are rotated once.
 void NearPairs::setStep(const ScrewStep& step, double way_u)
 {
   if (this->step_.from_W.q.coeffs() != step.from_W.q.coeffs())

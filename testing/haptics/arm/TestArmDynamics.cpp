@@ -28,7 +28,7 @@ double workAround(const JointVector& middle, const Torque& torque)
     JointVector q = middle, way = JointVector::Zero(middle.size());
     for (Eigen::Index k = 0; k < middle.size(); ++k)
     {
-      const double phase = 2.0 * static_cast<double>(k); // so that the way encloses an area
+      const double phase = 2.0 * static_cast<double>(k); // so that the path encloses an area
       q[k] += 0.1 * std::cos(angle + phase);
       way[k] = -0.1 * std::sin(angle + phase) * 2.0 * std::numbers::pi / points;
     }
