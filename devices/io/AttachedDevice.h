@@ -16,19 +16,19 @@
 namespace palpate
 {
 
-/// A device that comes and goes, held by the threads of its link, with the last message about it. Any thread but the
-/// servo's.
+/// A device that may be unplugged and plugged in again, shared by the threads of its link, with the last message about
+/// the device. Any thread but the servo's.
 template<class Attached>
 class AttachedDevice
 {
 public:
-  /// Null: no device is there. A pointer stays valid for its holder when the device is let go.
+  /// Null: there is no device. A pointer stays valid for its owner when the device is released.
   [[nodiscard]] std::shared_ptr<Attached> get() const
   {
     const std::lock_guard lock(this->mutex_);
     return this->device_;
   }
-  /// Holds the device from now on, and calls found() before anybody else can have it.
+  /// Stores the device, and calls found() before any other thread can get it.
   template<class Found>
   void hold(std::shared_ptr<Attached> device, Found found)
   {
@@ -37,7 +37,7 @@ public:
     this->message_ = this->lostFor_; // the reason for its loss, not for its absence since
     found();
   }
-  /// Does something while nobody lets go of `device`; nothing if it has been let go of.
+  /// Calls act() while `device` cannot be released; does nothing if the device was released before.
   template<class Act>
   void with(const std::shared_ptr<Attached>& device, Act act)
   {
@@ -52,7 +52,7 @@ public:
     const std::lock_guard lock(this->mutex_);
     this->device_.reset();
   }
-  /// The same of `device`, and calls lost(). False: it was let go already; another device that is held by now stays.
+  /// Releases `device` and calls lost(). False: the device was released before; another one stored by now stays.
   template<class Lost>
   bool letGo(const std::shared_ptr<Attached>& device, const std::string& why, Lost lost)
   {
@@ -71,7 +71,7 @@ public:
     const std::lock_guard lock(this->mutex_);
     this->message_ = std::move(message);
   }
-  /// Writes down whether it is there, the message, and why it was let go of last.
+  /// Reports whether there is a device, the message, and the reason for the last release.
   void reportTo(LinkReport& report) const
   {
     const std::lock_guard lock(this->mutex_);
@@ -84,14 +84,14 @@ private:
   mutable std::mutex mutex_;
   std::shared_ptr<Attached> device_;
   std::string message_;
-  std::string lostFor_; ///< why it was let go of last
+  std::string lostFor_; ///< reason for the last release
 };
 
-/// Says when it is time to look for a lost device again. One thread.
+/// Decides when to search for a lost device again. One thread.
 class SearchPause
 {
 public:
-  /// True: look now; not again for half a second.
+  /// True: search now; not again for half a second.
   [[nodiscard]] bool over(std::int64_t now_ns) noexcept
   {
     constexpr std::int64_t tryAgainAfter_ns = 500000000;
@@ -104,8 +104,8 @@ private:
   std::int64_t triedAt_ns_ = 0;
 };
 
-/// Hands each report that waits to take(report); for the first one it waits up to `timeout_ms`. Below 0: the device is
-/// gone.
+/// Passes each report that is queued to take(report), after waiting up to `timeout_ms` for the first one. Below 0: the
+/// device is gone.
 template<class Take>
 int takeReports(HidConnection& connection, int timeout_ms, Take take)
 {

@@ -23,7 +23,7 @@ void CapMotion::step(const Cap& cap, double dt_s) noexcept
   this->pose_D_.p = clampMagnitude(from_D + this->options_.speed_m_per_s * dt_s * pushed_D, this->options_.radius_m);
   this->velocity_D_.angular = this->options_.turn_rad_per_s * turned_D;
   this->velocity_D_.linear = dt_s > 0.0 ? Vec3((this->pose_D_.p - from_D) / dt_s) : Vec3(Vec3::Zero());
-  // Of the first order and made a unit again: within a tick that is a turn of milliradians.
+  // First order, then normalised: the rotation within a tick is of milliradians.
   const Vec3 half_D = 0.5 * dt_s * this->velocity_D_.angular;
   this->pose_D_.q = (Quat(1.0, half_D.x(), half_D.y(), half_D.z()) * this->pose_D_.q).normalized();
 }

@@ -26,7 +26,7 @@ void DeviceThreads::run(Work work)
     const Work& work = running->work;
     if (work.priority > 0)
     {
-      // By the user's own limits only. A broker's grant comes with a limit of time for the whole process and is kept
+      // The user's own limits have to do. A broker's grant limits the time of the whole process and is kept
       // for the servo: a writer that is late delays a report, never a tick.
       static_cast<void>(acquireScheduling(work.priority));
     }

@@ -10,16 +10,16 @@
 namespace palpate
 {
 
-/// The threads of one open device, each calling one function again and again. Each owns its data, so that one
-/// that hangs in the system can be left behind.
+/// The threads of one open device; each calls one function repeatedly and owns its data, so that a thread that hangs in
+/// the system can be left behind.
 class DeviceThreads
 {
 public:
   struct Work
   {
     std::function<bool()> pass;  ///< false: there is nothing to do now
-    int idle_ms = 1;             ///< then it waits that long
-    int priority = 0;            ///< of the real-time kind, 0: the usual one
+    int idle_ms = 1;             ///< pause after that
+    int priority = 0;            ///< real-time priority; 0: normal scheduling
     std::function<void()> leave; ///< last action of its thread
     std::shared_ptr<void> keeps; ///< lives as long as the thread
   };
@@ -30,7 +30,7 @@ public:
   DeviceThreads& operator=(const DeviceThreads&) = delete;
 
   void run(Work work);
-  /// Waits for half a second at most for each. False: one hangs and was left to itself, with all it keeps.
+  /// Waits at most half a second for each thread. False: one hangs and was detached with all data that it keeps.
   [[nodiscard]] bool end() noexcept;
 
 private:

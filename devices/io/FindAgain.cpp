@@ -27,8 +27,8 @@ FoundDevice DeviceSearch::first(DeviceListing& bus)
   return inPlace ? FoundDevice{ inPlace, {} } : this->only(alike);
 }
 
-/// A loose plug, or a system that wakes up, can have the device back in another place before anybody looks. A serial
-/// number that no other device ever had says so. A device without one is a stranger until the plug is pulled again.
+/// After a loose contact, or when the system wakes up, the device may be back at another path before the first search.
+/// A serial number without a twin identifies the device; without a number it is a stranger until it is unplugged again.
 void DeviceSearch::lost(DeviceListing& bus)
 {
   if (std::exchange(this->looking_, true))
@@ -69,7 +69,7 @@ void DeviceSearch::found(DeviceListing& bus, const HidEntry& entry)
   this->looking_ = false;
 }
 
-/// One plug may have several parts, each with a descriptor of its own.
+/// One plug may have several interfaces, each with its own descriptor.
 std::vector<HidEntry> DeviceSearch::alike(DeviceListing& bus) const
 {
   std::vector<HidEntry> alike = bus.devices();

@@ -13,7 +13,7 @@ void HandExchange::tell(const std::optional<Hand>& hand) noexcept
 
 HandExchange::Heard HandExchange::heard() noexcept
 {
-  const bool steady = this->presence.steady(); // first: the hand of a device that is found is there before
+  const bool steady = this->presence.steady(); // first: a device's hand is published before its presence
   const std::optional<Hand>& newest = this->handToServo_.read();
   return steady ? Heard{ true, newest } : Heard{};
 }
@@ -24,7 +24,7 @@ void HandExchange::command(const DeviceCommand& command) noexcept
   this->beat_.store(this->beat_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
 }
 
-/// The number is read first: a command newer than its number is taken for a late one, never the other way round.
+/// The counter is read first: a command newer than its counter counts as late, never the other way round.
 PidOutput::Wish HandExchange::wish() noexcept
 {
   const std::uint64_t beat = this->beat_.load(std::memory_order_acquire);

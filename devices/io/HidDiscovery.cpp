@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 
-/// Adds one, with a name of its own.
+/// Adds a device under a unique name.
 void add(std::vector<FoundHid>& found, FoundHid one)
 {
   const std::string road = one.kind == FoundHid::Kind::SpaceMouse ? "spacemouse"
@@ -24,7 +24,7 @@ void add(std::vector<FoundHid>& found, FoundHid one)
     [](const FoundHid& a, const FoundHid& b) { return a.kind == b.kind && sameKind(a.entry, b.entry); });
 }
 
-/// What a descriptor promises, usable or not.
+/// The kind that a descriptor promises, usable or not.
 std::optional<FoundHid::Kind> promisedBy(const ReportDescriptor& descriptor) noexcept
 {
   if (speaksPid(descriptor))
@@ -34,14 +34,14 @@ std::optional<FoundHid::Kind> promisedBy(const ReportDescriptor& descriptor) noe
   return SpaceMouseInput::describes(descriptor) ? std::optional(FoundHid::Kind::SpaceMouse) : std::nullopt;
 }
 
-/// Joystick, game pad, multi-axis controller; flight stick, wheel and their kin.
+/// True for a joystick, game pad, multi-axis controller, flight stick, wheel and similar controls.
 bool isForHands(HidUsage purpose) noexcept
 {
   constexpr HidUsage joystick = 0x010004, pad = 0x010005, multiAxis = 0x010008, simulation = 0x02;
   return purpose == joystick || purpose == pad || purpose == multiAxis || purpose >> 16U == simulation;
 }
 
-/// Why something that was made for a hand is none of those; none: it was not.
+/// Why a control for a hand is of neither kind; none: the device is no such control.
 std::optional<std::string> shortfall(const HidEntry& entry, const HidBus::Descriptor& read, const ReportDescriptor& d)
 {
   if (!isForHands(entry.usage) && std::none_of(d.purposes.begin(), d.purposes.end(), isForHands))

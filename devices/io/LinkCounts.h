@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// How many reports a second come, counted over a second. One thread counts, any other may look.
+/// Rate of reports, counted over a second. One thread counts, any other may read.
 class ReportRate
 {
 public:
@@ -37,10 +37,10 @@ private:
   std::atomic<double> rate_Hz_ = 0.0;
 };
 
-/// What the threads of a link count, for people to see.
+/// Counters of a link's threads, for the user.
 struct LinkCounts
 {
-  /// A line of its own: the reader counts every report.
+  /// On a cache line of its own: the reader counts every report.
   alignas(64) ReportRate rate;
   std::atomic<std::uint64_t> inputs = 0, strange = 0, outOfRange = 0; ///< reader's
   std::atomic<std::uint64_t> outputs = 0, restarts = 0;               ///< writer's

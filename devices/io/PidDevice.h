@@ -20,7 +20,7 @@ public:
     const PidDeviceOptions& options = {});
 };
 
-/// What a device of that entry is, from its descriptor alone.
+/// Properties of the device of that entry, from its descriptor alone.
 [[nodiscard]] DeviceInfo pidInfo(
   const std::string& name, const HidEntry& entry, const ReportDescriptor& descriptor, const PidScale& scale);
 

@@ -8,7 +8,7 @@ namespace palpate
 namespace
 {
 
-constexpr int firstReads = 10, firstRead_ms = 10; ///< a device that has something to say says it in that time
+constexpr int firstReads = 10, firstRead_ms = 10; ///< a device that reports at all does so in that time
 
 constexpr const char* effectsTaken = "another program took the effects of the device: close that program, or remove "
                                      "access to the device's evdev node (see plugin/README.md)";
@@ -50,7 +50,7 @@ void AttachedPid::drain() const noexcept
   static_cast<void>(takeReports(*this->connection, 0, [](std::span<const std::uint8_t>) {}));
 }
 
-/// Nothing where another thread is sending that order already.
+/// Does nothing while another thread sends that order.
 void AttachedPid::stopPastTheWriter() noexcept
 {
   const std::unique_lock alone(this->spareMutex, std::try_to_lock);
@@ -60,8 +60,8 @@ void AttachedPid::stopPastTheWriter() noexcept
   }
 }
 
-/// Why the device's effects do not play any more; null: they do. A device that was told to stop past the writer may not
-/// say so, and that order also switches the actuators of some devices off.
+/// Why the device's effects no longer play; null: they do. A device that was stopped past the writer may not report
+/// that it stopped, and that order also disables the actuators of some devices.
 const char* AttachedPid::disturbance(std::int64_t now_ns) noexcept
 {
   if (this->stalled)
@@ -77,7 +77,7 @@ const char* AttachedPid::disturbance(std::int64_t now_ns) noexcept
   return this->watch->undisturbed(now_ns) ? nullptr : effectsTaken;
 }
 
-/// A device that stands still may say nothing, and a place from before the loss says nothing about now.
+/// A device at rest may report nothing, and a position from before the loss is no longer valid.
 std::optional<PidLink::Hand> PidLink::firstHand(AttachedPid& device)
 {
   device.drain();
@@ -96,8 +96,8 @@ bool PidLink::listen(AttachedPid& device, int timeout_ms, std::optional<Hand>& n
   return takeReports(*device.connection, timeout_ms, takeOne) >= 0;
 }
 
-/// The servo knows of the loss before the order to stop is sent, for sending may hang. The device may still be there
-/// and push. A device that the writer has lost has had its order, and what is there now may be another device.
+/// The servo learns of the loss before the order to stop is sent, for sending may hang. The device may still be present
+/// and push. A device that the writer has lost was sent the order, and the present device may be another one.
 void PidLink::unplugged(const std::shared_ptr<AttachedPid>& device)
 {
   this->stopping_ = true;
@@ -127,7 +127,7 @@ void PidLink::take(AttachedPid& device, std::span<const std::uint8_t> report, st
   this->takeState(device, *state, newest);
 }
 
-/// Some firmwares never say that their switch is on: only a switch that was on can have been switched off.
+/// Some firmwares never report that their switch is on: only a switch that was on can have been switched off.
 void PidLink::takeState(AttachedPid& device, const PidState& state, std::optional<Hand>& newest)
 {
   if (!state.actuatorsEnabled)
@@ -151,17 +151,17 @@ void PidLink::takeState(AttachedPid& device, const PidState& state, std::optiona
   }
 }
 
-/// A write that hangs cannot be called back, and until the write ends nobody can open the device. So the order to stop
+/// A write that hangs cannot be cancelled, and until the write ends the device cannot be opened. So the order to stop
 /// goes by a connection that was opened before. The order lies behind the write in the system's queue, and comes first
-/// when the device takes anything again. Sending may hang as long: the reader has nothing else to do for a lost device.
+/// when the device accepts data again. Sending may hang as long: the reader has no other work for a lost device.
 void PidLink::stalled(AttachedPid& device)
 {
-  device.stalled = true; // before the device can say that it has stopped
+  device.stalled = true; // before the device can report that it has stopped
   device.stopPastTheWriter();
 }
 
-/// What the device was told last would go on until it ends by itself. A device that took nothing for long would only
-/// hang again, and has had its order past the writer. The servo knows before the order is sent, for sending may hang.
+/// The last effects would play until they expire. A device that accepted nothing for long would only hang again, and
+/// was sent its order past the writer. The servo learns of the loss before the order is sent, for sending may hang.
 void PidLink::giveUp(const std::shared_ptr<AttachedPid>& device, std::int64_t since_ns, const std::string& why)
 {
   const bool answers = this->clock().now_ns() - since_ns <= WriterWatch::stuckAfter_ns;

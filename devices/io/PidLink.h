@@ -18,7 +18,7 @@
 namespace palpate
 {
 
-/// A device of the PID class as long as it stays plugged in.
+/// A device of the PID class while it is plugged in.
 struct AttachedPid
 {
   HidEntry entry;
@@ -32,10 +32,10 @@ struct AttachedPid
   std::mutex spareMutex;
   std::optional<HandExchange::Hand> last;          ///< reader's
   bool gripped = false, switchSeen = false;        ///< reader's
-  std::atomic<const char*> withoutForce = nullptr; ///< why its motors give none, as it says itself; null: they do
-  std::atomic<bool> actuatorsOff = false;          ///< so it said
-  std::atomic<int> stoppedBlock = 0;               ///< the last one it said so of
-  std::atomic<bool> stalled = false;               ///< a write hung, and so it was told to stop
+  std::atomic<const char*> withoutForce = nullptr; ///< why its motors give no force, by its own report; null: they do
+  std::atomic<bool> actuatorsOff = false;          ///< by its own report
+  std::atomic<int> stoppedBlock = 0;               ///< last block that it reported as stopped
+  std::atomic<bool> stalled = false;               ///< a write hung, and the device was ordered to stop
 
   [[nodiscard]] std::string begin(HidBus& bus, const PidOutputOptions& options);
   [[nodiscard]] PidStep step(std::int64_t now_ns, const PidOutput::Wish& wish) noexcept
@@ -47,7 +47,7 @@ struct AttachedPid
   [[nodiscard]] const char* disturbance(std::int64_t now_ns) noexcept;
 };
 
-/// A force-feedback joystick of the USB PID class that comes and goes.
+/// The link to a force-feedback joystick of the USB PID class, which may be unplugged and plugged in again.
 class PidLink final : public PushedLink<HidBus, AttachedPid>
 {
 public:
@@ -67,7 +67,7 @@ private:
   void takeState(AttachedPid& device, const PidState& state, std::optional<Hand>& newest);
   void take(AttachedPid& device, std::span<const std::uint8_t> report, std::optional<Hand>& newest);
 
-  std::atomic<bool> stopping_ = false; ///< reader's: it tells a lost device to stop, and no other one must hear that
+  std::atomic<bool> stopping_ = false; ///< reader's: a lost device is ordered to stop, which no other one must receive
 };
 
 } // namespace palpate

@@ -7,7 +7,7 @@
 namespace palpate
 {
 
-/// Whether a device is there, between the threads that notice and the servo, which misses no loss however short.
+/// Presence of a device, from the threads that notice changes to the servo, which misses no loss however short.
 class Presence
 {
 public:
@@ -18,13 +18,13 @@ public:
     this->live_ = false;
     ++this->losses_;
   }
-  /// Nobody asks for it any more.
+  /// The device is released without a loss.
   void left() noexcept { this->live_ = false; }
-  /// It is there and does not take what it is told.
+  /// The device is present but does not accept commands.
   void stalled() noexcept { ++this->losses_; }
   [[nodiscard]] std::uint64_t losses() const noexcept { return this->losses_; }
 
-  /// It is there, and was all the time since the last call. Servo thread; wait-free.
+  /// True if the device is present and was since the last call. Servo thread; wait-free.
   [[nodiscard]] bool steady() noexcept
   {
     const std::uint64_t losses = this->losses_.load(std::memory_order_acquire);

@@ -14,15 +14,15 @@
 namespace palpate
 {
 
-/// How a device that is pushed through a link runs; the defaults are for people, the rest for tests.
+/// Options of a device behind a link; the defaults are for users, other values for tests.
 struct PushedDeviceOptions
 {
   PidOutputOptions output;
-  bool threads = true;          ///< false: nothing runs by itself, the link's passes are called from outside
+  bool threads = true;          ///< false: no threads, the link's passes are called from outside
   const Clock* clock = nullptr; ///< null: the system's monotonic clock; must outlive the device
 };
 
-/// What is known before it is opened of a device of that kind; its lengths and forces are assumed.
+/// Properties of a device of that kind that are known before it is opened; lengths and forces are assumptions.
 [[nodiscard]] inline DeviceInfo pushedInfo(
   const std::string& name, const HidEntry& entry, const PidKind& kind, const PidScale& scale)
 {
@@ -42,7 +42,7 @@ struct PushedDeviceOptions
 }
 
 /// A joystick, wheel or base behind a link with a reader and a writer thread of its own. Reading and writing are
-/// wait-free whatever the device does. Its lengths and forces are assumed until somebody measures them.
+/// wait-free whatever the device does. Its lengths and forces are assumptions until they are measured.
 template<class Link>
 class PushedDevice
   : public HapticDevice
@@ -59,7 +59,7 @@ public:
                                                 [&link] { link.detach(); }, {} },
         { [&link] { return link.readPass(readTimeout_ms); }, noDevice_ms, 0, {}, {} } };
     };
-    this->link_->trust(this->options_.output.trust); // a link that hung was replaced
+    this->link_->trust(this->options_.output.trust); // again, as a link that hung was replaced
     std::string problem = this->options_.threads ? this->link_.open(work) : this->link_.open({});
     this->believe();
     return problem;
@@ -98,7 +98,7 @@ public:
   [[nodiscard]] Link& link() noexcept { return *this->link_; }
 
 protected:
-  /// `info` is what can be known before the device is opened.
+  /// `info`: properties that are known before the device is opened.
   PushedDevice(DeviceInfo info, const PushedDeviceOptions& options, typename ServedLink<Link>::Make make)
     : info_(std::move(info)), options_(options), promised_(this->info_.abilities), link_(options.clock, std::move(make))
   {
@@ -110,11 +110,11 @@ protected:
   PushedDeviceOptions options_;
 
 private:
-  static constexpr int readTimeout_ms = 10; ///< so late a write that hangs is noticed at most
+  static constexpr int readTimeout_ms = 10; ///< largest delay before a write that hangs is noticed
   static constexpr int writerPriority = 19; ///< just below the servo
   static constexpr int writerIdle_ms = 1, noDevice_ms = 20;
 
-  /// Says of itself what it is believed.
+  /// Puts the abilities that the device is trusted with into its info.
   void believe()
   {
     this->info_.offersWalls = this->offered().offersWalls();

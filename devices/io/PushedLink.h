@@ -21,14 +21,14 @@
 namespace palpate
 {
 
-/// A device with force feedback that comes and goes, between a reader, a writer and a servo. The reader and the writer
-/// each call their pass again and again and may be blocked in it for seconds; the servo exchanges newest values with
-/// them and never waits. After a loss the writer opens the device again, but gives no force until the servo has asked
-/// for none once: only a person brings it back.
+/// The link between a device with force feedback, a reader, a writer and the servo. The reader and the writer each call
+/// their pass repeatedly and may block in it for seconds; the servo exchanges newest values with them and never waits.
+/// After a loss the writer opens the device again, but gives no force until the servo has commanded no force once: only
+/// the user brings it back.
 ///
-/// `Attached` is all that lives as long as a device stays plugged in: an `entry`, a `connection`, an `engine` and an
-/// `output`; begin(bus, options) opens and prepares it; step(now_ns, wish) sends what is most urgent;
-/// disturbance(now_ns) says why its effects do not play any more, or is null.
+/// `Attached` has all data of a device while it is plugged in: an `entry`, a `connection`, an `engine` and an
+/// `output`; begin(bus, options) opens and prepares the device; step(now_ns, wish) sends the most urgent message;
+/// disturbance(now_ns) says why the effects no longer play, or is null.
 template<class Bus, class Attached>
 class PushedLink
 {
@@ -40,15 +40,15 @@ public:
   PushedLink(const PushedLink&) = delete;
   PushedLink& operator=(const PushedLink&) = delete;
 
-  /// Finds, opens and prepares the device; what it can do to a hand then is what it must be able to do whenever it
-  /// comes back. Empty, or why not. Before there is a writer thread.
+  /// Finds, opens and prepares the device; its abilities then are those that it must have whenever it comes back.
+  /// Empty, or the reason for the failure. Before there is a writer thread.
   [[nodiscard]] std::string attach()
   {
     std::string problem = this->prepare(this->search_.first(*this->bus_), {});
     this->opened_ = this->abilities().value_or(DeviceAbilities{});
     return problem;
   }
-  /// Leaves the device without force and lets it go. Writer thread, or after it.
+  /// Leaves the device without force and releases it. Writer thread, or after it.
   void detach() noexcept
   {
     if (const std::shared_ptr<Attached> device = this->held_.get())
@@ -87,7 +87,7 @@ public:
     return there;
   }
 
-  /// Sends what is most urgent. False: nothing to do now. Writer thread.
+  /// Sends the most urgent message. False: nothing to do now. Writer thread.
   bool writePass()
   {
     const std::int64_t now_ns = this->clock_.now_ns();
@@ -103,7 +103,7 @@ public:
     return sent;
   }
 
-  /// The newest. Servo thread; wait-free.
+  /// Presence and the newest hand. Servo thread; wait-free.
   [[nodiscard]] Heard heard() noexcept { return this->exchange_.heard(); }
   /// Servo thread; wait-free.
   void command(const DeviceCommand& command) noexcept { this->exchange_.command(command); }
@@ -127,9 +127,9 @@ public:
     }
     return report;
   }
-  /// What it is believed from now on. Any thread.
+  /// Sets the trust in forces that the device renders itself. Any thread.
   void trust(HeldTrust trust) noexcept { this->exchange_.trust(trust); }
-  /// What the device offers; none before it was attached. Any thread but the servo's.
+  /// The abilities that the device offers; none before it was attached. Any thread but the servo's.
   [[nodiscard]] std::optional<DeviceAbilities> abilities() const
   {
     const std::lock_guard lock(this->abilitiesMutex_);
@@ -142,21 +142,21 @@ protected:
   {
   }
 
-  /// Where the hand is, of a device that has just been opened; none: it does not say.
+  /// Position of the hand when a device has just been opened; none: the device does not report it.
   [[nodiscard]] virtual std::optional<Hand> firstHand(Attached& device) = 0;
   /// Waits for input and takes all of it. False: the device is gone. Reader thread.
   [[nodiscard]] virtual bool listen(Attached& device, int timeout_ms, std::optional<Hand>& newest) = 0;
-  /// Loses a device that is gone, and what else is to be done. Reader thread.
+  /// Handles the loss of a device that is gone. Reader thread.
   virtual void unplugged(const std::shared_ptr<Attached>& device) = 0;
-  /// Loses a device whose effects do not play or that took no force, and ends what it still plays. Writer thread, since
+  /// Loses a device whose effects do not play or that accepted no force, and ends its effects. Writer thread, since
   /// `since_ns` in this pass.
   virtual void giveUp(const std::shared_ptr<Attached>& device, std::int64_t since_ns, const std::string& why) = 0;
-  /// The writer has just been found to hang. Reader thread.
+  /// Called when the writer has just been found to hang. Reader thread.
   virtual void stalled(Attached& /*device*/) {}
   /// True: a lost device may be opened again now.
   [[nodiscard]] virtual bool mayReattach() const noexcept { return true; }
 
-  /// False: another thread has noticed the loss already.
+  /// Marks the device as lost. False: another thread has noticed the loss already.
   [[nodiscard]] bool lose(const std::shared_ptr<Attached>& device, const std::string& why)
   {
     return this->held_.letGo(device, why, [this] { this->exchange_.presence.lost(); });
@@ -175,8 +175,8 @@ protected:
   LinkCounts counts_;
 
 private:
-  /// For walls that are left to the device, which it could hold before; empty: nothing. Whoever steers by what the
-  /// device held goes on as if it held it, and walls without their viscosity shake.
+  /// The ability for walls that the device had before and lacks now; empty: none. The host goes on as if the device
+  /// rendered its walls, and walls without their viscosity shake.
   [[nodiscard]] static std::string missing(const DeviceAbilities& before, const DeviceAbilities& now)
   {
     return !before.offersWalls() || now.offersWalls() ? "" : now.holdsWalls ? "viscosity" : "walls";
@@ -233,8 +233,8 @@ private:
     return step == PidStep::Sent;
   }
 
-  /// The devices that are there are noted before anything is waited for: the lost one may soon be back in another
-  /// place.
+  /// The devices present are noted before any waiting: the lost device may soon be back at another
+  /// path.
   void reattach(std::int64_t now_ns)
   {
     this->search_.lost(*this->bus_);
@@ -261,7 +261,7 @@ private:
   HandExchange exchange_;
   WriterWatch writer_;
 
-  DeviceAbilities opened_; ///< writer's, and the owner's before: what it could do when it was opened
+  DeviceAbilities opened_; ///< writer's, and the owner's before: abilities when the device was opened
   SearchPause pause_;      ///< writer's
 };
 

@@ -13,8 +13,8 @@
 namespace palpate
 {
 
-/// The link to a device, the clock it asks and the threads that serve it. A thread that hangs in the system is left
-/// behind with the link it hangs in and the clock, and a new link takes its place.
+/// The link to a device, its clock and the threads that serve it. A thread that hangs in the system is left behind with
+/// its link and the clock, and a new link takes the place of the old one.
 template<class Link>
 class ServedLink
 {
@@ -22,14 +22,14 @@ public:
   using Make = std::function<std::shared_ptr<Link>(const Clock&)>;
   using Work = std::vector<DeviceThreads::Work>;
 
-  /// A clock of its own where none is given; a given one must outlive the device.
+  /// Makes a clock where none is given; a given clock must outlive the device.
   ServedLink(const Clock* clock, Make make) : clock_(clockOf(clock)), make_(std::move(make)), link_(make_(*clock_)) {}
   ~ServedLink() { this->close(); }
   ServedLink(const ServedLink&) = delete;
   ServedLink& operator=(const ServedLink&) = delete;
 
-  /// Attaches the link and lets threads do what `workOf` says; without it nothing runs by itself. One of them must
-  /// detach the link when it leaves. Returns what is wrong, empty when it is open.
+  /// Attaches the link and starts the threads of `workOf`; without `workOf` there are none. One of the threads must
+  /// detach the link at its end. Returns the problem, empty when the link is open.
   [[nodiscard]] std::string open(const std::function<Work(Link&)>& workOf)
   {
     if (this->threads_ != nullptr)
@@ -59,7 +59,7 @@ public:
     }
     else if (!std::exchange(this->threads_, nullptr)->end())
     {
-      this->link_ = this->make_(*this->clock_); // the old one is theirs, whenever they come back
+      this->link_ = this->make_(*this->clock_); // threads that hang keep the old link
     }
   }
 

@@ -11,7 +11,7 @@ namespace
 
 constexpr int readTimeout_ms = 100;
 constexpr int noDevice_ms = 20;
-constexpr double forgetAfter_s = 0.1; ///< a pressed cap is told about every 8 or 16 ms
+constexpr double forgetAfter_s = 0.1; ///< a pressed cap sends a report every 8 or 16 ms
 constexpr double longestTick_s = 0.02;
 
 } // namespace
@@ -27,7 +27,7 @@ SpaceMouseDevice::SpaceMouseDevice(
   this->info_.deviceClass = DeviceClass::Rigid6D;
   this->info_.rendersForce = false;
   this->info_.abilities.sensedAxes = 6;
-  this->info_.workspaceRadius_m = { options.motion.radius_m, true }; // ours to choose
+  this->info_.workspaceRadius_m = { options.motion.radius_m, true }; // a choice of this program, therefore known
 }
 
 std::string SpaceMouseDevice::open()
@@ -40,7 +40,7 @@ std::string SpaceMouseDevice::open()
   return this->options_.threads ? this->link_.open(work) : this->link_.open({});
 }
 
-/// A cap of which nothing more comes is not one that is held: a radio link that breaks off must not run on.
+/// A cap that sends no more reports counts as released: the motion must end when a radio link breaks.
 Cap SpaceMouseDevice::heard(double tickTime_s, const SpaceMouseLink::News& news) noexcept
 {
   if (news.reports != this->heardOf_)

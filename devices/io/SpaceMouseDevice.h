@@ -13,17 +13,17 @@
 namespace palpate
 {
 
-/// How a SpaceMouseDevice runs; the defaults are for people, the rest for tests.
+/// Options of a SpaceMouseDevice; the defaults are for users, other values for tests.
 struct SpaceMouseOptions
 {
   CapMotionOptions motion;
-  bool threads = true;          ///< false: nothing runs by itself, the link's passes are called from outside
+  bool threads = true;          ///< false: no threads, the link's passes are called from outside
   const Clock* clock = nullptr; ///< null: the system's monotonic clock; must outlive the device
 };
 
-/// A SpaceMouse leads the hand with six degrees of freedom and gives no force. A cap that is pressed moves the hand and
-/// turns it, one that is let go, or of which nothing has been heard for a tenth of a second, holds it where it is. Its
-/// buttons can be what must be held. Reading is wait-free whatever the device does.
+/// A SpaceMouse moves the hand with six degrees of freedom and gives no force. A pressed cap moves and rotates the
+/// hand; a cap that is released, or has sent no report for a tenth of a second, stops the hand. Its buttons can be the
+/// dead-man switch. Reading is wait-free whatever the device does.
 class SpaceMouseDevice final
   : public HapticDevice
   , public LinkedDevice

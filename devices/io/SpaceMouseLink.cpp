@@ -27,7 +27,7 @@ std::string SpaceMouseLink::prepare(const FoundDevice& found)
     return "\"" + found.entry->name + "\": " + problem;
   }
   this->search_.found(*this->bus_, *found.entry);
-  // Whatever it was pressed to before says nothing now.
+  // A press from before the loss is no longer valid.
   this->news_.cap = {};
   this->newsToServo_.write(this->news_);
   this->held_.hold(std::move(device), [this] { this->presence_.found(); });
@@ -113,7 +113,7 @@ void SpaceMouseLink::reattach(std::int64_t now_ns)
 
 std::optional<SpaceMouseLink::News> SpaceMouseLink::news() noexcept
 {
-  const bool steady = this->presence_.steady(); // first: the news of a device that is found is there before
+  const bool steady = this->presence_.steady(); // first: a device's news is published before its presence
   const News& newest = this->newsToServo_.read();
   return steady ? std::optional<News>(newest) : std::nullopt;
 }

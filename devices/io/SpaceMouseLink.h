@@ -19,17 +19,17 @@
 namespace palpate
 {
 
-/// A SpaceMouse that comes and goes, between a reader, which may be blocked in its pass, and a servo, which never
-/// waits. After a loss the reader opens the device again.
+/// The link between a SpaceMouse, a reader, which may block in its pass, and the servo, which never waits. After a loss
+/// the reader opens the device again.
 class SpaceMouseLink
 {
 public:
   /// `clock` must outlive the link.
   SpaceMouseLink(std::shared_ptr<HidBus> bus, HidEntry entry, const Clock& clock);
 
-  /// Finds and opens the device. Empty, or why not. Reader thread, or before there is one.
+  /// Finds and opens the device. Empty, or the reason for the failure. Reader thread, or before there is one.
   [[nodiscard]] std::string attach();
-  /// Lets it go. Reader thread, or after it.
+  /// Releases the device. Reader thread, or after it.
   void detach() noexcept;
   /// Waits for input and keeps the newest; without a device tries to find it again. False: there is none. Reader
   /// thread.
@@ -38,9 +38,9 @@ public:
   struct News
   {
     Cap cap;
-    std::uint64_t reports = 0; ///< so many have said something so far
+    std::uint64_t reports = 0; ///< number of valid reports so far
   };
-  /// The newest; none: the device is lost, or was since the last call. Servo thread; wait-free.
+  /// The newest state of the cap; none: the device is lost, or was since the last call. Servo thread; wait-free.
   [[nodiscard]] std::optional<News> news() noexcept;
 
   /// Any thread but the servo's.
@@ -66,7 +66,7 @@ private:
   AttachedDevice<Attached> held_; ///< reader and owner only
 
   TripleBuffer<News> newsToServo_; ///< reader -> servo
-  alignas(64) Presence presence_;  ///< a line of its own: the servo reads it every tick
+  alignas(64) Presence presence_;  ///< on a cache line of its own: the servo reads it every tick
   LinkCounts counts_;
   News news_;         ///< reader's
   SearchPause pause_; ///< reader's

@@ -7,13 +7,13 @@
 namespace palpate
 {
 
-/// Tells the reader of a device that its writer hangs in the system, once each time.
+/// Finds for the reader of a device that its writer hangs in the system, once each time.
 class WriterWatch
 {
 public:
   static constexpr std::int64_t stuckAfter_ns = 50000000;
 
-  /// Writer thread, round what may hang.
+  /// Writer thread, around a call that may hang.
   void begins(std::int64_t now_ns) noexcept { this->since_ns_ = now_ns; }
   void ends() noexcept { this->since_ns_ = notWriting; }
 

@@ -43,7 +43,7 @@ std::string AdmittanceDevice::open()
   return {};
 }
 
-/// Even, by a linear congruence (Knuth, The Art of Computer Programming 2, 3.3.4): the same in every run.
+/// Uniform, by a linear congruence (Knuth, The Art of Computer Programming 2, 3.3.4): the same in every run.
 Vec3 AdmittanceDevice::noise() noexcept
 {
   Vec3 noise;

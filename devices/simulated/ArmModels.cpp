@@ -25,7 +25,7 @@ std::vector<Vec3> spreadOver(const ArmWorkSpace& space, bool isPlanar)
   return places;
 }
 
-/// A mass along one direction somewhere.
+/// A mass with damping and friction along one direction at one position.
 struct Part
 {
   double mass_kg, damping_Ns_per_m, friction_N;
@@ -46,8 +46,8 @@ std::vector<Part> partsOf(const Arm& arm)
   return parts;
 }
 
-/// The one whose wall shakes first. One that is lighter and less damped than another shakes before it, so that only
-/// those that nothing undercuts are tried.
+/// The part whose wall becomes unstable first. A part is never the first where another one is lighter and less damped,
+/// so that only the remaining parts are tried.
 Part worstOf(const std::vector<Part>& parts)
 {
   double softest = std::numeric_limits<double>::infinity();
@@ -74,7 +74,7 @@ Part worstOf(const std::vector<Part>& parts)
   return worst;
 }
 
-/// The largest way of the tip for one count of any encoder, in the middle of the work space [m].
+/// The largest displacement of the tip for one count of any encoder, in the middle of the work space [m].
 double stepOf(const Arm& arm, const JointVector& q)
 {
   double step = 0.0;
@@ -88,7 +88,7 @@ double stepOf(const Arm& arm, const JointVector& q)
   return step;
 }
 
-/// That the motors give in every direction everywhere in the work space.
+/// The force that the motors give in every direction everywhere in the work space.
 double forceOf(const Arm& arm)
 {
   double force = arm.plan().maxForce_N;

@@ -22,7 +22,7 @@ Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> movedDirections(const Arm& arm
   return Mat3(arm.plan().base_D.q.toRotationMatrix()).leftCols(arm.directions());
 }
 
-/// Speeds of the joints over the speed of the tip; nothing in a singularity.
+/// Matrix from the velocity of the tip to the speeds of the joints; nothing in a singularity.
 std::optional<Square> jointsOverTip(const Arm& arm, const Posture& posture) noexcept
 {
   const Square J = movedDirections(arm).transpose() * posture.jacobian.topRows<3>();
@@ -66,7 +66,7 @@ std::optional<PrincipalPart> principalPartOf(const Arm& arm, const JointVector& 
   part.count = count;
   part.directions_D.leftCols(count) = movedDirections(arm) * solver.eigenvectors();
   part.mass_kg.head(count) = solver.eigenvalues();
-  const Square along = *joints * solver.eigenvectors(); // of the joints, in a motion along each direction
+  const Square along = *joints * solver.eigenvectors(); // speeds of the joints in a motion along each direction
   JointVector damping(count);
   for (int k = 0; k < count; ++k)
   {
@@ -104,7 +104,7 @@ Vec3 ArmPlant::shown_D() const noexcept
   return shown ? shown->p : this->p_D_;
 }
 
-/// At the tip: motors, gravity, and what the motion itself makes of masses that change with the posture.
+/// Force at the tip of motors, gravity, and the Coriolis and centrifugal terms of the motion.
 Vec3 ArmPlant::ownForce(const Posture& posture, const Wrench& command_D) const noexcept
 {
   const auto basis = movedDirections(this->arm_);
@@ -123,7 +123,7 @@ Vec3 ArmPlant::ownForce(const Posture& posture, const Wrench& command_D) const n
   return basis * (joints.transpose() * torque);
 }
 
-/// Newton steps from the joints of before.
+/// Newton's method from the joints before.
 std::optional<JointVector> ArmPlant::jointsAt(const Vec3& p_D) const noexcept
 {
   constexpr int steps = 6;
@@ -170,7 +170,7 @@ void ArmPlant::step(const Vec3& hand_N, const Wrench& command_D) noexcept
   const std::optional<JointVector> q = this->jointsAt(p_D);
   if (!q)
   {
-    this->v_D_.setZero(); // at an end
+    this->v_D_.setZero(); // at the end of a joint
     return;
   }
   this->q_ = *q;

@@ -10,15 +10,15 @@ namespace palpate
 namespace
 {
 
-/// Held back for so long without coming nearer is a wall; three looks at least.
+/// A handle that is held back this long without coming nearer is at a wall; at least three looks.
 constexpr double patience_s = 0.04;
-/// The arm goes slower where less is left, or friction would have it swing about its goal.
+/// The arm slows down near its goal, or friction would make it swing about the goal.
 constexpr double approach_Hz = 10.0;
-/// A place that is not reached within this many times the time it should take will not be reached.
+/// A place that is not reached within this multiple of the expected time is unreachable.
 constexpr double hopeless = 100.0;
-/// To pass by something, before it goes back to where this way began.
+/// Attempts to pass an obstacle before the hand goes back to where this passage began.
 constexpr int patientTries = 10;
-/// Friction swallows what pulls less: most of that a hand goes through at once, the arm's damper takes the rest.
+/// Friction cancels a smaller pull: the arm crosses most of that slack at once, the arm's damper takes the rest.
 constexpr double swallowed = 0.75, swallow_s = 0.05;
 
 } // namespace
@@ -85,7 +85,7 @@ void BlindHand::decide(const Felt& felt, double dt_s)
   }
 }
 
-/// Ariadne's thread: laid out on the way, wound up on the way back.
+/// Ariadne's thread: laid out on the outward path, wound up on the return.
 void BlindHand::follow(const Felt& felt)
 {
   const auto near = [&](const Vec3& p_D) { return (felt.location_D - p_D).norm() <= this->plan_.near_m; };
@@ -112,8 +112,8 @@ bool BlindHand::reached(const Felt& felt) const
          (felt.location_D - this->goal_D()).norm() <= (this->known() ? this->plan_.again_m : this->plan_.near_m);
 }
 
-/// A way that was open is open: the end of a wall is in between, so it is passed a little to the left, or to the right;
-/// and who came round an end goes back along the thread.
+/// A passage that was open is open: the end of a wall is in between, so the hand passes a little to the left, or to the
+/// right; a hand that came round an end goes back along the thread.
 void BlindHand::feelAbout(const Felt& felt)
 {
   ++this->tries_;
@@ -128,8 +128,8 @@ void BlindHand::feelAbout(const Felt& felt)
   this->aside_D_ = side * share * this->plan_.step_m * left;
 }
 
-/// The handle comes no nearer, and the hand is pushed back or has arrived; or the handle comes no nearer for so long
-/// that the arm could have pushed as hard as an arm may.
+/// True if the handle comes no nearer while the hand is pushed back or has arrived, or comes no nearer for so long that
+/// the arm could have reached its largest push.
 bool BlindHand::stopped(const Felt& felt, double dt_s)
 {
   const Vec3 ahead = this->goal_D() - felt.location_D;
@@ -169,14 +169,14 @@ void BlindHand::startAnew()
   this->least_m_ = std::numeric_limits<double>::infinity();
 }
 
-/// How far the arm may go at once without moving the handle, for friction holds it.
+/// Distance by which the arm may move at once without moving the handle, for friction holds the handle.
 double BlindHand::unfelt_m(double ahead_m, double dt_s) const
 {
   const double slack_m = swallowed * this->plan_.friction_m - ahead_m;
   return std::clamp(slack_m, 0.0, this->plan_.friction_m / swallow_s * dt_s);
 }
 
-/// Each axis by itself, as friction holds each by itself: the arm goes on until the handle is there.
+/// Each axis by itself, as friction acts on each axis by itself: the arm goes on until the handle has arrived.
 void BlindHand::lead(const Felt& felt, double dt_s)
 {
   const Vec3 missing = this->goal_D() + this->aside_D_ - felt.handle_D;

@@ -10,42 +10,42 @@
 namespace palpate
 {
 
-/// How somebody explores a maze by touch. All in the device frame, in the plane z = 0.
+/// Parameters for exploring a maze by touch. All in the device frame, in the plane z = 0.
 struct BlindPlan
 {
   double step_m = 0.0;        ///< from place to place: half a corridor, so that bent corridors are found too
-  double near_m = 0.0;        ///< a fresh place is reached from this near
-  double again_m = 0.0;       ///< and a known one; both together are less than what two sides of a wall are apart
+  double near_m = 0.0;        ///< distance at which a new place is reached
+  double again_m = 0.0;       ///< and a known one; the sum of both is less than the distance of two sides of a wall
   double speed_m_per_s = 0.0; ///< of the hand
-  double touch_N = 0.0;       ///< a push back that is a wall
-  double lead_m = 0.0;        ///< of the arm before the handle at most: what the hand pushes with, over its stiffness
-  double friction_m = 0.0;    ///< the same for what the device's friction swallows
-  double grain_m = 0.0;       ///< as near to its goal along each axis as the hand takes the handle
+  double touch_N = 0.0;       ///< force of a wall against the hand
+  double lead_m = 0.0;        ///< largest lead of the arm before the handle: the push of the hand over its stiffness
+  double friction_m = 0.0;    ///< the same for the friction of the device
+  double grain_m = 0.0;       ///< accuracy of the handle at its goal along each axis
 };
 
-/// What a hand feels and knows at a moment.
+/// Position and force of a hand at a moment.
 struct Felt
 {
-  Vec3 handle_D = Vec3::Zero();   ///< where the handle is [m]
-  Vec3 location_D = Vec3::Zero(); ///< where the wall, if any, holds it: the virtual location [m]
+  Vec3 handle_D = Vec3::Zero();   ///< position of the handle [m]
+  Vec3 location_D = Vec3::Zero(); ///< where a wall, if any, stops it: the virtual location [m]
   Vec3 force_D = Vec3::Zero();    ///< on the hand [N]
 };
 
-/// A hand that finds its way by force and position alone. The hand knows neither walls nor exit. The hand pushes the
-/// handle to the next place; where the handle is stopped, the hand goes back, along its thread where something is in
-/// between, and tries another way (PlaceMemory). Deterministic.
+/// A hand that explores by force and position alone. The hand knows neither walls nor exit. The hand pushes the
+/// handle to the next place; where the handle is stopped, the hand goes back, along its thread where an obstacle is in
+/// between, and tries another passage (PlaceMemory). Deterministic.
 class BlindHand
 {
 public:
-  /// Begins at the handle's place.
+  /// Begins at the handle's position.
   BlindHand(const BlindPlan& plan, const Vec3& start_D);
 
-  /// Looks once and moves the arm; returns where the arm leads the handle [m]. `dt_s`: since the last look.
+  /// Looks once and moves the arm; returns where the arm leads the handle to [m]. `dt_s`: since the last look.
   [[nodiscard]] Vec3 look(const Felt& felt, double dt_s);
 
-  /// It has been everywhere it could reach.
+  /// True if the hand has been at every place that it could reach.
   [[nodiscard]] bool exhausted() const noexcept { return this->exhausted_; }
-  /// It could not get back to a place it came from: the world is not what it was.
+  /// True if the hand could not get back to a place that it came from: the world has changed.
   [[nodiscard]] bool lost() const noexcept { return this->lost_; }
   [[nodiscard]] const PlaceMemory& memory() const noexcept { return this->memory_; }
 
@@ -67,13 +67,13 @@ private:
   BlindPlan plan_;
   Vec3 start_D_, arm_D_;
   PlaceMemory memory_;
-  std::optional<int> way_;     ///< tried now; nothing: back to where it is
-  std::vector<Vec3> thread_D_; ///< where it has been since it was at a place, never empty
+  std::optional<int> way_;     ///< tried now; nothing: back to the present place
+  std::vector<Vec3> thread_D_; ///< positions since the last place, never empty
   bool winds_ = false;         ///< goes back along the thread
   double held_s_ = 0.0, idle_s_ = 0.0, since_s_ = 0.0;
-  int tries_ = 0;               ///< to get by something on a known way
-  Vec3 aside_D_ = Vec3::Zero(); ///< of the goal, in this try [m]
-  double least_m_ = 0.0;        ///< how near to the goal it has come
+  int tries_ = 0;               ///< to pass an obstacle in a known passage
+  Vec3 aside_D_ = Vec3::Zero(); ///< offset of the goal in this try [m]
+  double least_m_ = 0.0;        ///< smallest distance to the goal so far
   bool exhausted_ = false, lost_ = false;
 };
 

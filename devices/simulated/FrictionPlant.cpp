@@ -11,7 +11,7 @@ namespace
 
 constexpr double longestPart_s = 1e-3;
 constexpr int levels = 20; // halvings of a part
-/// Reversals in one part: a real one has at most two, and each ends at rest or on its way.
+/// Reversals in one part: an exact motion has at most two, and each ends at rest or in motion.
 constexpr int mostReversals = 8;
 
 } // namespace
@@ -79,7 +79,7 @@ void FrictionPlant::stepPart(State& s, double u_N) const noexcept
       {
         return; // sticks: nothing changes any more
       }
-      // The first shortest step out of rest goes the way it is pulled.
+      // The first shortest step out of rest goes in the direction of the pull.
       s = after(this->halvings_.back(), s, u_N - std::copysign(this->friction_N_, pull));
       --left;
     }

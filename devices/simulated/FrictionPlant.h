@@ -8,9 +8,9 @@
 namespace palpate
 {
 
-/// m x'' + b x' + k x + c sgn(x') = u along one axis, u held over each period. Exact between reversals: the moment at
-/// which the speed passes zero is found by halving the exact step, to 2^-20 of a millisecond; there friction holds
-/// what pulls less than c, and never turns a motion round by itself.
+/// m x'' + b x' + k x + c sgn(x') = u along one axis, u constant over each period. Exact between reversals: the moment
+/// at which the speed passes zero is found by halving the exact step, to 2^-20 of a millisecond; there friction
+/// balances a pull below c, and never reverses a motion by itself.
 class FrictionPlant
 {
 public:
@@ -28,13 +28,13 @@ public:
 private:
   void stepPart(State& s, double u_N) const noexcept;
   [[nodiscard]] static State after(const LinearPlant& plant, const State& s, double u_N) noexcept;
-  /// Moves on under friction that way until the speed passes zero or the part ends; true when it ends.
+  /// Moves on in direction `way` with friction until the speed passes zero or the part ends; true when it ends.
   [[nodiscard]] bool slide(State& s, double u_N, double way, long& left) const noexcept;
 
   double stiffness_N_per_m_;
   double friction_N_;
   int parts_;                            ///< of a period: each too short for a speed to pass zero twice
-  LinearPlant whole_;                    ///< the period at once, for no friction
+  LinearPlant whole_;                    ///< the period at once, without friction
   std::array<LinearPlant, 21> halvings_; ///< a part, half of it, a quarter, ...
 };
 

@@ -9,7 +9,7 @@ namespace
 
 constexpr double tick_s = 1e-3;
 constexpr double pause_s = 0.2; // between two turns, with nothing pressed
-constexpr double press_s = 0.1; // a button that chooses and need not be held
+constexpr double press_s = 0.1; // for a button that chooses and need not be held
 
 } // namespace
 
@@ -32,7 +32,7 @@ void LabyrinthPlayer::press(const HapticState& state)
                 this->since_s_ > this->run_.mostTime_s;
 }
 
-/// The next turn begins when this one's game is over and nobody plays any more.
+/// The next turn begins when the game of this turn is over and no game is played.
 void LabyrinthPlayer::goOn()
 {
   this->turn_ += this->turn_ < this->mazes_.size() ? 1 : 0;
@@ -59,7 +59,7 @@ void LabyrinthPlayer::look(const HapticState& state, const WorkspaceMap& map)
   const Vec3 handle_D = map.toDevice(state.device_W.p);
   this->since_s_ += tick_s;
   this->press(state);
-  // Who does not explore yields to what moves the handle.
+  // A hand that does not explore follows the handle.
   this->device_.lead(state.game == GamePhase::Explores ? this->explore(state, handle_D, map) : handle_D);
   if (this->over_ && (state.game == GamePhase::Off || state.game == GamePhase::Waits))
   {

@@ -12,12 +12,12 @@
 namespace palpate
 {
 
-/// A simulated person who plays the labyrinths on offer one after another, and then ends, with what a person at the
-/// device has: its buttons, where the handle is and how it is pushed. Who has been everywhere gives up. Deterministic.
+/// A simulated player of the labyrinths on offer, one after another to the end, with the means of a person: the
+/// buttons, the handle's position and the force on it. A player who has been everywhere gives up. Deterministic.
 class LabyrinthPlayer
 {
 public:
-  /// What is handed in must outlive it. `deadMan`: as the LabyrinthHost was told.
+  /// The arguments must outlive it. `deadMan`: the one of the LabyrinthHost.
   LabyrinthPlayer(SimulatedDevice& device, const LabyrinthRun& run, const std::vector<LabyrinthOnOffer>& mazes,
     const DeadMan& deadMan);
 
@@ -35,7 +35,7 @@ private:
   LabyrinthMenu menu_;
   std::size_t turn_ = 0; ///< the labyrinth that is played; behind the last one: the end
   bool begun_ = false, over_ = false;
-  double since_s_ = 0.0; ///< of this turn
+  double since_s_ = 0.0; ///< time in this turn
   std::optional<BlindHand> hand_;
 };
 

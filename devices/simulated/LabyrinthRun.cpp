@@ -19,7 +19,7 @@ namespace palpate
 namespace
 {
 
-constexpr double device_s = 1e-3; // between two looks of the simulation at its device
+constexpr double device_s = 1e-3; // between two steps of the simulated device
 constexpr double stiffness_N_per_m = 1000.0;
 constexpr double fastest_m_per_s = 0.04;
 
@@ -39,7 +39,7 @@ HapticParameters parametersOf(const Labyrinth& labyrinth, const LabyrinthRun& ru
   return adaptToDevice(parameters, info, limits, run.deviceHoldsWalls ? corridorViscosity(info, held_N_per_m) : 0.0);
 }
 
-/// Where a fresh place is reached, as a share of the disc's radius.
+/// Distance at which a new place is reached, as a share of the disc's radius.
 constexpr double near = 0.75;
 
 } // namespace
@@ -104,14 +104,14 @@ public:
 private:
   [[nodiscard]] double host_s() const { return this->every_ * device_s; }
 
-  /// The arm moves evenly from look to look.
+  /// The arm moves at constant speed from look to look.
   [[nodiscard]] Vec3 arm_D(std::int64_t tick) const
   {
     const double share = static_cast<double>((tick - 1) % this->every_ + 1) / this->every_;
     return this->from_D_ + share * (this->to_D_ - this->from_D_);
   }
 
-  /// One update of the host. True when the exit says so.
+  /// One update of the host. True on arrival at the exit.
   bool host(const DeviceSample& sample)
   {
     TickInput input;
@@ -127,7 +127,7 @@ private:
     }
     else
     {
-      this->from_D_ = this->to_D_ = sample.pose_D.p; // the arm yields to what moves it
+      this->from_D_ = this->to_D_ = sample.pose_D.p; // the arm follows the handle
       this->lead_N_ = std::max(this->lead_N_, out.state.force_D.norm());
     }
     return out.state.game == GamePhase::Arrived;
@@ -163,7 +163,7 @@ private:
     }
   }
 
-  /// A host must lead the more gently the slower it is, and may not overcome the device's friction then.
+  /// The slower a host is, the more gently it must guide the hand, and then it may not overcome the device's friction.
   [[nodiscard]] std::string notBrought() const
   {
     std::ostringstream text;
@@ -184,16 +184,16 @@ private:
   }
 
   const LabyrinthRun& run_;
-  int every_; ///< periods of the device to an update of the host
+  int every_; ///< periods of the device per update of the host
   SimulatedDevice device_;
   std::shared_ptr<const Scene> scene_;
   HapticParameters parameters_;
   BlindHand hand_;
   RendererState renderer_;
-  Vec3 from_D_ = Vec3::Zero(), to_D_ = Vec3::Zero(); ///< the arm, at the last look and the next [m]
+  Vec3 from_D_ = Vec3::Zero(), to_D_ = Vec3::Zero(); ///< position of the arm at the last look and the next [m]
   Vec3 location_W_ = Vec3::Zero();
   std::uint64_t ticks_ = 0;
-  double lead_N_ = 0.0; ///< the largest force on the way to the start
+  double lead_N_ = 0.0; ///< the largest force on the path to the start
   LabyrinthOutcome outcome_;
 };
 

@@ -9,25 +9,25 @@
 namespace palpate
 {
 
-/// Where the hand is led, in the device frame.
+/// The path along which the hand is led, in the device frame.
 struct HandPath
 {
   std::vector<Vec3> points_D; ///< polyline [m]; one point: the hand holds still there
   double speed_m_per_s = 0.05;
   bool loops = true;          ///< goes back and forth along it; else it stops at the end
-  Vec3 turn_D = Vec3::Zero(); ///< by which it has turned at its end, evenly along it [rad]
+  Vec3 turn_D = Vec3::Zero(); ///< rotation at its end, growing evenly along it [rad]
 };
 
-/// The path by time.
+/// The path as a function of time.
 class LedPath
 {
 public:
   explicit LedPath(HandPath path);
 
-  /// Empty, or why nobody can be led so: at least one point, all finite, and a positive speed are needed.
+  /// Empty, or why the path is impossible: at least one point, all finite, and a positive speed are needed.
   [[nodiscard]] std::string refusal() const;
   [[nodiscard]] const Vec3& start_D() const { return this->path_.points_D.front(); }
-  /// Where it leads to at a time since the start [s]. Not of a path that is refused.
+  /// The pose on the path at a time since the start [s]. Not for a path that is refused.
   [[nodiscard]] Pose at_D(double time_s) const noexcept;
 
 private:

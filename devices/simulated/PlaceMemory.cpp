@@ -17,7 +17,7 @@ std::optional<int> PlaceMemory::next() const
   for (const int turn : { 0, 1, 3, 2 })
   {
     const int way = (this->heading_ + turn) % ways;
-    // An unmarked way to a known place would be left again at once: memory spares the walk.
+    // An unmarked passage to a known place would be left again at once: memory saves the walk.
     if (marks[static_cast<std::size_t>(way)] == 0 && !this->knows(beside(this->here_, way)))
     {
       return way;

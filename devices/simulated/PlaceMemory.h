@@ -10,9 +10,9 @@
 namespace palpate
 {
 
-/// What somebody remembers who goes through an unknown maze by Tremaux's rules (Lucas, Recreations mathematiques,
+/// Memory of an explorer of an unknown maze by Tremaux's rules (Lucas, Recreations mathematiques,
 /// 1882): a passage is marked each time it is walked, one marked twice is never walked again, and a place known from
-/// before is left by the way one came. Places lie on a square grid, so that a place is recognised by where it is.
+/// before is left by the passage of arrival. Places lie on a square grid, so that its position identifies a place.
 class PlaceMemory
 {
 public:
@@ -29,12 +29,12 @@ public:
   [[nodiscard]] bool knows(const Place& place) const { return this->marks_.contains(place); }
   [[nodiscard]] std::size_t places() const noexcept { return this->marks_.size(); }
 
-  /// The way to try next from here: a fresh one, straight on first, then left, right, back; else the one marked once.
-  /// Nothing when every way is done: all that could be reached has been seen.
+  /// The direction to try next from here: a new one, straight on first, then left, right, back; else one marked once.
+  /// Nothing when every direction is done: all places that could be reached have been seen.
   [[nodiscard]] std::optional<int> next() const;
-  /// That way was walked to its end.
+  /// The passage in that direction was walked to its end.
   void walked(int way);
-  /// That way is closed by a wall.
+  /// The passage in that direction is closed by a wall.
   void closed(int way) { this->marks_[this->here_][static_cast<std::size_t>(way)] = wall; }
 
 private:

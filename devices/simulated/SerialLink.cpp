@@ -12,7 +12,7 @@ namespace palpate
 namespace
 {
 
-/// The parameters of a wall; without stiffness there is none, and its place does not matter.
+/// The parameters of a wall; without stiffness there is no wall, and its offset does not matter.
 struct Slot
 {
   double offset_m = 0.0, stiffness_N_per_m = 0.0;
@@ -60,7 +60,7 @@ void SerialLink::send(const DeviceCommand& command, double time_s) noexcept
 
 const DeviceCommand& SerialLink::carry(const DeviceCommand& offered, double time_s) noexcept
 {
-  // What waits is sent once for each message that arrives, and then nothing has changed any more.
+  // The waiting command is sent at each arrival; at the second one nothing has changed, and the loop ends.
   while (this->busy_ && this->arrives_s_ <= time_s)
   {
     this->there_ = this->onItsWay_;
@@ -71,7 +71,7 @@ const DeviceCommand& SerialLink::carry(const DeviceCommand& offered, double time
   {
     this->send(offered, time_s);
   }
-  if (this->arrives_s_ <= time_s) // at once: nothing that takes a byte has changed, or nothing limits the link
+  if (this->arrives_s_ <= time_s) // at once: no byte has to be sent, or the link has no limit
   {
     this->there_ = offered;
     this->busy_ = false;

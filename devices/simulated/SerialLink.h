@@ -6,25 +6,25 @@
 namespace palpate
 {
 
-/// A link that carries so many bytes a second from the host to the device. Only what has changed is sent, one message
-/// after another, each the newest there is when the link becomes free; it acts once its last byte has arrived.
-/// Sizes are those of the SideWinder Force Feedback Pro's link of 31,250 baud (10 bits a byte), as the public firmware
-/// of adapt-ffb-joy writes them: a parameter of 14 bits takes three bytes of address and three of value.
+/// A link with a limited rate of bytes from the host to the device. Only changes are sent, one message
+/// after another, each with the newest command when the link becomes free; a message acts once its last byte has
+/// arrived. Sizes are those of the SideWinder Force Feedback Pro's link of 31,250 baud (10 bits a byte), as the public
+/// firmware of adapt-ffb-joy writes them: a parameter of 14 bits takes three bytes of address and three of value.
 class SerialLink
 {
 public:
   static constexpr double parameter_B = 6.0;
   static constexpr double force_B = 2 * parameter_B; ///< its direction and its magnitude
-  static constexpr double walls_B = 4 * parameter_B; ///< the places of four walls
+  static constexpr double walls_B = 4 * parameter_B; ///< the offsets of four walls
 
-  /// Infinite: each command is there at once.
+  /// Infinite: each command arrives at once.
   explicit SerialLink(double bytes_per_s) noexcept : bytes_per_s_(bytes_per_s) {}
 
   /// Offers a command and returns the one that acts at that time [s]; times never go back. Real-time safe.
   [[nodiscard]] const DeviceCommand& carry(const DeviceCommand& offered, double time_s) noexcept;
 
-  /// What turns one command into another [bytes]: places and stiffnesses of walls by their direction, the viscosity,
-  /// the force.
+  /// Size of the change from one command to another [bytes]: offsets and stiffnesses of walls by their direction, the
+  /// viscosity, the force.
   [[nodiscard]] static double bytesBetween(const DeviceCommand& before, const DeviceCommand& after) noexcept;
 
 private:

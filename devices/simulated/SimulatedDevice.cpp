@@ -130,7 +130,7 @@ DeviceCommand SimulatedDevice::due() noexcept
   const DeviceCommand due =
     this->commands_[static_cast<std::size_t>((this->newest_ - this->options_.delay_ticks + slots) % slots)];
   const int latest = this->newest_;
-  // What is written last holds until something else is written.
+  // The last command holds until another one is written.
   this->newest_ = (this->newest_ + 1) % slots;
   this->commands_[static_cast<std::size_t>(this->newest_)] = this->commands_[static_cast<std::size_t>(latest)];
   return due;
@@ -170,7 +170,7 @@ Vec3 SimulatedDevice::motorForce(const DeviceCommand& command) const noexcept
   }
   if (this->model_.planar)
   {
-    force.z() = 0.0; // no motor that way, so nothing of the largest force goes there
+    force.z() = 0.0; // no motor along z, so that z takes no part of the largest force
   }
   const double magnitude = force.norm();
   return magnitude > this->model_.maxForce_N ? Vec3(this->model_.maxForce_N / magnitude * force) : force;

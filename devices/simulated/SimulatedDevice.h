@@ -21,26 +21,26 @@ namespace palpate
 
 class ArmPlant;
 
-/// How a simulated device is run.
+/// Options of a simulated device.
 struct SimulationOptions
 {
   static constexpr int longestDelay_ticks = 16;
 
   double period_s = 1e-3;         ///< 20 Hz to 8 kHz and beyond
-  int delay_ticks = 0;            ///< a command takes effect that many periods late, 0 .. longestDelay_ticks
+  int delay_ticks = 0;            ///< a command takes effect so many periods late, 0 .. longestDelay_ticks
   Vec3 push_D = Vec3::Zero();     ///< constant force of the hand [N]
   Vec3 velocity_D = Vec3::Zero(); ///< at the start [m/s]
 };
 
-/// A device in the grip of a spring-damper hand that is led along a polyline, or in nobody's grip: deterministic, exact
-/// between ticks, with friction, encoder steps, delay, force limit and stops. A joystick closes the walls of a command
-/// and its viscosity in its own loop, however slow the host is; one with bare springs has them switched with each
-/// command, and a serial link carries what it can. A device with an encoder shows
-/// floor(x / D) D and no velocity: whoever wants one estimates it. One without encoder shows both exactly.
+/// A device in the grip of a spring-damper hand that is led along a polyline, or without a hand: deterministic, exact
+/// between ticks, with friction, encoder steps, delay, force limit and stops. A joystick renders the walls of a command
+/// and its viscosity in its own loop, however slow the host is; bare springs are switched with each
+/// command, and a serial link limits the data. A device with an encoder shows
+/// floor(x / D) D and no velocity, which the host has to estimate. A device without encoder shows both exactly.
 class SimulatedDevice final : public HapticDevice
 {
 public:
-  /// Without a hand (its stiffness, damping and mass are zero) the path is only where the device starts.
+  /// Without a hand (its stiffness, damping and mass are zero) the path only has the position where the device starts.
   SimulatedDevice(DeviceModel model, HandModel hand, HandPath path, const SimulationOptions& options = {});
 
   ~SimulatedDevice() override;
@@ -52,12 +52,12 @@ public:
   [[nodiscard]] DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept override;
   void write(const DeviceCommand& command) noexcept override;
 
-  /// Where the hand is led to at a time since the start [s], in D.
+  /// The position to which the hand is led at a time since the start [s], in D.
   [[nodiscard]] Vec3 target(double time_s) const noexcept { return this->path_.at_D(time_s).p; }
 
   /// From the next period on the hand is led here instead of along its path, for a program that decides as it goes [m].
   void lead(const Vec3& target_D) noexcept;
-  /// Likewise, and turned so.
+  /// Likewise, with a rotation.
   void lead(const Pose& target_D) noexcept;
 
   /// The buttons that the hand holds down from now on, bit i: button i + 1.
@@ -66,20 +66,20 @@ public:
   /// The true state, which an encoder does not show [m, m/s].
   [[nodiscard]] Vec3 position_D() const noexcept;
   [[nodiscard]] Vec3 speed_D() const noexcept;
-  /// Nothing: it does not turn.
+  /// Nothing: the device does not rotate.
   [[nodiscard]] const std::optional<TurningPart>& turning() const noexcept { return this->turning_; }
 
 private:
   [[nodiscard]] std::string refusal() const;
   void advance() noexcept;
-  /// Where the hand is led in the coming period, and from where.
+  /// The poses between which the hand is led in the coming period.
   [[nodiscard]] std::pair<Pose, Pose> ledAlong() noexcept;
   /// The command that is due after the delay.
   [[nodiscard]] DeviceCommand due() noexcept;
-  /// The wall as the spring that the device closes.
+  /// The spring with which the device renders the wall.
   [[nodiscard]] Condition springOf(const DeviceWall& wall) const noexcept;
-  /// What the motors give now: the command's force, the walls and the viscosity the device closes itself, cut to the
-  /// largest force.
+  /// The present force of the motors: the command's force and the walls and viscosity that the device renders itself,
+  /// limited to the largest force.
   [[nodiscard]] Vec3 motorForce(const DeviceCommand& command) const noexcept;
   [[nodiscard]] Vec3 shown_D() const noexcept;
   void move(const Vec3& u_N) noexcept;
@@ -91,11 +91,11 @@ private:
   SimulationOptions options_;
   int parts_; ///< of a period: passes of the device's own loop, or one
   FrictionPlant plant_;
-  Pose programmed_D_;                  ///< where a program leads the hand [m]
-  Pose reached_D_;                     ///< and led it in the period before
+  Pose programmed_D_;                  ///< pose to which a program leads the hand [m]
+  Pose reached_D_;                     ///< the same in the period before
   bool led_ = false;                   ///< by a program
-  std::optional<TurningPart> turning_; ///< none: it does not turn
-  std::unique_ptr<ArmPlant> arm_;      ///< what moves, where it is more than the mass of axes_
+  std::optional<TurningPart> turning_; ///< none: the device does not rotate
+  std::unique_ptr<ArmPlant> arm_;      ///< the moving part, where it is more than the mass of axes_
   std::array<FrictionPlant::State, 3> axes_;
   std::array<DeviceCommand, SimulationOptions::longestDelay_ticks + 1> commands_; ///< of the last periods
   int newest_ = 0;

@@ -32,7 +32,7 @@ void TurningPart::step(const Quat& ledFrom_D, const Quat& ledTo_D, const Vec3& t
   for (int axis = 0; axis < 3; ++axis)
   {
     FrictionPlant::State& s = this->axes_[static_cast<std::size_t>(axis)];
-    s.x_m = 0.0; // counted from where the period begins
+    s.x_m = 0.0; // relative to the rotation at the start of the period
     this->plant_.step(s, spring_Nm[axis] + damper_Nm[axis] + given_Nm[axis]);
     turned[axis] = s.x_m;
   }

@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr double turn_rad = 2.0 * std::numbers::pi;
-/// Of a joint's range and of the largest condition, in which force fades.
+/// Fraction of a joint's range and of the largest condition number over which the force fades.
 constexpr double fading = 0.05;
 
 double sharePast(double left, double width) noexcept
@@ -175,7 +175,7 @@ std::optional<JointVector> Arm::checked(std::optional<JointVector> q) const noex
 {
   for (int k = 0; q && k < this->joints_; ++k)
   {
-    // An angle and the same a turn on are one place: the one within the limits counts.
+    // Angles that differ by whole turns are one position: the angle within the limits counts.
     const ArmJoint& joint = this->plan_.joints[static_cast<std::size_t>(k)];
     double& angle = (*q)[k];
     angle += angle > joint.high_rad  ? -turn_rad * std::ceil((angle - joint.high_rad) / turn_rad)
@@ -213,7 +213,7 @@ std::optional<JointVector> Arm::inverse(const Vec3& p_D, const JointVector& near
     }
   };
   const std::optional<JointVector> q = this->checked(std::visit(solve, this->plan_.geometry));
-  // Legs that reach a place may close elsewhere: on the other side of their elbows.
+  // Legs that reach p_D may close elsewhere: in the other solution of the forward kinematics.
   const std::optional<Pose> closed = q ? this->forward(*q) : std::nullopt;
   return closed && (closed->p - p_D).norm() <= 1e-9 ? q : std::nullopt;
 }
@@ -227,7 +227,7 @@ std::optional<JointVector> Arm::inverse(const Pose& tip_D, const JointVector& ne
            : std::nullopt;
 }
 
-/// From `near`, then from places spread over the joints' ranges.
+/// Searches from `near`, then from points spread over the joints' ranges.
 std::optional<JointVector> Arm::searched(
   const SerialGeometry& chain, const ChainGoal& goal, const JointVector& near) const noexcept
 {

@@ -10,25 +10,25 @@ namespace palpate
 
 struct ChainGoal;
 
-/// The kinematics of an arm in the device frame D. All of it is noexcept, free of allocation and bounded, so that the
-/// servo may call it; nothing in it returns a number that is not finite.
+/// The kinematics of an arm in the device frame D. All functions are noexcept, free of allocation and bounded, so that
+/// the servo may call them; none of them returns a number that is not finite.
 class Arm
 {
 public:
-  /// An arm whose plan is not refused.
+  /// The plan must be one that refuse() accepts.
   explicit Arm(const ArmPlan& plan);
 
   [[nodiscard]] const ArmPlan& plan() const noexcept { return this->plan_; }
   [[nodiscard]] int joints() const noexcept { return this->joints_; } ///< that are sensed
-  [[nodiscard]] int motors() const noexcept { return this->motors_; } ///< on the first of them
+  [[nodiscard]] int motors() const noexcept { return this->motors_; } ///< on the first joints
   /// Directions in which it pushes: 2 in the plane z = 0, else 3.
   [[nodiscard]] int directions() const noexcept { return this->directions_; }
 
-  /// Angles of the joints from readings [rad].
+  /// Angles of the joints from counts of the encoders [rad].
   [[nodiscard]] JointVector jointsOf(const JointCounts& counts) const noexcept;
   /// The same from turns of the encoders since count 0 [rad].
   [[nodiscard]] JointVector jointsOfEncoders(const JointVector& encoders_rad) const noexcept;
-  /// What the encoders show there, rounded down. 0 of an encoder that tells angles.
+  /// Counts of the encoders with these joints, rounded down. 0 for an encoder that reports angles.
   [[nodiscard]] JointCounts countsOf(const JointVector& q) const noexcept;
   /// Angles as the encoders show them: in whole counts.
   [[nodiscard]] JointVector shown(const JointVector& q) const noexcept;
@@ -42,31 +42,31 @@ public:
   [[nodiscard]] std::optional<Pose> forward(const JointVector& q) const noexcept;
   [[nodiscard]] ArmJacobian jacobian(const JointVector& q) const noexcept { return this->posture(q).jacobian; }
 
-  /// A point of a link, given as ArmMass says, and its Jacobian. Nothing moves where the arm has no posture.
+  /// A point of a link, given as ArmMass says, and its Jacobian, which is zero where the arm has no posture.
   [[nodiscard]] LinkPoint linkPoint(const JointVector& q, int link, const Vec3& at) const noexcept;
 
-  /// Joints that bring the tip there; nothing if it is out of reach or beyond the limits. A chain is solved by steps
-  /// from `near`, else from elsewhere within its limits.
+  /// Joints for a position of the tip; nothing if the position is out of reach or beyond the limits. A chain is solved
+  /// iteratively from `near`, then from other joints within its limits.
   [[nodiscard]] std::optional<JointVector> inverse(const Vec3& p_D) const noexcept;
   [[nodiscard]] std::optional<JointVector> inverse(const Vec3& p_D, const JointVector& near) const noexcept;
-  /// Likewise with the tip turned so, for a chain of six joints.
+  /// Likewise for a pose of the tip, for a chain of six joints.
   [[nodiscard]] std::optional<JointVector> inverse(const Pose& tip_D, const JointVector& near) const noexcept;
 
-  /// Torque of the joints for a wrench on the hand, at the tip: J^T w [N m]. 0 of joints without motor.
+  /// Torque of the joints for a wrench on the hand, at the tip: J^T w [N m]. 0 for joints without motor.
   [[nodiscard]] JointVector torqueOf(const JointVector& q, const Wrench& wrench_D) const noexcept;
   [[nodiscard]] JointVector torqueOf(const Posture& posture, const Wrench& wrench_D) const noexcept;
-  /// Torque of the motors that give torques of the joints [N m].
+  /// Torque of the motors for torques of the joints [N m].
   [[nodiscard]] JointVector motorTorqueOf(const JointVector& torque_Nm) const noexcept;
   /// Their currents [A]; 0 where the motor's constant is unknown.
   [[nodiscard]] JointVector currentOf(const JointVector& torque_Nm) const noexcept;
   /// The share of these torques that every motor can give, 0 .. 1.
   [[nodiscard]] double shareWithinMotors(const JointVector& torque_Nm) const noexcept;
 
-  /// The share of the force that is let through, 0 .. 1: none at a joint's end and where the condition of the Jacobian
-  /// is the largest that the plan allows, all of it from 5 % of the joint's range and of that condition before.
+  /// Factor on the force, 0 .. 1: 0 at a joint's end and at the largest condition number of the Jacobian that the plan
+  /// allows, rising to 1 over 5 % of the joint's range and of that number.
   [[nodiscard]] double forceFade(const JointVector& q, const Posture& posture) const noexcept;
 
-  /// Turns of the joints over those of the encoders and motors, and back.
+  /// Matrix from turns of the encoders and motors to turns of the joints, and its inverse.
   [[nodiscard]] const JointMatrix& gears() const noexcept { return this->gears_; }
   [[nodiscard]] const JointMatrix& ungears() const noexcept { return this->ungears_; }
 
@@ -78,7 +78,7 @@ private:
 
   ArmPlan plan_;
   int joints_ = 0, motors_ = 0, directions_ = 3;
-  Mat3 turn_D_ = Mat3::Identity(); ///< of the base
+  Mat3 turn_D_ = Mat3::Identity(); ///< rotation of the base
   JointMatrix gears_;              ///< q = zero + gears * turns of the encoders
   JointMatrix ungears_;
 };

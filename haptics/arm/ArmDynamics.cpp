@@ -8,7 +8,7 @@ namespace palpate
 namespace
 {
 
-/// Calls visit(mass, point) for points that move as the masses do.
+/// Calls visit(mass, point) for the points that stand for the masses.
 template<class Visit>
 void forEachPoint(const Arm& arm, const JointVector& q, const Visit& visit) noexcept
 {

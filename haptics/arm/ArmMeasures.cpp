@@ -19,7 +19,7 @@ namespace
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// The Jacobian of what the motors move.
+/// The translational Jacobian of the joints with motors.
 PointJacobian drivenOf(const Arm& arm, const Posture& posture) noexcept
 {
   const PointJacobian driven = posture.jacobian.topLeftCorner(3, arm.motors());
@@ -32,7 +32,7 @@ Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> basisOf(const Arm& arm) noexce
   return Mat3(arm.plan().base_D.q.toRotationMatrix()).leftCols(arm.directions());
 }
 
-/// A third of the work of a decomposition: eigenvalues of J J^T, in closed form.
+/// The condition number by eigenvalues of J J^T in closed form, a third of the work of a decomposition.
 double conditionOfGram(const Mat3& gram, int directions) noexcept
 {
   Eigen::SelfAdjointEigenSolver<Mat3> solver;
@@ -41,8 +41,8 @@ double conditionOfGram(const Mat3& gram, int directions) noexcept
   return most > 0.0 && least > 1e-15 * most ? std::sqrt(most / least) : unlimited;
 }
 
-/// The largest force over all directions is at a corner of the polytope where as many motors as there are directions
-/// give all they can.
+/// The largest force over all directions is at a corner of the polytope of forces, where every motor gives its largest
+/// torque. 0 unless there are as many motors as directions.
 double mostForceOf(const Eigen::MatrixXd& J, const Eigen::VectorXd& most)
 {
   const Eigen::Index rows = J.rows(), motors = J.cols();
@@ -66,7 +66,7 @@ double mostForceOf(const Eigen::MatrixXd& J, const Eigen::VectorXd& most)
 
 void addForces(const Arm& arm, const Eigen::MatrixXd& J, ArmMeasures& measures)
 {
-  // In motors' torques, so that one that moves two joints counts for both.
+  // In motor torques, so that a motor that moves two joints counts for both.
   const JointMatrix gears = arm.gears().topLeftCorner(arm.motors(), arm.motors());
   const Eigen::MatrixXd motorJ = J * gears;
   Eigen::VectorXd most(arm.motors());

@@ -6,21 +6,21 @@
 namespace palpate
 {
 
-/// What an arm can do in a posture, for forces on the tip, along the directions in which it moves: 2 of a plane,
+/// Figures of an arm in a posture, for forces on the tip, along the directions in which the arm moves: 2 in a plane,
 /// else 3.
 
 /// Largest singular value of the Jacobian over the smallest; infinity in a singularity and without a posture.
 [[nodiscard]] double conditionOf(const Arm& arm, const Posture& posture) noexcept;
 
-/// Figures of a posture, of motors and links alone.
+/// Figures of a posture from motors and links alone.
 struct ArmMeasures
 {
   Vec3 singular = Vec3::Zero(); ///< values of the Jacobian, falling [m/rad]; the last is 0 in a plane
   double condition = 0.0;
   double manipulability = 0.0;                  ///< product of the singular values (Yoshikawa 1985)
-  double leastForce_N = 0.0;                    ///< that the motors give in their worst direction
-  double mostForce_N = 0.0;                     ///< and in their best
-  double leastMass_kg = 0.0, mostMass_kg = 0.0; ///< that a hand feels, in its lightest and heaviest direction
+  double leastForce_N = 0.0;                    ///< force of the motors in their worst direction
+  double mostForce_N = 0.0;                     ///< and in their best direction
+  double leastMass_kg = 0.0, mostMass_kg = 0.0; ///< apparent at the tip, in the lightest and the heaviest direction
 };
 
 /// Not real-time safe. All zero but the condition where there is no posture.

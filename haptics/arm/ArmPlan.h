@@ -12,12 +12,12 @@
 namespace palpate
 {
 
-/// Hinges in a chain, as URDF has them: each has its place in the link before and turns the link behind it.
+/// Hinges in a chain, as in URDF: each is placed in the frame of the previous link and turns the next link.
 struct SerialGeometry
 {
   struct Hinge
   {
-    Pose origin;               ///< in the frame of the link before [m]
+    Pose origin;               ///< in the frame of the previous link [m]
     Vec3 axis = Vec3::UnitZ(); ///< in the hinge's own frame, of length 1
   };
   int count = 0; ///< of hinges
@@ -32,17 +32,17 @@ struct WoodenGeometry
   double column_m = 0.0, upper_m = 0.0, fore_m = 0.0;
 };
 
-/// Three legs that keep a platform unturned (Clavel 1991), or with hinges apart as those of Stamper (A three degree of
-/// freedom parallel manipulator with only translational degrees of freedom, 1997), which the Novint Falcon has.
+/// Three legs that keep the orientation of a platform (Clavel 1991), or with hinges apart as in Stamper (A three degree
+/// of freedom parallel manipulator with only translational degrees of freedom, 1997), as the Novint Falcon has them.
 struct DeltaGeometry
 {
   std::array<double, 3> legs_rad{}; ///< azimuths about z
   double base_m = 0.0;              ///< from the axis to the joints of the base
-  double platform_m = 0.0;          ///< and to those of the platform
+  double platform_m = 0.0;          ///< from the axis to the joints of the platform
   double arm_m = 0.0, forearm_m = 0.0;
-  double hinge_m = 0.0;  ///< of each forearm, in its arm's plane, beside the parallelogram
-  double offset_m = 0.0; ///< of each leg across its azimuth
-  double side = 1.0;     ///< of the base where the platform is: 1 or -1 along z; arms turn that way
+  double hinge_m = 0.0;  ///< length of each forearm's hinges in its arm's plane, beside the parallelogram
+  double offset_m = 0.0; ///< offset of each leg across its azimuth
+  double side = 1.0;     ///< side of the base on which the platform is, along z: 1 or -1; arms turn to that side
 };
 
 /// Two arms from the points -base/2 and base/2 of the x axis, joined at the tip; elbows outwards, the tip on the side
@@ -60,10 +60,10 @@ struct ArmJoint
   double low_rad = -std::numeric_limits<double>::infinity();
   double high_rad = std::numeric_limits<double>::infinity();
   double zero_rad = 0.0;       ///< at count 0
-  double countsPerTurn = 0.0;  ///< of the encoder; 0: it tells angles
-  double gear = 1.0;           ///< turns of encoder and motor a turn of the joint; below 0: against it
-  int follows = -1;            ///< a joint whose encoder's turn moves this one too, from 0; -1: none
-  double followShare = 0.0;    ///< turns of this joint for one that that joint's own encoder gives to its joint
+  double countsPerTurn = 0.0;  ///< of the encoder; 0: the encoder reports angles
+  double gear = 1.0;           ///< turns of encoder and motor per turn of the joint; below 0: in the opposite sense
+  int follows = -1;            ///< index of a joint whose encoder moves this joint too; -1: none
+  double followShare = 0.0;    ///< turns of this joint per turn of that joint by its own encoder
   std::int32_t calibrated = 0; ///< count in the pose of calibration
   bool hasMotor = true;
   double maxTorque_Nm = std::numeric_limits<double>::infinity(); ///< of the motor
@@ -73,28 +73,28 @@ struct ArmJoint
   double damping_Nms = 0.0, friction_Nm = 0.0;                   ///< at the joint
 };
 
-/// A mass on a link: a point, or a thin even rod from one point of the link to another. On the links of a delta, of a
-/// five-bar and of WoodenHaptics x counts along the link, from the joint nearer to the base; a forearm with hinges
-/// apart is as long as both together.
+/// A mass on a link: a point, or a thin uniform rod from one point of the link to another. On the links of a delta, of
+/// a five-bar and of WoodenHaptics x is the distance along the link, from the joint nearer to the base; a forearm with
+/// hinges apart has the length of both together.
 struct ArmMass
 {
   double mass_kg = 0.0;
-  int link = 0; ///< from 1; which ones there are is said in the header of its kind
+  int link = 0; ///< from 1; the header of each kind lists its links
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
 };
 
-/// The part of its reach that an arm is used in: a ball, or a disc for one that moves in a plane.
+/// The part of its reach in which an arm is used: a ball, or a disc for a planar arm.
 struct ArmWorkSpace
 {
   Vec3 centre_D = Vec3::Zero();
   double radius_m = 0.0; ///< 0: not known
 };
 
-/// An arm as a file describes it. Frame D is the device's: the geometry stands in it at `base_D`.
+/// An arm as a file describes it. `base_D` places the geometry in the device frame D.
 struct ArmPlan
 {
   std::string name;
-  std::string source; ///< of the numbers
+  std::string source; ///< origin of the numbers
   ArmGeometry geometry;
   Pose base_D;
   std::array<ArmJoint, mostJoints> joints; ///< those with motors first
@@ -104,16 +104,16 @@ struct ArmPlan
   double maxForce_N = std::numeric_limits<double>::infinity();
   double maxStiffness_N_per_m = std::numeric_limits<double>::infinity();
   double maxDamping_Ns_per_m = std::numeric_limits<double>::infinity();
-  double maxCondition = 20.0; ///< of the Jacobian; beyond it there is no force
+  double maxCondition = 20.0; ///< condition number of the Jacobian beyond which there is no force
 };
 
 /// serial, woodenhaptics, delta, five-bar.
 [[nodiscard]] const char* nameOf(const ArmGeometry& geometry) noexcept;
 [[nodiscard]] int jointCountOf(const ArmGeometry& geometry) noexcept;
-/// It moves in the plane z = 0 of its frame alone.
+/// True if the arm moves only in the plane z = 0 of its frame.
 [[nodiscard]] bool isPlanar(const ArmGeometry& geometry) noexcept;
 
-/// Empty, or one sentence with the reason why no arm can be like that.
+/// Empty, or one sentence with the reason why the plan is impossible.
 [[nodiscard]] std::string refuse(const ArmPlan& plan);
 
 } // namespace palpate

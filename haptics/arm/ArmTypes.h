@@ -9,29 +9,29 @@
 namespace palpate
 {
 
-/// An arm has no more joints that can be sensed.
+/// Largest number of joints that can be sensed.
 inline constexpr int mostJoints = 6;
 
-/// A number a joint [rad, N m]; never on the heap.
+/// One number per joint [rad, N m]; never on the heap.
 using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostJoints, 1>;
-/// Inertia at the joints [kg m2], gears.
+/// Inertia in joint coordinates [kg m2], gears.
 using JointMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostJoints, mostJoints>;
-/// Velocity of a point over the speeds of the joints [m/rad].
+/// Derivative of a point with respect to the joints [m/rad].
 using PointJacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, mostJoints>;
-/// The same of the tip, above its angular velocity [1].
+/// The same for the tip, above the derivative of its rotation [1].
 using ArmJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, mostJoints>;
 /// Readings of the encoders.
 using JointCounts = std::array<std::int32_t, mostJoints>;
 
-/// Where an arm is with its joints somewhere, and how it moves from there.
+/// Pose and Jacobian of an arm's tip with given joints.
 struct Posture
 {
-  bool exists = false;  ///< its links can be closed with these joints; else all that follows is zero
-  Pose tip;             ///< [m]; unturned where the arm does not sense it
+  bool exists = false;  ///< whether the links close with these joints; else the other members are zero
+  Pose tip;             ///< [m]; without rotation where the arm does not sense that
   ArmJacobian jacobian; ///< of the tip
 };
 
-/// A point of a link, and how it moves.
+/// A point of a link, and its Jacobian.
 struct LinkPoint
 {
   Vec3 p = Vec3::Zero();

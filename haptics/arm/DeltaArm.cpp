@@ -14,12 +14,12 @@ namespace palpate
 namespace
 {
 
-/// A leg in frame D of the arm: along its azimuth, across it, and its elbow less what the platform adds, so that the
-/// forearm goes from there to the middle of the platform.
+/// A leg in the arm's own frame: the directions of its azimuth and across it, and its elbow, shifted inwards by the
+/// platform's size, so that the forearm goes from there to the middle of the platform.
 struct Leg
 {
   Vec3 out, across;
-  Vec3 elbow, perRad; ///< perRad: how the elbow moves
+  Vec3 elbow, perRad; ///< perRad: derivative of the elbow
 };
 
 using Legs = std::array<Leg, 3>;
@@ -49,7 +49,7 @@ Legs legsOf(const DeltaGeometry& arm, const JointVector& q) noexcept
   return legs;
 }
 
-/// The point on `side` that is so far from all three elbows.
+/// The point on `side` at the distance `radius_m` from all three elbows.
 std::optional<Vec3> meetingOf(const Legs& legs, double radius_m, double side) noexcept
 {
   const Vec3 a = legs[1].elbow - legs[0].elbow, b = legs[2].elbow - legs[0].elbow;
@@ -65,7 +65,7 @@ std::optional<Vec3> meetingOf(const Legs& legs, double radius_m, double side) no
   return Vec3(legs[0].elbow + foot + high * normal);
 }
 
-/// How far each forearm is from its length, as half a difference of squares [m2], and its gradient a row.
+/// Error of each forearm's length, as half a difference of squares [m2], and its gradient in a row.
 struct Closing
 {
   Vec3 left;
@@ -88,7 +88,7 @@ Closing closingAt(const DeltaGeometry& arm, const Legs& legs, const Vec3& p) noe
   return closing;
 }
 
-/// Newton steps to where all forearms have their length.
+/// Newton's method for the point at which all forearms have their length.
 std::optional<Vec3> closed(const DeltaGeometry& arm, const Legs& legs, Vec3 p) noexcept
 {
   constexpr int mostSteps = 12;
@@ -108,7 +108,7 @@ std::optional<Vec3> closed(const DeltaGeometry& arm, const Legs& legs, Vec3 p) n
       return p;
     }
   }
-  // Steps that only rounding keeps alive end here, too; those that still lead away do not close the arm.
+  // Steps of the size of rounding end here, too; where the lengths are still wrong the arm does not close.
   const Closing closing = closingAt(arm, legs, p);
   return (closing.left.array().abs() <= 1e-13 * size * size).all() ? std::optional(p) : std::nullopt;
 }
@@ -127,7 +127,7 @@ Posture postureOf(const DeltaGeometry& arm, const JointVector& q) noexcept
     return posture;
   }
   const Mat3 rods = closingAt(arm, legs, *tip).rods;
-  // A forearm keeps its length: along it the platform moves as the elbow does.
+  // A forearm keeps its length: along the forearm the platform moves as the elbow does.
   const Mat3 follows =
     Vec3(rods.row(0).dot(legs[0].perRad), rods.row(1).dot(legs[1].perRad), rods.row(2).dot(legs[2].perRad))
       .asDiagonal();

@@ -10,12 +10,12 @@ namespace palpate
 
 /// In its own frame, with the base in the plane z = 0. Links: 1 .. 3 the arms, 4 .. 6 the forearms, 7 the platform.
 
-/// The tip is the middle of the platform: where the spheres of the forearms meet, and with hinges apart by Newton steps
-/// from there.
+/// The tip is the middle of the platform: the intersection of the forearms' spheres, and with hinges apart the result
+/// of Newton steps from there.
 [[nodiscard]] Posture postureOf(const DeltaGeometry& arm, const JointVector& q) noexcept;
 [[nodiscard]] LinkPoint linkPointOf(
   const DeltaGeometry& arm, const JointVector& q, const Posture& posture, int link, const Vec3& at) noexcept;
-/// Arms outwards.
+/// The solution with the arms outwards.
 [[nodiscard]] std::optional<JointVector> inverseOf(const DeltaGeometry& arm, const Vec3& p) noexcept;
 
 } // namespace palpate

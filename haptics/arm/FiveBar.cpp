@@ -48,7 +48,7 @@ Posture postureOf(const FiveBarGeometry& arm, const JointVector& q) noexcept
   posture.exists = true;
   const Vec2 tip = 0.5 * (elbows[0].p + elbows[1].p) + std::sqrt(high2) * Vec2(-half.y(), half.x()).normalized();
   posture.tip.p = { tip.x(), tip.y(), 0.0 };
-  // A forearm keeps its length: along it the tip moves as the elbow does.
+  // A forearm keeps its length: along the forearm the tip moves as the elbow does.
   Eigen::Matrix2d forearms;
   forearms << (tip - elbows[0].p).transpose(), (tip - elbows[1].p).transpose();
   const Vec2 follows(forearms.row(0).dot(elbows[0].perRad), forearms.row(1).dot(elbows[1].perRad));

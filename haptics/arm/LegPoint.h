@@ -6,7 +6,7 @@
 namespace palpate
 {
 
-/// The point at that share of the way from one point to another.
+/// The point at a share of the distance from one point to another.
 [[nodiscard]] inline LinkPoint between(const LinkPoint& from, const LinkPoint& to, double share) noexcept
 {
   return { from.p + share * (to.p - from.p), from.jacobian + share * (to.jacobian - from.jacobian) };

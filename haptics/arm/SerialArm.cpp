@@ -13,7 +13,7 @@ namespace palpate
 namespace
 {
 
-/// Where the hinges are, how their axes point, and the frame of the last link.
+/// Positions and axes of the hinges, and the frame of the last link.
 struct Chain
 {
   std::array<Vec3, mostJoints> hinges, axes;
@@ -39,7 +39,7 @@ Chain chainOf(const SerialGeometry& chain, const JointVector& q, int links) noex
 
 using Error = Eigen::Matrix<double, 6, 1>;
 
-/// From the tip to the goal, in rows 0 .. 2 [m] and, of a goal with a turn, 3 .. 5 [m at the lever].
+/// Error from the tip to the goal: the position in rows 0 .. 2 [m], a goal's rotation in rows 3 .. 5 [m at the lever].
 Error errorOf(const Pose& tip, const ChainGoal& goal, double lever_m) noexcept
 {
   Error error = Error::Zero();

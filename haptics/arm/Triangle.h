@@ -9,7 +9,7 @@ namespace palpate
 {
 
 /// The angle [rad] between sides a and b of a triangle, opposite to c, without cancellation (Kahan, Miscalculating area
-/// and angles of a needle-like triangle, 2014): a stretched arm costs no digits. Nothing where no triangle closes.
+/// and angles of a needle-like triangle, 2014): a stretched arm loses no digits. Nothing where no triangle closes.
 [[nodiscard]] inline std::optional<double> angleBetween(double a, double b, double c) noexcept
 {
   if (a < b)

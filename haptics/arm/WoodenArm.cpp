@@ -10,7 +10,7 @@ namespace palpate
 namespace
 {
 
-/// A point so far along the upper link and so far along the forearm, the one that the elbow bears.
+/// The point that is `upper_m` along the upper link and `fore_m` along a forearm from there.
 LinkPoint pointAt(const WoodenGeometry& arm, const JointVector& q, double upper_m, double fore_m) noexcept
 {
   const double cosA = std::cos(q[0]), sinA = std::sin(q[0]);

@@ -12,7 +12,7 @@ namespace palpate
 
 [[nodiscard]] Posture postureOf(const WoodenGeometry& arm, const JointVector& q) noexcept;
 [[nodiscard]] LinkPoint linkPointOf(const WoodenGeometry& arm, const JointVector& q, int link, const Vec3& at) noexcept;
-/// The elbow above the line from shoulder to tip.
+/// The solution with the elbow above the line from shoulder to tip.
 [[nodiscard]] std::optional<JointVector> inverseOf(const WoodenGeometry& arm, const Vec3& p) noexcept;
 
 } // namespace palpate

@@ -183,18 +183,8 @@ PRIVATE_IN_COMMENTS = r"\b(?:g[ai]v(?:es?|ing|en) way|bricks?|rub(?:s|bed|bing)?
 OPEN = (
     "devices/arm/",
     "devices/calibration/",
-    "devices/io/",
-    "devices/simulated/",
-    "haptics/arm/",
-    "haptics/compliance/",
     "haptics/contact/",
-    "haptics/geometry/tree/",
-    "haptics/session/soft/",
-    "haptics/session/tool/",
-    "haptics/tool/",
     "testing/devices/arm/",
-    "testing/haptics/arm/",
-    "testing/oracles/arm/",
 )
 
 # In texts of the product also these. The key `laws` of a scene file is a name: it stands in quotes or before a colon.

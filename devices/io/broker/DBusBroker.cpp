@@ -17,7 +17,7 @@ namespace
 
 using Message = std::unique_ptr<DBusMessage, decltype(&dbus_message_unref)>;
 
-/// What libdbus says went wrong.
+/// An error of libdbus.
 class Error
 {
 public:
@@ -28,7 +28,7 @@ public:
 
   [[nodiscard]] DBusError* get() { return &this->error_; }
   [[nodiscard]] bool is(const char* name) const { return dbus_error_has_name(&this->error_, name); }
-  /// One line, whatever the service wrote.
+  /// The reason in one line, whatever the service wrote.
   [[nodiscard]] std::string message() const
   {
     std::string text = this->error_.message == nullptr ? "no reason given" : this->error_.message;
@@ -54,7 +54,7 @@ std::string sentence(const Error& error, int patience_ms)
   return "it refused: " + error.message();
 }
 
-/// A connection of our own to a bus, and what is left of our patience with all that is asked over it.
+/// A private connection to a bus, with one deadline for all requests over it.
 class Conversation
 {
 public:
@@ -73,7 +73,7 @@ public:
   Conversation(const Conversation&) = delete;
   Conversation& operator=(const Conversation&) = delete;
 
-  /// Empty, or why not.
+  /// Empty, or the reason for the failure.
   std::string begin()
   {
     if (this->service_.address.empty())
@@ -92,7 +92,7 @@ public:
     return this->ask(hello.get()) == nullptr ? this->problem_ : "";
   }
 
-  /// A whole number among the service's properties, of whatever width.
+  /// An integer among the service's properties, of any width.
   std::optional<std::int64_t> property(const char* name)
   {
     const Message message(dbus_message_new_method_call(this->service_.destination.c_str(), this->service_.path.c_str(),
@@ -108,7 +108,7 @@ public:
     return reply ? this->number(reply.get(), name) : std::nullopt;
   }
 
-  /// Empty, or why not.
+  /// Empty, or the reason for the failure.
   std::string makeRealtime(int priority)
   {
     const Message message(dbus_message_new_method_call(this->service_.destination.c_str(), this->service_.path.c_str(),

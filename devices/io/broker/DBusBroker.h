@@ -11,23 +11,23 @@ namespace palpate
 /// A service on D-Bus that makes threads real-time ones.
 struct DBusService
 {
-  std::string name;    ///< as a person knows it
+  std::string name;    ///< name for the user
   std::string address; ///< of the bus; empty: there is none
   std::string destination;
   std::string path;
   std::string interface;
   std::string method;        ///< of that interface
   bool takesProcess = false; ///< the method's first argument is the process; thread and priority follow
-  int patience_ms = 1000;    ///< for everything together
+  int patience_ms = 1000;    ///< for all requests together
 };
 
-/// RealtimeKit, directly: for programs of a person who sits at the computer.
+/// RealtimeKit itself: for programs of a user who sits at the computer.
 [[nodiscard]] DBusService realtimeKit(std::string systemBus);
-/// The desktop portal, which passes it on: for programs in a sandbox.
+/// The desktop portal, which forwards the request: for programs in a sandbox.
 [[nodiscard]] DBusService realtimePortal(std::string sessionBus);
 
-/// Asks such a service. What it wants first, a low RLIMIT_RTTIME, is set only when it has answered. Without libdbus in
-/// this build it refuses and says so.
+/// Asks such a service. The low RLIMIT_RTTIME that the service requires is set only after its answer. Without libdbus
+/// in this build each request is refused with that reason.
 class DBusBroker final : public RealtimeBroker
 {
 public:
@@ -40,8 +40,8 @@ private:
   DBusService service_;
 };
 
-/// Those of this computer, to be asked in that order: RealtimeKit, the portal. Reads the environment: not while another
-/// thread writes it.
+/// The brokers of this computer in the order in which they are asked: RealtimeKit, the portal. Reads the environment:
+/// not while another thread writes it.
 [[nodiscard]] RealtimeBrokers systemBrokers();
 
 } // namespace palpate

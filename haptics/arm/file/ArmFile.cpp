@@ -21,7 +21,7 @@ constexpr int newestVersion = 1;
 constexpr std::streamsize mostBytes = 1 << 20;
 constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
-/// Keys of every kind, and those of one.
+/// Accepts the keys of every kind and those of this one.
 void checkKeys(const Node& root, std::initializer_list<const char*> own)
 {
   std::vector<const char*> keys{ "format", "version", "name", "source", "kind", "at_m", "turn", "joints", "masses",
@@ -154,7 +154,7 @@ void readJoints(const Node& root, ArmPlan& plan)
   }
 }
 
-/// Of a chain a place in space, else a way along the link.
+/// A point in space for a chain, else a distance along the link.
 Vec3 placeOn(const Node& node, const char* key, bool isChain, const Vec3& usual)
 {
   return isChain ? node.vector(key, usual) : Vec3(node.number(key, usual.x()), 0.0, 0.0);

@@ -10,11 +10,11 @@
 namespace palpate
 {
 
-/// An arm as JSON text, "palpate arm", version 1: docs/arms.md has its keys. Not trusted: one sentence with the
-/// place and the reason, and no arm, where something is missing, unknown or impossible.
+/// An arm as JSON text, "palpate arm", version 1: docs/arms.md has its keys. The text is not trusted: one sentence with
+/// the place and the reason, and no arm, where something is missing, unknown or impossible.
 [[nodiscard]] Outcome<ArmPlan> parseArm(const std::string& text);
 
-/// The same of a file, whose name the sentence begins with.
+/// The same for a file, with whose name the sentence begins.
 [[nodiscard]] Outcome<ArmPlan> readArmFile(const std::string& file);
 
 /// Arms whose files are built in (data/arms), by the names of these files: falcon, woodenhaptics-2015, polhem-v1,
@@ -22,7 +22,7 @@ namespace palpate
 [[nodiscard]] const std::vector<std::string>& knownArms();
 [[nodiscard]] Outcome<ArmPlan> knownArm(const std::string& name);
 
-/// An arm by the name of one that is built in, else of that file.
+/// The arm that is built in under that name, else the arm of that file.
 [[nodiscard]] Outcome<ArmPlan> armNamed(const std::string& nameOrFile);
 
 } // namespace palpate

@@ -10,7 +10,7 @@ namespace palpate
 namespace
 {
 
-/// Three columns a node, one for each of its displacements.
+/// Three columns per node, one for each component of its displacement.
 SparseColumns unitColumns(std::span<const std::uint32_t> nodes)
 {
   SparseColumns units;
@@ -71,7 +71,7 @@ bool KeptInverse::knows(const SparseColumns& h) const
     });
 }
 
-/// Of the nodes that move, ascending.
+/// Places of the free nodes, ascending.
 std::vector<std::int32_t> KeptInverse::placesOf(const SparseColumns& h) const
 {
   std::vector<bool> isAmong(this->nodes_.size(), false);
@@ -121,7 +121,7 @@ Eigen::MatrixXd KeptInverse::gather(
   return found;
 }
 
-/// The same columns, their rows numbered among the nodes at these places; without those of nodes that are held.
+/// The same columns with rows numbered among the nodes at these places, without those of fixed nodes.
 SparseColumns KeptInverse::among(const std::vector<std::int32_t>& places, const SparseColumns& h) const
 {
   std::vector<std::int32_t> number(this->nodes_.size(), 0);

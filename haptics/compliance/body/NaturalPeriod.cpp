@@ -10,7 +10,7 @@ namespace palpate
 namespace
 {
 
-/// Of each node [kg]: every point's volume goes to its nodes in equal parts.
+/// Mass of each node [kg]: every point's volume goes to its nodes in equal parts.
 std::vector<double> massOfNodes(const StrainPoints& points, double kg_per_u3)
 {
   std::vector<double> mass(points.rest_W.size(), 0.0);
@@ -43,7 +43,7 @@ double naturalPeriod_s(const SoftBody& body, double density_kg_per_m3, double un
     {
       moved += mass[n] * shape.segment<3>(3 * static_cast<Eigen::Index>(n)).squaredNorm();
     }
-    // A newton is a kilogram and 1 / unit_m units a second squared.
+    // A newton accelerates a kilogram by 1 / unit_m units per second squared.
     longest_s = std::max(longest_s, 2.0 * std::numbers::pi * std::sqrt(moved * unit_m / shape.dot(weight)));
   }
   return longest_s;

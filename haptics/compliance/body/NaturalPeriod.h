@@ -6,9 +6,9 @@
 namespace palpate
 {
 
-/// About the slowest period that a body of some density swings with around the state it was factored at [s]: Rayleigh's
-/// quotient of the shapes that its own weight gives it along each axis, with mass on the nodes; never longer than the
-/// truth but for the mesh. A hand that is faster feels inertia, which a body at rest does not have.
+/// An estimate of the slowest natural period of a body with that density about the state at which it was factored [s]:
+/// Rayleigh's quotient of the shapes under its own weight along each axis, with mass on the nodes; never longer than
+/// the true period but for the mesh. A faster hand feels inertia, which a quasi-static body does not have.
 [[nodiscard]] double naturalPeriod_s(const SoftBody& body, double density_kg_per_m3, double unit_m);
 
 } // namespace palpate

@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 
-/// Numbers of the free nodes. A node halfway is fixed where both ends of its edge are.
+/// Numbers of the free nodes. A mid-edge node is fixed where both ends of its edge are.
 std::vector<std::int32_t> numberFree(const StrainPoints& points, const std::vector<bool>& fixed)
 {
   std::vector<std::int32_t> numbers;
@@ -28,13 +28,13 @@ std::vector<std::int32_t> numberFree(const StrainPoints& points, const std::vect
   return numbers;
 }
 
-/// Nodes: above, an old factor leads to the rest in less time than new ones, and as near to it.
+/// Nodes: above this number an old factor reaches the equilibrium in less time than new ones, and as accurately.
 constexpr std::size_t mostFactoredEachStep = 2000;
 
-/// Of numbers that an int counts, as CHOLMOD and the pattern do.
+/// Bytes of as many numbers as an int counts, as CHOLMOD and the pattern do.
 constexpr std::size_t mostCounted = sizeof(double) * std::numeric_limits<int>::max();
 
-/// A sentence where that much is more than allowed.
+/// A sentence if the bytes are more than allowed.
 std::string refuseBytes(std::size_t bytes, std::size_t most)
 {
   if (bytes <= most)
@@ -45,10 +45,10 @@ std::string refuseBytes(std::size_t bytes, std::size_t most)
          " MB allowed: mesh it coarser";
 }
 
-/// Points of strain: above, a second thread takes one half.
+/// Points of strain: above this number a second thread takes one half.
 constexpr std::size_t mostAlone = 4000;
 
-/// Of points, part(begin, end) added up. What comes out does not depend on which half is done first.
+/// The sum of part(begin, end) over points. The result does not depend on which half is computed first.
 template<class Part>
 auto sumOf(std::size_t count, const Part& part)
 {
@@ -184,7 +184,7 @@ void SoftBody::addPoints(std::size_t begin, std::size_t end, SparseLower& k) con
   }
 }
 
-/// Each half of many points has numbers of its own.
+/// Each half of many points is added up in a matrix of its own.
 void SoftBody::assemble()
 {
   const auto clear = [this](SparseLower& k)
@@ -217,7 +217,7 @@ bool SoftBody::factorAssembled()
   const bool factored = this->factor_.factor(this->stiffness_);
   if (!this->stiffnessChanges())
   {
-    this->stiffness_ = {}; // it is not asked for again
+    this->stiffness_ = {}; // not needed again
     this->otherHalf_ = {};
   }
   return factored;
@@ -234,7 +234,7 @@ std::optional<Eigen::VectorXd> SoftBody::newtonStep(const Eigen::VectorXd& open,
   this->assemble();
   if (this->factoring_ == Factoring::WhenOld && this->factor_.ready())
   {
-    constexpr int mostIterations = 8; // as many solves cost about a factor
+    constexpr int mostIterations = 8; // as many solves cost about as much as a factor
     this->factor_.keepSingle();
     if (OldFactorAnswer answer =
           solveByOldFactor(this->stiffness_, this->factor_.single(), open, share, mostIterations);
@@ -253,7 +253,7 @@ bool SoftBody::settle(const Eigen::VectorXd& load_N, int steps, const std::stop_
     this->displacement_ = this->restUnder(load_N);
     return true;
   }
-  // What the stiffness of the first state leaves of a load that has changed is more than this, so no more is asked for.
+  // The stiffness of the first state leaves a larger error than this after a change of load, so that more is in vain.
   constexpr double firstShare = 0.03, laterShare = 1e-3;
   double energy = this->energyAt(this->displacement_);
   for (int i = 0; i < steps && !stop.stop_requested(); ++i)
@@ -277,10 +277,10 @@ bool SoftBody::settle(const Eigen::VectorXd& load_N, int steps, const std::stop_
 
 double SoftBody::stepDown(const Eigen::VectorXd& load_N, const Eigen::VectorXd& step, double slope, double before)
 {
-  constexpr double enough = 1e-4; // Armijo's share of what the slope promises.
+  constexpr double enough = 1e-4; // Armijo's share of the decrease that the slope predicts.
   constexpr int mostHalvings = 20;
   const double work = load_N.dot(step);
-  // Below what rounding leaves of the energy nothing can be judged: the step is as good as its length is small.
+  // Below the rounding error of the energy no change can be judged: such a step is accepted, for it is short.
   const double rounding = 1e-14 * (std::abs(before) + std::abs(work));
   const Eigen::VectorXd from = this->displacement_;
   double length = 1.0;
@@ -340,7 +340,7 @@ namespace
 
 constexpr const char* stopped = "the computation was cancelled";
 
-/// Brings a body to its rest under what it bears; a sentence where it cannot.
+/// Brings a body to equilibrium under its permanent loads; a sentence where it has none.
 std::string bearLoads(
   const SoftBodyInput& input, const CheckedTetras& checked, SoftBody& body, const std::stop_token& stop)
 {
@@ -411,7 +411,7 @@ SoftBodyResult makeSoftBody(const SoftBodyInput& input, const std::stop_token& s
     return result;
   }
   auto body = std::make_unique<SoftBody>(std::move(points), input.model, fixed);
-  // No factor at all: its numbers are more than CHOLMOD counts.
+  // Without bytes there is no factor: its numbers are more than CHOLMOD counts.
   const std::size_t bytes = body->factorBytes();
   result.refusal = refuseBytes(bytes > 0 ? bytes : mostCounted + 1, std::min(input.mostBytes, mostCounted));
   if (!result.refusal.empty())

@@ -34,7 +34,7 @@ double areaOf(const TetraMesh& mesh, const Triangle& t)
   return 0.5 * (mesh.vertices_W[t[1]] - a).cross(mesh.vertices_W[t[2]] - a).norm();
 }
 
-/// At the corners of the triangles, in the order of `places` [N/u^2].
+/// Tractions at the corners of the triangles, in the order of `places` [N/u^2].
 Tractions tractionsOf(const TetraMesh& mesh, const std::vector<Triangle>& triangles,
   const std::map<std::uint32_t, Eigen::Index>& places, const Eigen::VectorXd& load_N)
 {
@@ -89,8 +89,8 @@ void spreadTractions(const StrainPoints& points, const TetraMesh& mesh, Eigen::V
   {
     at(v).setZero();
   }
-  // Integrals over a triangle of the ten-node functions times the corners' own: of a corner's function A / 30 and
-  // -A / 60, of one halfway 2 A / 15 with the ends of its edge and A / 15 with the third corner.
+  // Integrals over a triangle of the ten-node functions times the corners' own: for a corner's function A / 30 and
+  // -A / 60, for a mid-edge function 2 A / 15 with the ends of its edge and A / 15 with the third corner.
   for (const Triangle& t : triangles)
   {
     const double area = areaOf(mesh, t);

@@ -35,15 +35,15 @@ struct Cancelled
 {
 };
 
-/// More came up than volume and edge let expect.
+/// More tetrahedra arise than volume and edge length predict.
 struct TooMany
 {
 };
 
-/// So often the refinement asks what a place is in, a tetrahedron.
+/// Queries of the label at a point, per tetrahedron, during refinement.
 constexpr double questionsOfTetra = 50.0;
 
-/// What is to be filled.
+/// The region to be filled.
 struct Filled
 {
   LabelAt labelAt;
@@ -52,7 +52,7 @@ struct Filled
   double volume_u3 = 0.0;
 };
 
-/// Counts how often it is asked, which is all that tells how far the refinement is.
+/// Counts the queries, which are the only measure of the progress of the refinement.
 class WatchedLabel
 {
 public:
@@ -63,7 +63,7 @@ public:
 
   int operator()(const Kernel::Point_3& p)
   {
-    // Near the end it goes on for as long as the worst tetrahedra take: the share only comes near 1.
+    // Near the end the refinement goes on for as long as the worst tetrahedra need: the share only approaches 1.
     const auto asked = static_cast<double>(++this->asked_);
     if (this->asked_ % 1024 == 0 && !this->goes_(asked / (asked + this->expected_)))
     {
@@ -86,7 +86,7 @@ private:
 
 double tetrasExpected(const Filled& filled, const TetraSizes& sizes)
 {
-  // A regular tetrahedron has a volume of .118 of its edge's cube; refined ones are smaller than what is allowed.
+  // A regular tetrahedron has a volume of .118 of its edge's cube; refined ones are smaller than the allowed size.
   return filled.volume_u3 / (0.06 * std::pow(sizes.edge_u, 3));
 }
 
@@ -120,7 +120,7 @@ std::string refuseSizes(const Filled& filled, const TetraSizes& sizes)
   {
     return "edge length and distance of the tetrahedra must be above 0";
   }
-  // Doubles cannot halve a way across the border often enough for less.
+  // Doubles cannot bisect a segment across the border often enough for less.
   if (const double least_u = 1e-7 * (filled.high_W - filled.low_W).norm(); sizes.distance_u < least_u)
   {
     std::ostringstream words;
@@ -170,7 +170,7 @@ TetraMeshResult fill(const Filled& filled, const TetraSizes& sizes, const Goes& 
     result.refusal = "far more than the " + std::to_string(sizes.most) +
                      " tetrahedra allowed arise near the surface: use a larger distance";
   }
-  catch (const std::exception& e) // CGAL's own, and memory
+  catch (const std::exception& e) // exceptions of CGAL, and lack of memory
   {
     result.refusal = std::string("CGAL could not mesh the body: ") + e.what();
   }
@@ -186,8 +186,8 @@ TetraMeshResult fill(const Filled& filled, const TetraSizes& sizes, const Goes& 
   return result;
 }
 
-/// What is proven of the distance between the border and the surface, both ways; infinity: more than 16 times what was
-/// asked for, as where a sharp rib is rounded off.
+/// Proven bound of the distance between the border and the surface, both ways; infinity: more than 16 times the
+/// distance asked for, as where a sharp rib is rounded off.
 double boundOf(const TetraMesh& mesh, const SurfaceTree& surface, double asked_u)
 {
   const SurfaceTree border(cleanMesh({ mesh.vertices_W, borderOf(mesh) }).mesh);
@@ -205,7 +205,7 @@ double boundOf(const TetraMesh& mesh, const SurfaceTree& surface, double asked_u
 
 double volumeInside(const SurfaceTree& surface, const Vec3& low_W, const Vec3& size_u)
 {
-  // Triangles of a cleaned mesh have lost their direction: points of a lattice tell.
+  // Triangles of a cleaned mesh have lost their orientation: points of a lattice are tested.
   constexpr int lattice = 12;
   int inside = 0;
   for (int i = 0; i < lattice * lattice * lattice; ++i)

@@ -13,28 +13,28 @@
 namespace palpate
 {
 
-/// How fine tetrahedra are made.
+/// Sizes of the tetrahedra.
 struct TetraSizes
 {
   double edge_u = 0.0;       ///< about their longest edges inside
   double distance_u = 0.0;   ///< of the border from the input, as CGAL keeps it; not below 1e-7 of the size
-  std::size_t most = 500000; ///< tetrahedra that are expected, from volume and edge: more are refused before
+  std::size_t most = 500000; ///< tetrahedra that are expected, from volume and edge: more are refused in advance
 };
 
-/// Tetrahedra, or why there are none.
+/// Tetrahedra, or the reason why there are none.
 struct TetraMeshResult
 {
   TetraMesh mesh;
   std::vector<std::uint32_t> labels; ///< of each tetrahedron: its label
-  double bound_u = 0.0; ///< proven: no point of border or closed surface is further from the other [u]; or infinity
-  std::string refusal;  ///< "cancelled" where `goes` said no
+  double bound_u = 0.0; ///< proven: largest distance between points of border and closed surface [u]; or infinity
+  std::string refusal;  ///< "cancelled" where `goes` returned false
 };
 
-/// Numbers in the middles of boxes, x fastest; 0 is outside of everything.
+/// Labels at the centres of voxels, x fastest; 0 is outside.
 struct LabelImage
 {
   std::array<int, 3> counts{};
-  Vec3 first_W = Vec3::Zero(); ///< middle of the first box [u]
+  Vec3 first_W = Vec3::Zero(); ///< centre of the first voxel [u]
   Vec3 step_u = Vec3::Ones();
   std::vector<std::uint32_t> labels;
 };

@@ -14,15 +14,15 @@ namespace palpate
 namespace
 {
 
-/// Strain that is smoothed over a step of the modulus makes stress beside it wrong by half of that step: by 1 %.
+/// Strain that is smoothed over a step of the modulus gives stress beside it an error of half of that step: 1 %.
 constexpr double sameWithin = 0.02;
 
-/// Beyond this Poisson's ratio few tetrahedra with smoothed edges are too stiff.
+/// Beyond this Poisson's ratio a few tetrahedra with smoothed edges are too stiff.
 constexpr double mostOfSmoothed = 0.4;
-/// The most nodes, those halfway the edges included. A block of 8,000 comes 80 times a second where its stiffness is
+/// The most nodes, mid-edge nodes included. A block of 8,000 has 80 snapshots per second where its stiffness is
 /// factored once, and its factor takes 99 MB.
 constexpr std::size_t mostNodes = 10'000;
-/// So many tetrahedra meet at a vertex of a regular mesh (six a cube). A smaller set surrounds no vertex anyway.
+/// Number of tetrahedra at a vertex of a regular mesh (six per cube). A smaller set surrounds no vertex anyway.
 constexpr std::size_t aroundVertex = 24;
 
 bool isSame(const ElasticModuli& a, const ElasticModuli& b)
@@ -31,7 +31,7 @@ bool isSame(const ElasticModuli& a, const ElasticModuli& b)
   return near(a.mu, b.mu) && near(a.lambda, b.lambda);
 }
 
-/// The tetrahedra that hang together by faces and are of one modulus.
+/// Joins tetrahedra that share a face and are of one modulus.
 DisjointSets joinByFaces(const TetraMesh& mesh, const std::vector<ElasticModuli>& moduli)
 {
   DisjointSets parts(mesh.tetras.size());
@@ -59,7 +59,7 @@ DisjointSets joinByFaces(const TetraMesh& mesh, const std::vector<ElasticModuli>
   return parts;
 }
 
-/// The one part around each vertex; none for a vertex on the border or between parts.
+/// The only part around each vertex; none for a vertex on the border or between parts.
 std::vector<std::uint32_t> partsInside(const TetraMesh& mesh, DisjointSets& parts, std::uint32_t none)
 {
   constexpr std::uint32_t unmet = ~0u;
@@ -137,7 +137,7 @@ ElementKind usualElement(const TetraMesh& mesh, const std::vector<double>& young
   { return std::ranges::all_of(t, [&mesh](std::uint32_t v) { return v < mesh.vertices_W.size(); }); };
   if (!std::ranges::all_of(mesh.tetras, isThere) || nodesHalved(mesh) > mostNodes)
   {
-    return ElementKind::EdgeSmoothed; // the first are refused by checkTetras()
+    return ElementKind::EdgeSmoothed; // checkTetras() refuses the first case
   }
   if (model == ElasticModel::Linear)
   {
@@ -145,7 +145,7 @@ ElementKind usualElement(const TetraMesh& mesh, const std::vector<double>& young
   }
   if (young_Pa.size() != mesh.tetras.size())
   {
-    return ElementKind::EdgeSmoothed; // of one modulus
+    return ElementKind::EdgeSmoothed; // one modulus
   }
   std::vector<ElasticModuli> moduli;
   std::ranges::transform(
@@ -159,7 +159,7 @@ std::vector<std::uint32_t> materialsOf(const TetraMesh& mesh, const std::vector<
   const auto count = static_cast<std::uint32_t>(mesh.tetras.size());
   constexpr std::uint32_t none = ~0u;
   constexpr std::uint32_t several = none - 1;
-  std::vector<std::uint32_t> around(mesh.vertices_W.size(), none); // the one part around each vertex
+  std::vector<std::uint32_t> around(mesh.vertices_W.size(), none); // the only part around each vertex
   for (std::uint32_t i = 0; i < count; ++i)
   {
     for (const std::uint32_t v : mesh.tetras[i])

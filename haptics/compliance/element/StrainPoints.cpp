@@ -31,7 +31,7 @@ struct EdgeKey
   auto operator<=>(const EdgeKey&) const = default;
 };
 
-/// What the tetrahedra of one material around an edge add up to.
+/// Sums over the tetrahedra of one material around an edge.
 struct EdgeSum
 {
   double volume_u3 = 0.0;
@@ -93,7 +93,7 @@ void addEdgePoints(StrainPoints& all, const TetraMesh& mesh, const std::vector<E
   }
 }
 
-/// The nodes halfway, numbered after the vertices.
+/// The mid-edge nodes, numbered after the vertices.
 std::map<Edge, std::uint32_t> halve(StrainPoints& all, const TetraMesh& mesh)
 {
   std::map<Edge, std::uint32_t> middles;
@@ -198,7 +198,7 @@ StrainPoints makeStrainPoints(const TetraMesh& mesh, ElementKind kind, const std
     all.perTetra = 1;
     addLinearPoints(all, mesh, moduli);
   }
-  all.ofTetras.resize(all.points.size()); // they come tetrahedron by tetrahedron
+  all.ofTetras.resize(all.points.size()); // points are in the order of the tetrahedra
   std::iota(all.ofTetras.begin(), all.ofTetras.end(), 0u);
   return all;
 }

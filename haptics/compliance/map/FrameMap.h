@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// How much of a frame's motion a point has.
+/// The share of a frame's motion in that of a point.
 struct FrameWeight
 {
   std::uint32_t frame = 0;
@@ -16,9 +16,9 @@ struct FrameWeight
 };
 
 /// A map of points that follow rigid frames: u = sum of w (t + turn x (p - origin)). Each frame counts as two nodes,
-/// number 2 i for how far it went and 2 i + 1 for how it turned [rad]; forces come back as its force and its moment.
-/// One frame with weight 1 is a rigid body; weights of several that add up to 1 are skinning. Small turns; a frame that
-/// has turned far is to be given anew.
+/// number 2 i for its displacement and 2 i + 1 for its rotation [rad]; forces come back as its force and its moment.
+/// One frame with weight 1 is a rigid body; weights of several that add up to 1 are skinning. For small rotations;
+/// after a large one the frame is to be given anew.
 [[nodiscard]] SurfaceMap followFrames(const std::vector<Vec3>& origins_W, const std::vector<Vec3>& points_W,
   const std::vector<std::vector<FrameWeight>>& weights);
 

@@ -11,14 +11,14 @@ namespace palpate
 namespace
 {
 
-/// Points along an edge of a face of a usual patch: 64 of like area integrate the kernel to a thousandth.
+/// Parts of an edge of a face in a usual patch: 64 triangles of equal area integrate the kernel to a thousandth.
 constexpr int mostCuts = 8;
 
 using Weights = std::map<std::uint32_t, double>;
 
-/// Adds what a place at barycentric coordinates b of a face takes part in, to its nodes. On a face of six nodes its
-/// shape functions are quadratic: by linear ones between the nodes a third of what the halves should carry would press
-/// on the corners, which give way further.
+/// Adds the shares of a point at barycentric coordinates b of a face to its nodes. On a face of six nodes the
+/// shape functions are quadratic: with linear ones between the nodes a third of the force for the mid-edge nodes would
+/// act on the corners, which are more compliant.
 void addShares(
   const BorderFaces& border, std::uint32_t face, const std::array<double, 3>& b, double weight, Weights& weights)
 {
@@ -41,7 +41,7 @@ bool addFace(
   const std::array<Vec3, 3> c = border.cornersOf(face);
   const double area = 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm() / (cuts * cuts);
   bool within = false;
-  // Centroids of the small triangles: those that stand as the face does, and those upside down between them.
+  // Centroids of the small triangles: the upright ones, and the inverted ones between them.
   for (int i = 0; i < cuts; ++i)
   {
     for (int j = 0; j < 2 * (cuts - i) - 1; ++j)

@@ -57,7 +57,7 @@ SparseColumns SurfaceMap::columnsOf(std::span<const std::uint32_t> points) const
 namespace
 {
 
-/// A place in the tetrahedron is no further from a point than the one that its weights without negative ones lead to.
+/// Upper bound of a point's distance from the tetrahedron: the distance from the point of its weights that are above 0.
 double mostDistance_u(const TetraMesh& mesh, const TetraPlace& place, const Vec3& p_W)
 {
   Vec3 within = Vec3::Zero();

@@ -31,7 +31,7 @@ std::array<double, 4> weightsIn(const TetraMesh& mesh, const Tetra& t, const Vec
   return { 1.0 - w.sum(), w[0], w[1], w[2] };
 }
 
-/// How far a point is outside: 0 within, else the way past the faces by the tetrahedron's own heights, as a length.
+/// Distance of a point from a tetrahedron: 0 within, else the weights beyond its faces, scaled to a length.
 double outsideBy(const TetraMesh& mesh, const Tetra& t, const std::array<double, 4>& weights)
 {
   const double least = *std::min_element(weights.begin(), weights.end());
@@ -47,7 +47,7 @@ TetraSearch::TetraSearch(const TetraMesh& mesh) : mesh_(mesh)
   {
     all.extend(p);
   }
-  // About one tetrahedron a cell.
+  // About one tetrahedron per cell.
   const double side = std::cbrt(std::max(all.volume(), 1e-300) / static_cast<double>(mesh.tetras.size()));
   this->grid_.low = all.min();
   for (int axis = 0; axis < 3; ++axis)
@@ -86,7 +86,7 @@ TetraPlace TetraSearch::find(const Vec3& p_W) const
   const auto& [width, height, depth] = this->grid_.size;
   const PointGrid::Cell center = this->grid_.cellOf(p_W);
   this->lookAt(this->cells_[this->grid_.indexOf(center)], p_W, best, distance);
-  // What is outside is near one of the border's tetrahedra: shells of cells around, one beyond the first find.
+  // A point outside is near one of the border's tetrahedra: shells of cells are searched, one beyond the first find.
   const int most = std::max({ width, height, depth });
   int beyond = 1;
   for (int shell = 1; shell < most && !best.inside && beyond >= 0; ++shell)

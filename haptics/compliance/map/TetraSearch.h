@@ -18,7 +18,7 @@ struct TetraPlace
   bool inside = false;
 };
 
-/// Finds the tetrahedron that a point is in, or the nearest one. Keeps a reference to the mesh.
+/// Finds the tetrahedron around a point, or the nearest one. Keeps a reference to the mesh.
 class TetraSearch
 {
 public:

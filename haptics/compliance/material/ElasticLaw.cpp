@@ -14,8 +14,8 @@ namespace palpate
 namespace
 {
 
-/// What a law is in principal stretches: for each pair (i, j), k the third, the stiffness against sheared (flip) and
-/// against turned (twist) stretches; and the Hessian of the energy in the stretches themselves.
+/// A model in principal stretches: the Hessian of the energy in the stretches themselves; and for each pair (i, j), k
+/// the third, the stiffness against their shear (flip) and against their rotation (twist).
 struct PrincipalHessian
 {
   Mat3 scaling;
@@ -23,7 +23,7 @@ struct PrincipalHessian
   Vec3 twist; ///< of the pair without k
 };
 
-/// Moduli with which the stable neo-Hookean law has Hooke's stiffness at rest.
+/// Moduli with which the stable neo-Hookean model has Hooke's stiffness at rest.
 struct NeoHookeanModuli
 {
   explicit NeoHookeanModuli(const ElasticModuli& m)
@@ -32,7 +32,7 @@ struct NeoHookeanModuli
   }
   double mu;
   double lambda;
-  double restVolume; ///< where the volume term alone would rest, so that all together rest at F = 1
+  double restVolume; ///< volume at which the volume term alone is at rest, so that the sum is at rest at F = 1
 };
 
 Mat3 cofactor(const Mat3& f)
@@ -113,7 +113,7 @@ PrincipalHessian coRotationalHessian(const ElasticModuli& m, const Vec3& s)
   const double pressure = 2.0 * m.lambda * (s.sum() - 3.0) - 4.0 * m.mu;
   for (int k = 0; k < 3; ++k)
   {
-    // Two stretches that cancel have no turn of their own: the law's stiffness is then infinite or is cut to 0.
+    // Two stretches that cancel have no rotation of their own: the stiffness is then infinite or is clamped to 0.
     const double both = std::max(s[(k + 1) % 3] + s[(k + 2) % 3], 1e-9);
     h.twist[k] = 2.0 * m.mu + pressure / both;
   }

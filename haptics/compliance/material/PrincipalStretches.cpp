@@ -12,7 +12,7 @@ namespace palpate
 namespace
 {
 
-/// Turns columns i and j of b = F v in their plane until they are at right angles; false if they were.
+/// Rotates columns i and j of b = F v in their plane until they are orthogonal; false if they were.
 bool straighten(Mat3& b, Mat3& v, int i, int j)
 {
   const double both = b.col(i).dot(b.col(j));
@@ -35,7 +35,7 @@ bool straighten(Mat3& b, Mat3& v, int i, int j)
   return true;
 }
 
-/// Columns of b, and of v alike, from the longest to the shortest; v stays a turn.
+/// Sorts the columns of b, and of v alike, from the longest to the shortest; v stays a rotation.
 void sortColumns(Mat3& b, Mat3& v)
 {
   for (const auto& [i, j] : { std::pair(0, 1), std::pair(1, 2), std::pair(0, 1) })

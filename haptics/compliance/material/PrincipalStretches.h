@@ -6,7 +6,7 @@
 namespace palpate
 {
 
-/// F = U diag(s) V^T with U and V turns: where F mirrors, the last stretch is below 0.
+/// F = U diag(s) V^T with rotations U and V: where F reflects, the last stretch is below 0.
 struct PrincipalStretches
 {
   Mat3 u = Mat3::Identity();
@@ -14,8 +14,8 @@ struct PrincipalStretches
   Mat3 v = Mat3::Identity();
 };
 
-/// By turning columns to right angles in pairs (Hestenes 1958): in a third of the time of a general decomposition, and
-/// a stiffness asks for one an element.
+/// By rotations that make pairs of columns orthogonal (Hestenes 1958): in a third of the time of a general
+/// decomposition, and a stiffness needs one per element.
 [[nodiscard]] PrincipalStretches principalStretches(const Mat3& f);
 
 } // namespace palpate

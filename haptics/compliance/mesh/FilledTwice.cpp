@@ -15,14 +15,14 @@ namespace
 
 using Corners = std::array<Vec3, 4>;
 
-/// From and to where along a line; empty where `to` is not above `from`.
+/// An interval of a line; empty where `to` is not above `from`.
 struct Piece
 {
   double from_u = 0.0;
   double to_u = 0.0;
 };
 
-/// Whether the line passes on one side of all corners, seen along one of two directions across it.
+/// True if the line passes on one side of all corners, seen along one of two directions across it.
 bool isBeside(const Corners& corners, const Vec3& from_W, const Vec3& across_W)
 {
   const auto offset = [&](const Vec3& p) { return across_W.dot(p - from_W); };
@@ -30,7 +30,7 @@ bool isBeside(const Corners& corners, const Vec3& from_W, const Vec3& across_W)
   return offset(least) > 0.0 || offset(most) < 0.0;
 }
 
-/// What a tetrahedron leaves of a line.
+/// The interval of a line in a tetrahedron.
 Piece pieceIn(const Corners& corners, const LinePiece& line)
 {
   Piece piece{ 0.0, line.length_u };
@@ -56,7 +56,7 @@ Piece pieceIn(const Corners& corners, const LinePiece& line)
   return piece;
 }
 
-/// What is in more than one of them.
+/// Length that is in more than one interval.
 double sharedBy(std::vector<Piece>& pieces)
 {
   std::ranges::sort(pieces, {}, &Piece::from_u);
@@ -69,7 +69,7 @@ double sharedBy(std::vector<Piece>& pieces)
   return shared_u;
 }
 
-/// Of a line that runs along no edge or face.
+/// For a line that runs along no edge or face.
 double filledAlong(const TetraMesh& mesh, std::span<const Vec3> places_W, const LinePiece& line)
 {
   const auto [across, other] = tangentsOf(line.along_W);

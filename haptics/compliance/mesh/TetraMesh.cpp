@@ -16,7 +16,7 @@ namespace
 
 using Face = std::array<std::uint32_t, 3>;
 
-/// A face of a tetrahedron; `corners` in order, so that two that share it have it alike.
+/// A face of a tetrahedron; `corners` sorted, so that two tetrahedra that share it have them alike.
 struct OwnedFace
 {
   Face corners;
@@ -24,7 +24,7 @@ struct OwnedFace
   std::uint32_t tetra;
 };
 
-/// Of a volume whose six edges are this long, rounding leaves this much.
+/// Rounding error of a volume, as a share of the cube of its longest edge.
 constexpr double flatShare = 1e-12;
 
 double longestEdgeOf(const TetraMesh& mesh, const Tetra& t)
@@ -86,7 +86,7 @@ std::string refuseCorners(const TetraMesh& mesh)
   return {};
 }
 
-/// Leaves out what is flat or doubled, turns round what is in the other order.
+/// Leaves out flat and duplicated tetrahedra, and reverses those of the other orientation.
 void keepSolid(CheckedTetras& out, const TetraMesh& raw)
 {
   std::set<Tetra> known;
@@ -134,7 +134,7 @@ std::string refuseFolds(const TetraMesh& mesh)
   return {};
 }
 
-/// Names each part by its first tetrahedron: two hang together where they share a face.
+/// Names each part by its first tetrahedron: two are connected where they share a face.
 std::vector<std::uint32_t> partsOf(const TetraMesh& mesh)
 {
   DisjointSets parts(mesh.tetras.size());
@@ -149,7 +149,7 @@ std::vector<std::uint32_t> partsOf(const TetraMesh& mesh)
   return parts.all();
 }
 
-/// What fixed vertices leave free: nothing where three are not in line.
+/// Motion that fixed vertices leave: none where three are not collinear.
 enum class Hold
 {
   None,

@@ -13,29 +13,29 @@ namespace palpate
 
 using Tetra = std::array<std::uint32_t, 4>;
 
-/// Indexed tetrahedra in scene units. As it comes in: nothing about it is trusted.
+/// Indexed tetrahedra in scene units, as given: nothing about them is trusted.
 struct TetraMesh
 {
   std::vector<Vec3> vertices_W;
   std::vector<Tetra> tetras;
 };
 
-/// Above 0 with its corners in the usual order [u^3].
+/// Positive with its corners in the usual order [u^3].
 [[nodiscard]] double volumeOf(const TetraMesh& mesh, const Tetra& t);
 
 /// The result of a check: counts of tetrahedra.
 struct TetraReport
 {
-  std::size_t turned = 0;  ///< had their corners in the other order: all four are in the usual one now
+  std::size_t turned = 0;  ///< had the other orientation: all four corners are in the usual order now
   std::size_t flat = 0;    ///< left out: no volume
   std::size_t doubled = 0; ///< left out: the same four corners again
-  std::size_t loose = 0;   ///< left out: of parts that hang together with nothing that is fixed
+  std::size_t loose = 0;   ///< left out: of parts that are not connected to a fixed vertex
 
-  /// One line for a person; empty when there is nothing to say.
+  /// One line for the user; empty when there is nothing to report.
   [[nodiscard]] std::string summary() const;
 };
 
-/// Tetrahedra that a body can be made of, or why there are none. Vertices without any are left out.
+/// Tetrahedra of which a body can be made, or why there are none. Vertices without any are left out.
 struct CheckedTetras
 {
   TetraMesh mesh;
@@ -46,12 +46,12 @@ struct CheckedTetras
   std::string refusal;
 };
 
-/// `fixed`: of each vertex of `raw`. Refuses: a corner that is no finite vertex, two tetrahedra that lie on one side of
-/// the face they share, three at one face, nothing fixed, a part that its fixed vertices let turn (fewer than three
-/// that are not in line).
+/// `fixed`: of each vertex of `raw`. Refuses: a corner that is no finite vertex, two tetrahedra on the same side of
+/// their common face, three at one face, no fixed vertex, a part that its fixed vertices let rotate (fewer than three
+/// that are not collinear).
 [[nodiscard]] CheckedTetras checkTetras(const TetraMesh& raw, const std::vector<bool>& fixed);
 
-/// The triangles of one tetrahedron, seen from outside.
+/// The triangles that belong to one tetrahedron only, seen from outside.
 [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> borderOf(const TetraMesh& mesh);
 
 } // namespace palpate

@@ -10,7 +10,7 @@ namespace palpate
 namespace
 {
 
-/// Sides look away from each other from a cosine of this on: around an edge of a box an element has two that do not.
+/// Sides face away from each other from this cosine on: around an edge of a box an element has two that do not.
 constexpr double oppositeFrom = -0.5;
 
 using Edge = std::array<std::uint32_t, 2>;

@@ -8,8 +8,8 @@
 namespace palpate
 {
 
-/// How many vertices of a body's border are one element away from the border on the other side: a layer that is meshed
-/// so is felt stiffer than it is. Corners of tetrahedra that are no vertices are left out.
+/// The number of vertices of a body's border that are one element away from the border on the other side: such a layer
+/// feels stiffer than it is. Corners of tetrahedra that are no vertices are left out.
 struct ThinPlaces
 {
   std::size_t thin = 0;

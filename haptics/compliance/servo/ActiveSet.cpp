@@ -11,7 +11,7 @@ namespace palpate
 namespace
 {
 
-/// Of contacts the normal rows alone: they do not pull.
+/// The normal rows of contacts alone: contacts do not pull.
 struct NormalRows
 {
   static constexpr int most = ContactProblem::most;
@@ -39,7 +39,7 @@ void solveGaps(const ContactProblem& problem, ContactForces& forces) noexcept
   const NormalRows rows{ problem };
   BoundedRows<NormalRows> set(rows);
   forces.steps = 0;
-  // The energy held grows with each contact that closes: only rounding could turn in circles.
+  // The stored energy grows with each contact that closes: only rounding could cause a cycle.
   const int cap = 20 + 4 * problem.count;
   for (int i = set.worst(); i >= 0 && forces.steps < cap; i = set.worst())
   {

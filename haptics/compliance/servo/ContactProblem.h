@@ -10,8 +10,8 @@
 namespace palpate
 {
 
-/// Contacts that share compliance: displacement = free + compliance force, three rows a contact, along its normal and
-/// two directions across. Of fixed capacity: nothing is allocated. Some 120 kB: not for the stack.
+/// Contacts that share compliance: displacement = free + compliance force, three rows per contact, along its normal and
+/// two tangents. Of fixed capacity: nothing is allocated. Some 120 kB: not for the stack.
 struct ContactProblem
 {
   static constexpr int most = 40;
@@ -23,23 +23,23 @@ struct ContactProblem
   Square compliance;     ///< [u/N], symmetric, positive semidefinite
   Numbers free;          ///< gap and slip without forces [u]
 
-  /// For so many contacts; numbers are not set.
+  /// Sets the size for so many contacts; the numbers are not set.
   void resize(int contacts) noexcept;
 };
 
-/// Forces of all contacts, three numbers each [N], and by how much the laws are not met [u].
+/// Forces of all contacts, three numbers each [N], and the residual of the contact laws [u].
 struct ContactForces
 {
   ContactProblem::Numbers force_N;
   double residual_u = 0.0;
-  double tolerance_u = 0.0; ///< a residual that rounding explains: nothing is gained below
+  double tolerance_u = 0.0; ///< a residual of the size of rounding: nothing is gained below
   int steps = 0;
   std::uint32_t work = 0; ///< done, in the unit of ContactPlan::workBudget
 };
 
 /// Signorini without friction: gap >= 0, force >= 0, one of them 0. By the dual active set of Goldfarb & Idnani (1983),
-/// exact but for rounding: a contact whose normal follows from those of others takes the place of one of them, and one
-/// that the others contradict gets no force. Forces across are 0. Real-time safe.
+/// exact but for rounding: a contact whose normal depends on those of others replaces one of them, and one
+/// that conflicts with the others gets no force. Tangential forces are 0. Real-time safe.
 void solveGaps(const ContactProblem& problem, ContactForces& forces) noexcept;
 
 /// Workspace of the friction solver, owned by the caller.
@@ -59,13 +59,13 @@ struct FrictionScratch
 /// Signorini and Coulomb: in contact either no slip within the cone, or slip against the force on the cone. Begins with
 /// forces.force_N, which must have the problem's size. A few sweeps of projected Gauss-Seidel, then semismooth Newton
 /// steps on Alart & Curnier's (1991) function with a line search; more sweeps where a step does not help. Beyond 20
-/// contacts sweeps alone, which are then cheaper. The best forces are kept and lie in their cones; so do those where
-/// `budget` ended it, in the unit of ContactPlan::workBudget. Real-time safe.
+/// contacts sweeps alone, which are then cheaper. The best forces are kept and lie in their cones, also where
+/// `budget` ended the solution, in the unit of ContactPlan::workBudget. Real-time safe.
 void solveFriction(const ContactProblem& problem, FrictionScratch& room, ContactForces& forces,
   std::uint32_t budget = std::numeric_limits<std::uint32_t>::max()) noexcept;
 
-/// How forces that meet the laws change with small displacements of the rows [u], a column each, while each contact is
-/// open, stuck or slipping as it is, into `answer_N`, of the same size. False, and zeros, where that is not determined.
+/// Derivative of forces that meet the laws by small displacements of the rows [u], a column each, while each contact
+/// stays open, stuck or slipping, into `answer_N`, of the same size. False, and zeros, where that is not determined.
 /// Real-time safe.
 [[nodiscard]] bool answerFriction(const ContactProblem& problem, FrictionScratch& room, const ContactForces& forces,
   const Eigen::Ref<const Eigen::MatrixXd>& displaced, Eigen::Ref<Eigen::MatrixXd> answer_N) noexcept;

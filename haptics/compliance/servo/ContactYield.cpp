@@ -11,7 +11,7 @@ namespace palpate
 namespace
 {
 
-/// How far the surface under a contact has gone.
+/// Displacement of the surface under a contact.
 Vec3 yieldOf(const SoftState& state, const SharedDents& dents, int c) noexcept
 {
   const SoftContact& contact = state.contacts[c];
@@ -83,7 +83,7 @@ SlipStart::SlipStart(const SoftState& state) noexcept
   for (int c = 0; c < state.count; ++c)
   {
     const SoftContact& contact = state.contacts[c];
-    if (contact.force_N.squaredNorm() > 0.0) // one that does not press has nothing to slip from
+    if (contact.force_N.squaredNorm() > 0.0) // one without force has no slip to begin from
     {
       this->places_[this->count_++] = { contact.feature.surface, contact.n, state.yielded_W - contact.yielded_W };
     }
@@ -173,7 +173,7 @@ void CommonYield::touches(int c, double along_u) noexcept
 Vec3 CommonYield::solved_W() const noexcept
 {
   constexpr double rounding = 1e-8;
-  // Where no plane has a say the mean stays. What that costs along two planes of nearly one normal is made up for.
+  // Without a plane the mean stays. Refinement corrects the error of that along two planes of nearly one normal.
   const Eigen::LDLT<Mat3> factor((this->planes_ + rounding * Mat3::Identity()).ldlt());
   Vec3 way_W = factor.solve(this->missed_W_);
   for (int again = 0; again < 3; ++again)

@@ -9,12 +9,12 @@
 namespace palpate
 {
 
-/// How the surface at `a` answers to a force at `b` [u/N]; walls do not.
+/// Compliance of the surface at `a` to a force at `b` [u/N]; 0 for walls.
 [[nodiscard]] Mat3 complianceOf(const SoftContact& a, const SoftContact& b) noexcept;
 
 [[nodiscard]] std::span<const SoftContact> contactsOf(const SoftState& state) noexcept;
 
-/// Whether anything touched gives way.
+/// True if any touched surface is soft.
 [[nodiscard]] bool givesWay(const SoftState& state) noexcept;
 
 /// The smallest soft patch under the ball.
@@ -25,22 +25,22 @@ struct Yield
 {
   Vec3 force_N = Vec3::Zero();
   Vec3 across_N = Vec3::Zero();  ///< the part that is friction
-  Vec3 yielded_W = Vec3::Zero(); ///< of the surfaces under the ball, the more the harder they are pressed
+  Vec3 yielded_W = Vec3::Zero(); ///< mean displacement of the surfaces under the ball, weighted by their forces
 };
 
-/// Sets how far each contact's surface has gone, too.
+/// Sets the displacement of each contact's surface, too.
 [[nodiscard]] Yield yieldUnder(SoftState& state) noexcept;
 
-/// Brings those that press before the others, which have not yielded then. Returns how many press.
+/// Moves the pressing contacts before the others, which have no displacement then. Returns the number of pressing ones.
 int pressingFirst(SoftState& state) noexcept;
 
-/// From where slip counts: the core is where the ball would be if all had yielded alike, and each contact has the ball
-/// elsewhere. Kept over the turns of a tick, in which contacts come and go.
+/// The origin of slip: the core is where the ball would be if all surfaces had yielded alike, and each contact has the
+/// ball elsewhere. Kept over the iterations of a tick, in which contacts come and go.
 class SlipStart
 {
 public:
   explicit SlipStart(const SoftState& state) noexcept;
-  /// Gives it to the contacts that are there now, by their normals.
+  /// Assigns the origin to the present contacts, by their normals.
   void tell(SoftState& state) const noexcept;
 
 private:
@@ -54,25 +54,25 @@ private:
   int count_ = 0;
 };
 
-/// The yield u that the core is told: of all those that take every plane which presses as far as it has gone itself,
-/// the one nearest to the planes' mean. Walls that yield unequally have no yield in common, but the ball y touches them
-/// all where they have gone to, so y - u touches them all where they were: there the core is at rest under the same
-/// force. An open plane that it would be in is touched, too. More planes than three may contradict each other, and
-/// share the rest.
+/// The displacement u for the core: of all those that move every pressing plane as far as it has moved itself,
+/// the one nearest to the planes' mean. Walls that yield unequally have no displacement in common, but the ball y
+/// touches them all at their present place, so y - u touches them all at their old place: there the core is at rest
+/// under the same force. An open plane that it would penetrate is touched, too. More planes than three may conflict,
+/// and share the error.
 class CommonYield
 {
 public:
   CommonYield(const SoftState& state, const Vec3& mean_W) noexcept;
 
-  /// For a ball at y_W among the surfaces where they have gone to.
+  /// For a ball at y_W among the displaced surfaces.
   void stayOut(const Vec3& y_W, double radius_u) noexcept;
 
   [[nodiscard]] const Vec3& u_W() const noexcept { return this->u_W_; }
 
 private:
-  /// How far plane c lets the surfaces have gone along its normal.
+  /// Largest displacement of the surfaces along its normal that plane c allows.
   [[nodiscard]] double mostAlong(int c, const Vec3& y_W, double radius_u) const noexcept;
-  /// The open plane that the core would be deepest in; -1: none.
+  /// The open plane that the core would penetrate deepest; -1: none.
   [[nodiscard]] int deepest(const Vec3& y_W, double radius_u) const noexcept;
   void touches(int c, double along_u) noexcept;
   [[nodiscard]] Vec3 solved_W() const noexcept;

@@ -8,8 +8,8 @@
 namespace palpate
 {
 
-/// Gauss with the largest pivot of each column, for each column of b; a is used up. False if it is singular to
-/// rounding. Real-time safe: for the sizes of a tick a library's blocks would only need memory of their own.
+/// Gaussian elimination with partial pivoting, for each column of b; a is overwritten. False if it is singular to
+/// rounding. Real-time safe: at the sizes of a tick a library's blocks would only need memory of their own.
 template<class Right>
 [[nodiscard]] bool solveInPlace(ContactProblem::Square& a, Right& b) noexcept
 {

@@ -14,20 +14,20 @@ namespace
 using Vec2 = Eigen::Vector2d;
 
 constexpr int newtonUpTo = 20;  // contacts: sweeps are cheaper from there on
-constexpr int sweepsAlone = 60; // of forty contacts of any kind these leave less than a hundred thousandth
-constexpr int firstSweeps = 4;  // from forces of before, which mostly are near
-constexpr int sweepsAgain = 40; // where that did not lead there, and twice as many in each round that follows
+constexpr int sweepsAlone = 60; // for forty contacts of any kind these leave an error below a hundred thousandth
+constexpr int firstSweeps = 4;  // from the forces before, which mostly are near
+constexpr int sweepsAgain = 40; // where those did not converge, and twice as many in each round that follows
 constexpr int usualRounds = 6;
-constexpr int leftOutUpTo = 6;     // contacts: more are seldom nearly one
+constexpr int leftOutUpTo = 6;     // contacts: more of them seldom nearly coincide
 constexpr double rounding = 1e-14; // of the largest number in the problem
 
-/// The solver's steps on one problem. room.moved follows the forces: free + compliance force.
+/// The solver's steps on one problem. room.moved is kept at free + compliance force.
 class FrictionSteps
 {
 public:
   FrictionSteps(const ContactProblem& problem, FrictionScratch& room) noexcept : p_(problem), room_(room) {}
 
-  /// One sweep of projected Gauss-Seidel over all contacts but `without`; room.moved is that of f before and after.
+  /// One sweep of projected Gauss-Seidel over all contacts but `without`; room.moved belongs to f before and after.
   void sweep(ContactProblem::Numbers& f, int without) const noexcept
   {
     for (int c = 0; c < this->p_.count; ++c)
@@ -52,7 +52,7 @@ public:
     }
   }
 
-  /// Anew, without what rounding left.
+  /// Computes room.moved anew, without accumulated rounding.
   void move(const ContactProblem::Numbers& f) const noexcept
   {
     this->room_.moved = this->p_.free;
@@ -65,7 +65,7 @@ public:
     }
   }
 
-  /// By how much the laws are not met, in units of displacement; fills room.moved and room.residual.
+  /// Residual of the laws in units of displacement; fills room.moved and room.residual.
   [[nodiscard]] double residual(const ContactProblem::Numbers& f) const noexcept
   {
     this->move(f);
@@ -83,7 +83,7 @@ public:
     return this->room_.residual.size() > 0 ? this->room_.residual.lpNorm<Eigen::Infinity>() : 0.0;
   }
 
-  /// One Newton step with a line search; false if it does not help. room.moved and room.residual are those of f.
+  /// One Newton step with a line search; false if it does not help. room.moved and room.residual belong to f.
   [[nodiscard]] bool newton(ContactProblem::Numbers& f, double& residual) noexcept
   {
     this->findPressed(f);
@@ -92,7 +92,7 @@ public:
     {
       return false;
     }
-    this->room_.step = -f; // of those that open
+    this->room_.step = -f; // for contacts that open
     for (int a = 0; a < this->pressed_; ++a)
     {
       this->room_.step.segment<3>(3 * this->list_[a]) = this->room_.part.segment<3>(3 * a);
@@ -110,8 +110,8 @@ public:
     return false;
   }
 
-  /// How forces f, which meet the laws, answer small displacements, a column each, with each contact as it is: open,
-  /// stuck, slipping.
+  /// Derivative of forces f, which meet the laws, by small displacements, a column each, while each contact stays open,
+  /// stuck or slipping.
   [[nodiscard]] bool answer(const ContactProblem::Numbers& f, const Eigen::Ref<const Eigen::MatrixXd>& displaced,
     Eigen::Ref<Eigen::MatrixXd> answer) noexcept
   {
@@ -164,14 +164,14 @@ private:
   {
     return 0.5 * (this->p_.compliance(3 * c + 1, 3 * c + 1) + this->p_.compliance(3 * c + 2, 3 * c + 2));
   }
-  /// The force that the laws would make of the displacement.
+  /// The force before its projection onto the laws: the present force less the displacement over the compliance.
   [[nodiscard]] Vec3 aim(int c, const ContactProblem::Numbers& f) const noexcept
   {
     const Vec3 per(1.0 / this->normalCompliance(c), 1.0 / this->acrossCompliance(c), 1.0 / this->acrossCompliance(c));
     return f.segment<3>(3 * c) - per.cwiseProduct(this->room_.moved.segment<3>(3 * c));
   }
 
-  /// The contacts that the laws press: the others open, so their step is known.
+  /// Finds the contacts that the laws press: the others open, so that their step is known.
   void findPressed(const ContactProblem::Numbers& f) noexcept
   {
     this->pressed_ = 0;
@@ -184,7 +184,7 @@ private:
     }
   }
 
-  /// Derivative of residual() by the forces of the pressed contacts, and what their steps have to make up for.
+  /// Derivative of residual() by the forces of the pressed contacts, and the right-hand side for their step.
   void linearise(const ContactProblem::Numbers& f) const noexcept
   {
     this->room_.jacobian.resize(3 * this->pressed_, 3 * this->pressed_);
@@ -214,7 +214,7 @@ private:
     }
   }
 
-  /// Derivative of a pressed contact's residual by its displacement and, beside, by its own force.
+  /// Derivatives of a pressed contact's residual by its displacement and by its own force.
   struct Law
   {
     Mat3 ofMoved = Mat3::Identity();
@@ -258,7 +258,7 @@ std::uint32_t workOfNewton(int contacts, int pressed) noexcept
   return 2 * workOfSweep(contacts) + static_cast<std::uint32_t>(pressed * pressed * pressed) / 3;
 }
 
-/// From where a round begins, over which contacts and how often it sweeps.
+/// The forces with which a round begins, and its sweeps.
 struct Round
 {
   ContactProblem::Numbers* from = nullptr;
@@ -294,8 +294,8 @@ double solveRound(
   return steps.residual(f);
 }
 
-/// Begins with the forces that there are. Those that another load has left lie far away where contacts are nearly one:
-/// then nothing at all is nearer. Of nearly one contact mostly one is open, and Newton's steps do not find which: each
+/// The first round begins with the present forces. Forces of another load are far off where contacts nearly coincide:
+/// then zero is nearer. Of nearly coincident contacts mostly one is open, and Newton's steps do not find which: each
 /// is left out in turn. Then sweeps alone go on.
 Round nextRound(int number, int count, FrictionScratch& room, const ContactForces& forces) noexcept
 {

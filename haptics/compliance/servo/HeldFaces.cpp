@@ -14,7 +14,7 @@ std::shared_ptr<const TriangleMesh> heldFaces(const TriangleMesh& surface, const
   TriangleMesh faces{ surface.vertices_W, {} };
   std::ranges::copy_if(surface.triangles, std::back_inserter(faces.triangles),
     [&held](const auto& t) { return std::ranges::all_of(t, [&held](std::uint32_t v) { return held[v]; }); });
-  CleanResult clean = cleanMesh(faces); // leaves out the vertices that no such triangle has
+  CleanResult clean = cleanMesh(faces); // leaves out vertices without such a triangle
   return clean.mesh.triangles.empty() ? nullptr : std::make_shared<const TriangleMesh>(std::move(clean.mesh));
 }
 
@@ -34,7 +34,7 @@ std::shared_ptr<const Scene> sceneOfHeld(const TriangleMesh& faces)
 void stopAtHeldFaces(
   const Scene& held, const ContactPlan& plan, const Vec3& core_W, const Vec3& p_W, SoftResult& moved) noexcept
 {
-  constexpr double rounding = 1e-9; // of the way
+  constexpr double rounding = 1e-9; // of the path
   ContactPlan rest = plan;
   rest.friction = FrictionPlan{};
   rest.shading = false;

@@ -10,7 +10,7 @@ namespace palpate
 namespace
 {
 
-/// A dent under the same force but for rounding.
+/// Relative difference of equal forces, by rounding.
 constexpr double sameForce = 1e-14;
 
 double sharedOf(const SoftContact& a, const SoftContact& b) noexcept

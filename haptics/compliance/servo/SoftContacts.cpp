@@ -12,15 +12,15 @@ namespace palpate
 namespace
 {
 
-/// A plane that the ball rests on is this near, in patch radii: far more than rounding, far less than can be felt.
+/// Largest distance of a plane on which the ball rests, in patch radii: far more than rounding, too little to be felt.
 constexpr double restsWithin = 1e-5;
-/// One that carried force counts on as far as this.
+/// Largest distance of an edge or vertex that carried force.
 constexpr double rememberedWithin = 0.02;
-/// Deeper in it than this, again in patch radii, is more than rounding.
+/// A deeper overlap, again in patch radii, is more than rounding.
 constexpr double sunkWithin = 1e-11;
-/// Cosine of what two planes of one body must differ by, to be two: planes of one flat face do not share a load.
+/// Cosine above which two planes of one body are the same: planes of one flat face do not share a load.
 constexpr double samePlane = 1.0 - 1e-12;
-/// Of ten degrees: nearer ones a remembered contact would only double.
+/// Cosine of ten degrees: within that angle a remembered contact would only be a duplicate.
 constexpr double nearlySame = 0.984807753012208;
 
 /// The touched point in the surface's own vertices.
@@ -85,7 +85,7 @@ SoftContact contactAt(const AnyScene& scene, std::span<const SoftSurfaceRef> sof
   return contact;
 }
 
-/// The largest patch among what is soft, the measure of what is near.
+/// The largest patch of the soft surfaces, the unit of distances.
 double patchOf(std::span<const SoftSurfaceRef> soft) noexcept
 {
   double patch_u = 0.0;
@@ -96,7 +96,7 @@ double patchOf(std::span<const SoftSurfaceRef> soft) noexcept
   return patch_u;
 }
 
-/// The contacts of one turn, one after the other.
+/// The contacts of one iteration, one after the other.
 template<SceneView AnyScene>
 class Gathering
 {
@@ -108,7 +108,7 @@ public:
     state.count = 0;
   }
 
-  /// What the core rests on, where its normal is not `alike` to one that is there.
+  /// Adds the features on which the core rests, unless a contact with nearly the same normal is there (`alike`).
   void addFound(double alike) noexcept
   {
     for (int i = 0; i < this->state_.core.count; ++i)
@@ -121,7 +121,7 @@ public:
     }
   }
 
-  /// What carried force and is near.
+  /// Adds the contacts that carried force and are near.
   void addCarrying() noexcept
   {
     for (const SoftContact& old : this->before())
@@ -132,7 +132,7 @@ public:
         continue;
       }
       const SoftContact contact = this->at(old.feature);
-      // The core is never in what is there: below a face's plane it is beside the face.
+      // The core never penetrates a contact that is there: below a face's plane it is beside the face.
       const bool there = contact.overlap_u < sunkWithin * this->patch_u_;
       if (there && (face || contact.overlap_u > -rememberedWithin * this->patch_u_))
       {
@@ -141,7 +141,7 @@ public:
     }
   }
 
-  /// The forces that the solver begins with.
+  /// Keeps the forces with which the solver begins.
   void keepForces() noexcept
   {
     for (int i = 0; i < this->state_.count; ++i)

@@ -7,11 +7,11 @@
 namespace palpate
 {
 
-/// Contacts of the ball where the rigid core rests: the planes it touches, then those of `state` that carried force and
-/// that it is not below: in a valley it is handed from wall to wall, and one would be forgotten and found again in
-/// turn. A plane that it is below it has left over an edge. Edges and vertices count on within a fiftieth of a patch,
-/// far from every other normal. Forces of contacts that stay are kept. AnyScene: Scene or MovingScene, both
-/// instantiated in SoftContacts.cpp.
+/// Contacts of the ball where the rigid core rests: the planes it touches, then those of `state` that carried force,
+/// unless the core is below them: in a valley the core is passed from wall to wall, and one contact would be forgotten
+/// and found again in turn. A plane above the core was left over an edge. Edges and vertices stay within a fiftieth of
+/// a patch, if their normal is far from every other. Forces of contacts that stay are kept. AnyScene: Scene or
+/// MovingScene, both instantiated in SoftContacts.cpp.
 template<SceneView AnyScene>
 void gatherContacts(
   const AnyScene& scene, std::span<const SoftSurfaceRef> soft, double radius_u, SoftState& state) noexcept;

@@ -11,7 +11,7 @@ namespace palpate
 namespace
 {
 
-/// Work of forces on a body, step by step of what they are beyond those of its snapshot.
+/// Elastic energy of a body, from the work of the forces beyond those of its snapshot.
 class SnapshotEnergy
 {
 public:

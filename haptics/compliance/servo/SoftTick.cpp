@@ -17,26 +17,26 @@ namespace
 {
 
 constexpr int mostLoops = 120;
-/// Turns that do not agree by then hand the ball from face to face.
+/// Iterations that do not agree by then pass the ball from face to face.
 constexpr int usualLoops = 8;
-/// Of a tick that does so, or in which the force steps by more than this share of it.
+/// Parts of the path of such a tick, or of one in which the force steps by more than this share of it.
 constexpr int parts = 8;
 constexpr double stepShare = 0.1;
-/// The ball goes at least and at most this share of the way from turn to turn.
+/// Least and largest relaxation of an iteration.
 constexpr double leastShare = 0.1;
 constexpr double mostShare = 8.0;
 constexpr double shareBeyond = 1.5;
-/// Two turns that differ by less than this share of a patch agree: 1e-10 m of 25 mm.
+/// Two iterations that differ by less than this share of a patch agree: 1e-10 m of 25 mm.
 constexpr double agreeWithin = 4e-9;
-/// What first leads to a force: a dent is taken to be at least this share of a patch deep, in the coupling.
+/// The first step to a force: a dent takes at least the force that moves the coupling by this share of a patch.
 constexpr double leastDepth = 1e-6;
-/// Newton's steps on the springs below the patches, for all contacts at once; five are usual.
+/// Newton's steps on the springs below the patches, for all contacts together; five are usual.
 constexpr int mostSprings = 30;
-/// A residual so many times that of rounding is no solution.
+/// A residual of so many times rounding is no solution.
 constexpr double unsolved = 1e4;
-/// What the compliance of two points for each other costs, twice a turn: in the unit of ContactPlan::workBudget.
+/// Cost of the compliance of two points for each other, twice per iteration: in the unit of ContactPlan::workBudget.
 constexpr std::uint32_t workOfPairs = 10;
-/// Of which so many are secants: from a force ten times too large they lead within a tenth.
+/// Number of secants at their beginning: from a force ten times too large they lead within a tenth.
 constexpr int secants = 3;
 
 Mat3 basisOf(const Vec3& n) noexcept
@@ -47,7 +47,7 @@ Mat3 basisOf(const Vec3& n) noexcept
   return basis;
 }
 
-/// The contacts of one turn as a problem in their own directions.
+/// The contacts of one iteration as a problem in their own directions.
 class TurnProblem
 {
 public:
@@ -74,15 +74,15 @@ public:
     }
   }
 
-  /// Forces of all contacts for a device at p, slip counted from where the ball was in the material. Adds to `work`
-  /// what it did, and ends when that has come to `budget`.
+  /// Forces of all contacts for a device at p, slip measured from the ball's old place in the material. Adds its work
+  /// to `work`, and ends when that has reached `budget`.
   void solve(const Vec3& p_W, const Vec3& slipFrom_W, std::uint32_t budget, std::uint32_t& work) noexcept
   {
     work += workOfPairs * static_cast<std::uint32_t>(this->state_.count * this->state_.count);
     for (int i = 0; i < mostSprings && (i == 0 || work < budget); ++i)
     {
-      // The dents as straight lines: first through nothing and the last force, which always leads nearer, then along
-      // the springs there, which ends it in a few steps.
+      // The dents are linearised: first by secants from zero to the last force, which always lead nearer, then by
+      // tangents of the springs there, which converge in a few steps.
       const bool agreed = this->dents_.press(
         i < secants ? SharedDents::Line::Secant : SharedDents::Line::Tangent, leastDepth * this->coupling_);
       if (agreed && i > 0)
@@ -95,7 +95,7 @@ public:
       this->takeForces();
       if (i >= secants && this->room_.forces.residual_u > unsolved * this->room_.forces.tolerance_u)
       {
-        return; // forces that do not meet the laws lead no nearer
+        return; // forces that violate the laws lead no nearer
       }
     }
   }
@@ -114,7 +114,7 @@ private:
         const SoftContact& other = this->state_.contacts[d];
         const double slope = this->dents_.slopeBetween(c, d);
         problem.compliance(3 * c, 3 * d) = this->bareBetween(c, d)(0, 0) + slope;
-        // The dents give along the surface in proportion to the force there: nothing is left over.
+        // The tangential compliance of the dents is in proportion to the force there: no residual is left.
         problem.compliance.block<2, 2>(3 * c + 1, 3 * d + 1) =
           this->bareBetween(c, d).bottomRightCorner<2, 2>() +
           this->dents_.acrossBetween(c, d) *
@@ -166,8 +166,8 @@ private:
   std::array<std::array<Mat3, most>, most> bare_; ///< compliance without the dents, for d <= c
 };
 
-/// Aitken's relaxation: how far to go along what is off, by what the last step made of it. Where one turn's answer
-/// leads slowly to the next it goes further, where two walls hand the ball to each other it stops between them.
+/// Aitken's relaxation: the factor on the residual, from the change that the last step made in it. Where the iterations
+/// converge slowly it extrapolates, where two walls pass the ball to each other it stops between them.
 class TurnSteps
 {
 public:
@@ -177,7 +177,7 @@ public:
     if (const double size = changed_u.squaredNorm(); this->started_ && size > 0.0)
     {
       const double share = -this->share_ * this->before_u_.dot(changed_u) / size;
-      // What is off grew on the way: there is no rest here but one beyond.
+      // The residual grew: the equilibrium lies beyond.
       this->share_ = share > 0.0 ? std::clamp(share, leastShare, mostShare) : shareBeyond;
     }
     this->before_u_ = off_u;
@@ -191,7 +191,7 @@ private:
   bool started_ = false;
 };
 
-/// One tick's turns between the core among the free surfaces and the forces of the contacts it rests on.
+/// The iterations of one tick between the core among the free surfaces and the forces of its contacts.
 template<SceneView AnyScene>
 class SoftMove
 {
@@ -224,13 +224,13 @@ public:
   }
 
 private:
-  /// From where to where the device has gone in this tick: from the place where the ball that it had would be at rest.
+  /// The path of the device in this tick: from the point for which the previous ball would be at rest.
   struct Way
   {
     Vec3 from_W = Vec3::Zero();
     Vec3 to_W = Vec3::Zero();
-    Vec3 force_N = Vec3::Zero(); ///< there
-    bool pressed = false;        ///< something that gives way, there
+    Vec3 force_N = Vec3::Zero(); ///< at its begin
+    bool pressed = false;        ///< whether a soft contact carried force there
   };
 
   [[nodiscard]] Way wayFrom(const SoftState& before) const noexcept
@@ -246,7 +246,7 @@ private:
     return way;
   }
 
-  /// Whether the force has changed by more than the device's way explains, and a tenth of it.
+  /// True if the force has changed by more than the device's path explains, and a tenth of it.
   [[nodiscard]] bool steps(const Way& way) const noexcept
   {
     const double most_N = std::max(way.force_N.norm(), this->force_N_.norm());
@@ -254,8 +254,8 @@ private:
            this->plan_.coupling_N_per_m * (way.to_W - way.from_W).norm() + stepShare * most_N;
   }
 
-  /// Turns are relaxed beyond where they lead, and may come over an edge to a face that the ball never reaches. Along
-  /// the way in short parts each rest is beside the one before: what steps there, the law itself has step.
+  /// Iterations extrapolate, and may come over an edge to a face that the ball never reaches. Along the path in short
+  /// parts each equilibrium is beside the one before: a step that remains is a step of the contact law itself.
   [[nodiscard]] bool goInParts(const SoftState& before, const Way& way) noexcept
   {
     this->state_ = before;
@@ -272,7 +272,7 @@ private:
     return agrees;
   }
 
-  /// At most so many. True once core and forces agree.
+  /// At most `most` iterations. True once core and forces agree.
   [[nodiscard]] bool takeTurns(int most) noexcept
   {
     bool agrees = false;
@@ -290,14 +290,14 @@ private:
     return agrees;
   }
 
-  /// The ball that the contacts were solved for, among the surfaces where they have gone to.
+  /// The ball for which the contacts were solved, among the displaced surfaces.
   [[nodiscard]] Vec3 ball_W() const noexcept
   {
     return this->drawn_W_ + this->state_.offset_W + this->force_N_ / this->plan_.coupling_N_per_m;
   }
 
-  /// Over a bend friction holds the ball by other planes than those that it slid along to there. The way to there has
-  /// been gone, and what it may do from there is asked anew.
+  /// Over a bend friction holds the ball by other planes than those along which it slid there. The path so far
+  /// is done, and core and slip begin anew from here.
   void goOnFromHere() noexcept
   {
     this->start_ = this->state_.core;
@@ -305,7 +305,7 @@ private:
     this->steps_ = TurnSteps{};
   }
 
-  /// With what is left of the tick's work; friction of soft contacts is the problem's.
+  /// Uses the rest of the tick's work; friction of soft contacts belongs to the problem.
   void moveCore() noexcept
   {
     ContactPlan plan = this->plan_;
@@ -319,14 +319,14 @@ private:
     this->slipStart_.tell(this->state_);
   }
 
-  /// The rigid core alone: of a ball that touches nothing soft. False while something it touched before carries it
+  /// The rigid core alone, for a ball that touches no soft surface. False while a surface from before carries it
   /// away.
   [[nodiscard]] bool letGo() noexcept
   {
     const bool rigid = !this->soften_;
     this->soften_ = false;
     this->state_.yielded_W = this->state_.lead_W = Vec3::Zero();
-    // Without carrying, the core's pull is that of the place where it is.
+    // Without carrying, the core's pull is that of its present position.
     this->force_N_ =
       this->plan_.coupling_N_per_m * (rigid ? this->result_.core.pull_W : Vec3(this->state_.core.x_W - this->drawn_W_));
     return rigid;
@@ -341,7 +341,7 @@ private:
     state.count = pressingFirst(state);
     if (state.count > 0 && state.count < met)
     {
-      // A place that is touched and not pressed has no part in a dent.
+      // A point that is touched and not pressed has no part in a dent.
       this->solve();
     }
     Yield now = yieldUnder(state);
@@ -380,7 +380,7 @@ private:
   SoftScratch& room_;
   GodObjectState start_;
   SlipStart slipStart_;
-  bool soften_; ///< the core is moved by what yields
+  bool soften_; ///< the core is moved by displaced surfaces
   TurnSteps steps_;
   Vec3 force_N_ = Vec3::Zero();
   SoftResult result_;
@@ -402,7 +402,7 @@ void changeSnapshots(std::span<const SoftSurfaceRef> now, SoftState& state) noex
     SoftContact& contact = state.contacts[c];
     const auto isIts = [&contact](const SoftSurfaceRef& touch) { return touch.surface == contact.feature.surface; };
     const auto touch = std::ranges::find_if(now, isIts);
-    contact.soft = contact.soft && touch != now.end() ? &*touch : nullptr; // a body that is gone yields no more
+    contact.soft = contact.soft && touch != now.end() ? &*touch : nullptr; // a body that is gone has no compliance
     contact.gives = contact.gives && contact.soft != nullptr;
     if (contact.soft)
     {

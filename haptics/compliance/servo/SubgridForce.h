@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// Of x >= 0, to rounding and the same everywhere: a third of the exponent, then Newton's steps.
+/// Cube root of x >= 0, to rounding and the same everywhere: a third of the exponent, then Newton's steps.
 [[nodiscard]] inline double cubeRoot(double x) noexcept
 {
   if (!(x > 1e-300))
@@ -19,7 +19,7 @@ namespace palpate
     return 0.0;
   }
   constexpr std::uint64_t twoThirdsOfBias =
-    0x2A9F7893782DA1CEu; // 2/3 of 1023 << 52, less what the line is off (fdlibm)
+    0x2A9F7893782DA1CEu; // 2/3 of 1023 << 52, less the offset of that line (fdlibm)
   double t = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) / 3 + twoThirdsOfBias);
   for (int i = 0; i < 5; ++i)
   {
@@ -28,14 +28,14 @@ namespace palpate
   return t;
 }
 
-/// How much deeper a ball is under a normal force than its patch [u], and the slope of that [u/N].
+/// Further depth of a ball under a normal force beyond that of its patch [u], and the slope of that [u/N].
 struct SubgridDepth
 {
   double depth_u = 0.0;
   double slope = 0.0;
 };
 
-/// One piece of a spring with knots: s(t) of t0 <= t <= t0 + step.
+/// One piece of a spring with knots: s(t) for t0 <= t <= t0 + step.
 struct SubgridPiece
 {
   double t0 = 0.0;
@@ -59,7 +59,7 @@ struct SubgridPiece
       (begins + ends - 2.0 * rises_u / h) / (h * h) } };
 }
 
-/// Of a spring with knots.
+/// Depth of a spring with knots.
 [[nodiscard]] inline SubgridDepth depthByKnots(const SubgridSpring& spring, double force_N) noexcept
 {
   constexpr std::size_t last = SubgridSpring::knots - 1;
@@ -72,7 +72,7 @@ struct SubgridPiece
   }
   const auto piece = std::min(static_cast<std::size_t>(t / spring.step), last - 1);
   const SubgridPiece at = pieceOf(spring, piece);
-  if (piece == 0) // s = c2 t^2 + c3 t^3, as of Hertz: its slope by the force is without bound at 0
+  if (piece == 0) // s = c2 t^2 + c3 t^3, as of Hertz: its slope by the force is unbounded at 0
   {
     return { t * t * (at.c[2] + t * at.c[3]), 2.0 * at.c[2] / (3.0 * std::max(t, 1e-9 * end)) + at.c[3] };
   }
@@ -80,7 +80,7 @@ struct SubgridPiece
   return { at.depthAt(t), (at.c[1] + u * (2.0 * at.c[2] + 3.0 * u * at.c[3])) / (3.0 * t * t) };
 }
 
-/// Without knots the patch is all there is from where the contact is as wide as .76 of it on: the depth stays.
+/// Without knots the patch has all of the compliance once the contact is .76 times as wide: the depth stays.
 [[nodiscard]] inline SubgridDepth subgridDepth(const SubgridSpring& spring, double force_N) noexcept
 {
   if (spring.hertz <= 0.0)
@@ -101,8 +101,8 @@ struct SubgridPiece
     2.0 * spring.hertz / (3.0 * std::max(t, 1e-9 * last)) - spring.patch };
 }
 
-/// Integral of the depth of a spring with knots from 0 to a force [N u]: 3 t^2 s(t), whose pieces three points of Gauss
-/// integrate exactly.
+/// Integral of the depth of a spring with knots from 0 to a force [N u]: 3 t^2 s(t), whose pieces Gauss's rule with
+/// three points integrates exactly.
 [[nodiscard]] inline double energyByKnots(const SubgridSpring& spring, double force_N) noexcept
 {
   constexpr std::size_t last = SubgridSpring::knots - 1;

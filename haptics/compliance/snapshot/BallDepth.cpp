@@ -10,16 +10,16 @@ namespace palpate
 namespace
 {
 
-/// Of the paraboloid's compliance: with it a ball goes into a half space as deep as Hertz says.
+/// Factor on the paraboloid's compliance with which a ball in a half space is as deep as by Hertz.
 constexpr double ofHertz = 0.9978;
-/// A contact is at most so wide, in radii of the ball.
+/// Largest width of a contact, in radii of the ball.
 constexpr double mostOfBall = 0.95;
-/// Widths of contacts that are looked at, from a fiftieth of the widest on.
+/// Number of contact widths, from a fiftieth of the widest on.
 constexpr std::size_t contacts = 96;
 constexpr double leastContact = 0.02;
 
-/// Mean of the gap that a sphere leaves over a patch of radius c of its own, with the paraboloid's weights, in radii:
-/// the integral of 2 (1 - x / c^2) (1 - sqrt(1 - x)) / c^2 over x up to c^2. By the series where that cancels.
+/// Mean gap between a sphere and a patch of radius c of its own, with the paraboloid's weights, in radii:
+/// the integral of 2 (1 - x / c^2) (1 - sqrt(1 - x)) / c^2 over x up to c^2. By a series where that cancels.
 double gapOfSphere(double c)
 {
   const double c2 = c * c;
@@ -107,7 +107,7 @@ BallDepth::BallDepth(
     const double opens = ball_u * (gapOfSphere(a * (1.0 + aside) / ball_u) - gapOfSphere(a * (1.0 - aside) / ball_u));
     const double force_N = 2.0 * opens / falls;
     const double depth_u = complianceOf(a) * force_N + ball_u * gapOfSphere(a / ball_u);
-    // Where a wider patch gives way no less, the contact grows at once: both stay as they were.
+    // Where the compliance does not fall with the radius, the contact grows at once: both stay as they were.
     if (falls > 0.0 && std::cbrt(force_N) > this->root_.back() && depth_u > this->depth_u_.back())
     {
       this->root_.push_back(std::cbrt(force_N));
@@ -130,7 +130,7 @@ double BallDepth::beyondPatch(double root) const
 {
   const auto above = std::upper_bound(this->root_.begin() + 1, this->root_.end() - 1, root);
   const auto i = static_cast<std::size_t>(above - this->root_.begin());
-  // Between contacts depth goes as the square of the root, as near as their steps are short.
+  // Between contacts the depth is interpolated over the square of the root, which is true for short steps.
   const double from = this->root_[i - 1] * this->root_[i - 1];
   const double to = this->root_[i] * this->root_[i];
   const double share = (root * root - from) / (to - from);
@@ -149,7 +149,7 @@ SubgridSpring BallDepth::springOf(double step) const
     spring.depth_u[k] = std::max(this->beyondPatch(root), spring.depth_u[k - 1]);
     spring.rise[k] = std::max((this->beyondPatch(root + aside) - this->beyondPatch(root - aside)) / (2.0 * aside), 0.0);
   }
-  // A cubic rises where its ends do, no steeper than three times the way between them; without bound at the first knot,
+  // A cubic rises where its ends do, with slopes of at most three times the secant; without limit at the first knot,
   // where it has to begin as t^2.
   for (std::size_t k = 1; k < SubgridSpring::knots; ++k)
   {

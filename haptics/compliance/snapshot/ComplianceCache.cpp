@@ -10,8 +10,8 @@ namespace palpate
 namespace
 {
 
-/// By a factor, the columns of one of so many vertices cost as much as the compliance of all, which takes no solve
-/// backwards and half of the product.
+/// Factor by which the columns of some vertices cost more than their share in the compliance of all, which takes no
+/// backward solve and half of the product.
 constexpr std::size_t moreThanAllOf = 2;
 
 } // namespace
@@ -43,7 +43,7 @@ std::vector<std::uint32_t> ComplianceCache::learn(
   }
   if (kept && !kept->knows(this->patches_.columnsOf(this->vertices_)))
   {
-    this->makeRoom(wanted, mostKnown); // for what it could not pair with those that are new
+    this->makeRoom(wanted, mostKnown); // drops those that it could not pair with the new ones
   }
   const bool all = kept || this->vertices_.empty() || unknown.size() <= most;
   if (!all)
@@ -66,7 +66,7 @@ std::vector<std::uint32_t> ComplianceCache::learn(
   return known;
 }
 
-/// Forgets the oldest of those that are not asked for.
+/// Forgets the oldest vertices that are not wanted.
 void ComplianceCache::makeRoom(const std::vector<std::uint32_t>& wanted, std::size_t more)
 {
   std::vector<std::uint32_t> left;
@@ -97,7 +97,7 @@ void ComplianceCache::add(const std::vector<std::uint32_t>& unknown, const KeptI
   const Eigen::MatrixXd columns = kept ? kept->compliance(all, added) : this->body_.compliance(all, added);
   this->blocks_.conservativeResize(before + more, before + more);
   this->blocks_.bottomLeftCorner(more, before) = columns.topRows(before).transpose();
-  // Of what rounding makes of the pairs among the new ones, one half counts.
+  // The pairs among the new ones are asymmetric by rounding: one half counts.
   this->blocks_.bottomRightCorner(more, more) = columns.bottomRows(more).selfadjointView<Eigen::Lower>();
   this->blocks_.topRightCorner(before, more) = columns.topRows(before);
 }

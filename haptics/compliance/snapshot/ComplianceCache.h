@@ -9,9 +9,9 @@ namespace palpate
 
 class KeptInverse;
 
-/// Compliance between vertices of the surface of a body by one factor of its stiffness: of a vertex it is computed
-/// once, for all the others that are known, and kept until too many others came. Neighbourhoods overlap, so a hand that
-/// moves asks for a few new vertices a snapshot, and one that works in one region for none.
+/// Compliance between vertices of the surface of a body by one factor of its stiffness: for each vertex it is computed
+/// once, to all others that are known, and kept until too many others came. Neighbourhoods overlap, so that a hand that
+/// moves needs a few new vertices per snapshot, and one that works in one region needs none.
 class ComplianceCache
 {
 public:
@@ -21,14 +21,14 @@ public:
   /// References are kept.
   ComplianceCache(const SoftBody& body, SpreadPatches& patches) : body_(body), patches_(patches) {}
 
-  /// Gets to know the first of those that it does not know, at most so many, but all of them if it knows none. Those of
-  /// `wanted` (no more than mostKnown) that it then knows, in their order. `kept`: knows the patches of all that are
-  /// wanted, so that they are read off it and none is left out; null: the body's factor answers.
+  /// Computes the first unknown vertices of `wanted`, at most `most`, but all of them if it knows none. Returns those
+  /// of `wanted` (no more than mostKnown) that are known then, in their order. `kept`: knows the patches of all that
+  /// are wanted, so that they are read off it and none is left out; null: the body's factor answers.
   [[nodiscard]] std::vector<std::uint32_t> learn(
     const std::vector<std::uint32_t>& wanted, std::size_t most, const KeptInverse* kept = nullptr);
-  /// The factor is another one.
+  /// To be called for another factor.
   void forget() { this->vertices_.clear(); }
-  /// Three rows a vertex [u/N], of vertices that are known: symmetric.
+  /// Three rows per vertex [u/N], for known vertices: symmetric.
   [[nodiscard]] Eigen::MatrixXd between(const std::vector<std::uint32_t>& vertices) const;
 
 private:
@@ -40,7 +40,7 @@ private:
 
   const SoftBody& body_;
   SpreadPatches& patches_;
-  std::vector<std::uint32_t> vertices_; ///< asked for last, first
+  std::vector<std::uint32_t> vertices_; ///< the last wanted ones come first
   Eigen::MatrixXd blocks_;              ///< three rows each
 };
 

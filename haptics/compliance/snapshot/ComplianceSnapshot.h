@@ -19,7 +19,7 @@ struct SurfacePoint
   Vec3 x_W = Vec3::Zero();     ///< in the snapshot's free surface
 };
 
-/// In the order in which a recording has them.
+/// Members in the order of a recording.
 template<class Visit, class Point>
 void membersOf(const Visit& visit, Point& at) requires std::is_same_v<std::remove_const_t<Point>, SurfacePoint>
 {
@@ -28,43 +28,43 @@ void membersOf(const Visit& visit, Point& at) requires std::is_same_v<std::remov
   visit(at.x_W);
 }
 
-/// How much deeper a ball goes into a surface than the patch says, in series with it: a function of t, with t^3 the
-/// normal force, that rises from 0 with slope 0. Between knots that are alike for all places of a snapshot it is a
-/// cubic in t, beyond the last one it goes on straight with the force. Without knots (step 0), as snapshots were before
-/// they had them, it is hertz t^2 - patch t^3 while that rises.
+/// Further depth of a ball in a surface beyond that of its patch, in series with it: a function of t, with t^3 the
+/// normal force, that rises from 0 with slope 0. Between knots, which are the same for all places of a snapshot, it is
+/// a cubic in t, beyond the last one it is linear in the force. Without knots (step 0), as in snapshots of old
+/// recordings, it is hertz t^2 - patch t^3 while that rises.
 struct SubgridSpring
 {
   static constexpr std::size_t knots = 13; ///< the first one at t = 0
 
   double hertz = 0.0;                  ///< (9 / (16 E*^2 r))^(1/3) [u N^(-2/3)]; 0: no ball, no spring
   double patch = 0.0;                  ///< .6587 / (E* a) [u/N]
-  double across = 0.0;                 ///< slope of the tangential compliance of the contact (Mindlin 1949); 0: nothing
-  double step = 0.0;                   ///< of t from knot to knot [N^(1/3)]
+  double across = 0.0;                 ///< slope of the tangential compliance of the contact (Mindlin 1949); 0: none
+  double step = 0.0;                   ///< of t between knots [N^(1/3)]
   std::array<double, knots> depth_u{}; ///< at the knots
   std::array<double, knots> rise{};    ///< derivative of that by t
 };
 
-/// The servo's snapshot of a soft body: where its surface would be without the tool, and how the vertices near
-/// the tool answer to forces on one another. Immutable; made by a worker (SnapshotMaker), read by the servo.
+/// The servo's snapshot of a soft body: its surface without the tool, and the compliance of the vertices near
+/// the tool for each other. Immutable; made by a worker (SnapshotMaker), read by the servo.
 struct ComplianceSnapshot
 {
   static constexpr std::size_t mostVertices = 192; ///< 2.7 MB of compliance
 
   std::uint32_t version = 0;
-  std::uint64_t builtFromTick = 0;    ///< of the hand and the forces that it was linearised at
-  std::vector<Vec3> free_W;           ///< every vertex of the surface, as it is without the tool [u]
-  std::vector<std::uint32_t> near;    ///< vertices with compliance: far ones that are pressed, then by distance
+  std::uint64_t builtFromTick = 0;    ///< tick of the hand and the forces at which it was linearised
+  std::vector<Vec3> free_W;           ///< every vertex of the surface without the tool [u]
+  std::vector<std::uint32_t> near;    ///< vertices with compliance: pressed ones that are far, then by distance
   std::vector<std::uint32_t> placeOf; ///< of every vertex: its place in `near`, or that of the nearest one
-  Eigen::MatrixXd compliance;         ///< three rows a place [u/N]: symmetric, positive semidefinite
+  Eigen::MatrixXd compliance;         ///< three rows per place [u/N]: symmetric, positive semidefinite
   std::vector<SubgridSpring> springs; ///< of each place, with the same knots
   std::vector<double> patchRadius_u;  ///< of each place
-  std::vector<SurfacePoint> forceAt;  ///< where the tool pressed in the state that it was linearised at
-  std::vector<Vec3> force_N;          ///< and how
-  double energy_Nu = 0.0;             ///< elastic energy, those forces taken off by this compliance
-  double residual_N = 0.0;            ///< that its Newton steps left
-  bool struck = false;                ///< the hand is faster than the body can follow: its inertia is not computed
-  /// Largest |F - 1|: from .1 small strain is a few per cent off, from .5 far off. 0 of a body that was not brought to
-  /// its rest (SnapshotMaker::answerBy).
+  std::vector<SurfacePoint> forceAt;  ///< points of the forces at which it was linearised
+  std::vector<Vec3> force_N;          ///< and those forces
+  double energy_Nu = 0.0;             ///< elastic energy, less that of those forces by this compliance
+  double residual_N = 0.0;            ///< residual after its Newton steps
+  bool struck = false;                ///< the hand is faster than the body can follow: its inertia is not modelled
+  /// Largest |F - 1|: from .1 small strain is a few per cent off, from .5 far off. 0 for a body that was not brought to
+  /// equilibrium (SnapshotMaker::answerBy).
   double mostGradient = 0.0;
 
   [[nodiscard]] Mat3 between(std::uint32_t a, std::uint32_t b) const noexcept

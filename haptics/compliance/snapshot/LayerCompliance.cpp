@@ -11,13 +11,13 @@ namespace palpate
 namespace
 {
 
-constexpr double leastRadius = 0.02; ///< in thicknesses: below, a layer lacks the same of any patch
+constexpr double leastRadius = 0.02; ///< in thicknesses: below, a layer takes the same off the compliance of any patch
 constexpr double mostRadius = 100.0;
 constexpr std::size_t steps = 170;
 const double logStep = std::log(mostRadius / leastRadius) / static_cast<double>(steps);
 
-/// 8 J_2(s) / s^2, the Hankel transform of the paraboloid: by the integral of the Bessel function, which the trapezoid
-/// rule has to rounding.
+/// 8 J_2(s) / s^2, the Hankel transform of the paraboloid: by the integral of the Bessel function, which the
+/// trapezoidal rule computes to rounding.
 double transformOfPatch(double s)
 {
   constexpr int points = 96;
@@ -34,8 +34,8 @@ double transformOfPatch(double s)
   return 8.0 * sum / points / (s * s);
 }
 
-/// 1 less how much a layer on a rigid base, which it is bonded to, gives to a wave of pressure, in terms of a half
-/// space (Burmister 1945). `wave`: times the thickness.
+/// 1 less the compliance of a layer, bonded to a rigid base, under a wave of pressure, in terms of a half
+/// space (Burmister 1945). `wave`: wave number times the thickness.
 double lackOfWave(double wave, double poisson)
 {
   const double k = 3.0 - 4.0 * poisson;
@@ -45,14 +45,14 @@ double lackOfWave(double wave, double poisson)
   return 1.0 - (2.0 * k * sinh - 4.0 * wave * e2) / (2.0 * k * cosh + (4.0 * wave * wave + 1.0 + k * k) * e2);
 }
 
-/// What the patch of tetrahedra with smoothed edges lacks of its compliance on a half space: on edges of half a patch
-/// 2.0 %, of a fifth .2 % (measured against Burmister's layer, and alike for all layers but for rounding of the mesh).
+/// Share by which the compliance of a patch of tetrahedra with smoothed edges is too small on a half space: on edges of
+/// half a patch 2.0 %, of a fifth .2 % (measured against Burmister's layer, and alike for all layers but for rounding).
 double lackOfMesh(double edgesOfPatch)
 {
   return 0.1 * std::pow(edgesOfPatch, 2.3);
 }
 
-/// By Catmull and Rom's cubics, straight beyond both ends.
+/// Catmull and Rom's cubics, linear beyond both ends.
 double between(const std::vector<double>& values, double place)
 {
   const double last = static_cast<double>(values.size() - 1);
@@ -69,8 +69,8 @@ double between(const std::vector<double>& values, double place)
 
 LayerCompliance::LayerCompliance(double poisson) : lack_(steps + 1, 0.0)
 {
-  // The patch's transform falls as s^-2.5, its square as s^-5: what is left out is less than a millionth. Over the root
-  // of s, so that the longest waves, which alone a thick layer lacks, are met closely.
+  // The patch's transform falls as s^-2.5, its square as s^-5: the truncation error is less than a millionth. Over the
+  // root of s, so that the longest waves, the only ones that a thick layer lacks, are sampled closely.
   constexpr double mostWave = 60.0;
   constexpr int waves = 1200;
   const double width = std::sqrt(mostWave) / waves;

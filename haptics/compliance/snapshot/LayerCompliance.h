@@ -7,22 +7,22 @@
 namespace palpate
 {
 
-/// Of 1 / (E* a): compliance of a half space under a patch's paraboloid of force, in the patch's own mean.
+/// In units of 1 / (E* a): compliance of a half space under a patch's paraboloid of force, in the patch's own mean.
 inline constexpr double halfSpaceOfPatch = 2048.0 / (315.0 * std::numbers::pi * std::numbers::pi);
 
-/// Compliance below a patch, modelled as a layer on a rigid base: with the one number `stiffening` it is
-/// told apart from a half space, whatever the patch's radius is. 0 is the half space; above 0 it is 1 over the layer's
-/// thickness (Burmister 1945, the base holds the layer); below 0, where a body bends, it is as much softer everywhere.
-/// A worker's.
+/// Compliance below a patch, modelled as a layer on a rigid base: the one number `stiffening` is the difference
+/// from a half space for every radius of the patch. 0 is the half space; above 0 it is 1 over the layer's
+/// thickness (Burmister 1945, bonded to the base); below 0, where a body bends, the compliance has a constant addition.
+/// Used by a worker.
 class LayerCompliance
 {
 public:
   explicit LayerCompliance(double poisson);
 
-  /// Of a patch of radius 1 on E* = 1.
+  /// Compliance of a patch of this radius on E* = 1.
   [[nodiscard]] double of(double radius_u, double stiffening) const;
-  /// The inverse, of a compliance that was found for a patch on edges of some length: tetrahedra lack a little of what
-  /// they would answer a patch of a few edges with on a half space.
+  /// The inverse, for a compliance that was found for a patch on edges of some length: tetrahedra have a little less
+  /// compliance than a half space under a patch of a few edges.
   [[nodiscard]] double stiffeningOf(double radius_u, double compliance, double edge_u) const;
 
 private:

@@ -21,12 +21,12 @@ Mat3 bilinear(const ComplianceSnapshot& snapshot, const SurfacePoint& a, const S
   return sum;
 }
 
-/// L with L L^T = m, m positive semidefinite but for rounding: a direction without compliance gets none.
+/// L with L L^T = m, m positive semidefinite but for rounding: a direction without compliance gets a zero column.
 Mat3 lowerRoot(const Mat3& m) noexcept
 {
   const double rounding = 1e-14 * m.trace();
   Mat3 l = Mat3::Zero();
-  if (!(rounding > 0.0)) // where all corners answer as one, m itself is rounding, of either sign
+  if (!(rounding > 0.0)) // where all corners have one compliance, m itself is rounding, of either sign
   {
     return l;
   }
@@ -66,7 +66,7 @@ Mat3 complianceBetween(const ComplianceSnapshot& snapshot, const CompliantPoint&
 }
 
 // A rational quadratic is positive definite in spaces of any dimension, so it stays so where the radius changes from
-// place to place (Paciorek & Schervish 2004).
+// point to point (Paciorek & Schervish 2004).
 double sharedBy(const CompliantPoint& a, const CompliantPoint& b) noexcept
 {
   const double mean2_u2 = 0.5 * (a.patch_u * a.patch_u + b.patch_u * b.patch_u);

@@ -16,18 +16,18 @@ namespace palpate
 namespace
 {
 
-/// How much wider than the contact a patch is: what the ball goes in beyond it then never gets less with force, and has
-/// a quarter of the width left for what the force does until the next snapshot.
+/// Width of a patch over that of the contact: with it the depth of the ball beyond the patch never falls with force,
+/// and a quarter of the width is left for the change of the force until the next snapshot.
 constexpr double patchOverContact = 1.5;
 
-/// How much more a contact gives along the surface of a half space than into it (Mindlin 1949).
+/// Tangential over normal compliance of a contact on a half space (Mindlin 1949).
 double acrossOver(double poisson)
 {
   return (2.0 - poisson) / (2.0 * (1.0 - poisson));
 }
 
-/// Each triangle by its area. Triangles have no outer side of their own: of a vertex, all are turned as its first one
-/// is.
+/// Normals weighted by the triangles' areas. Triangles have no outer side of their own: at a vertex all are oriented as
+/// its first one.
 std::vector<Vec3> normalsOf(const SoftSurface& surface, const std::vector<Vec3>& places_W)
 {
   std::vector<Vec3> normals(places_W.size(), Vec3::Zero());
@@ -46,7 +46,7 @@ std::vector<Vec3> normalsOf(const SoftSurface& surface, const std::vector<Vec3>&
   return normals;
 }
 
-/// Dijkstra's distances along edges from some vertices; `from` says which of them is nearest.
+/// Dijkstra's distances along edges from some vertices; `from`: number of the nearest one of them.
 struct EdgeDistances
 {
   std::vector<double> distance_u;
@@ -88,8 +88,8 @@ EdgeDistances distancesFrom(
   return found;
 }
 
-/// How many vertices a snapshot may ask for that were never computed: of a large factor so few that they cost some four
-/// times what the snapshot needs anyway. The nearest ones come first.
+/// How many vertices a snapshot may compute anew: with a large factor so few that they cost some four times as much as
+/// the rest of the snapshot. The nearest ones come first.
 std::size_t newVertices(std::size_t factorBytes)
 {
   constexpr std::size_t least = 8;
@@ -104,7 +104,7 @@ std::uint32_t nearestVertex(const std::vector<Vec3>& places_W, const Vec3& p_W)
   return static_cast<std::uint32_t>(std::min_element(places_W.begin(), places_W.end(), nearer) - places_W.begin());
 }
 
-/// However far they are, and asked for first: the last of the others make room.
+/// Adds the corners of points, however far they are, and first in order: the last of the others make room.
 void addCorners(const std::vector<SurfacePoint>& points, std::vector<std::uint32_t>& near)
 {
   const auto isNear = [&near](std::uint32_t v) { return std::find(near.begin(), near.end(), v) != near.end(); };
@@ -118,7 +118,7 @@ void addCorners(const std::vector<SurfacePoint>& points, std::vector<std::uint32
   near.insert(near.begin(), far.begin(), far.end());
 }
 
-/// f C f of the forces that a snapshot was linearised at: what they make yield, times them.
+/// f C f for the forces at which a snapshot was linearised: the forces times their displacements.
 double forceYieldOf(const ComplianceSnapshot& snapshot)
 {
   std::vector<CompliantPoint> points;
@@ -166,7 +166,7 @@ double SnapshotMaker::contactAhead_u(const SnapshotRequest& request) const
   {
     force_N += f;
   }
-  // Before there is a snapshot of the ball: on a half space.
+  // Before there is a snapshot of the ball: as on a half space.
   const double pressed_u = this->under_ ? this->under_->contactUnder(force_N.norm())
                                         : std::cbrt(force_N.norm() * request.radius_u / this->surface_.stiffness[at]);
   const double above_u = n.dot(request.ball_W - this->untouched_W_[at]);
@@ -176,8 +176,8 @@ double SnapshotMaker::contactAhead_u(const SnapshotRequest& request) const
   return std::sqrt(pressed_u * pressed_u + request.radius_u * into_u);
 }
 
-/// What is known under contacts of another ball or tip is of no more use, but for patches as wide as their edges ask
-/// for, which are the same under all. Each width keeps up to 7 MB (ComplianceCache).
+/// Data for contacts of another ball or tip are of no more use, except those for patches of the mesh's own width,
+/// which are the same for all. Each width keeps up to 7 MB (ComplianceCache).
 void SnapshotMaker::pressWith(double radius_u, double tip_u)
 {
   if (radius_u == this->radius_u_ && tip_u == this->tip_u_)
@@ -211,7 +211,7 @@ SnapshotMaker::Spread& SnapshotMaker::spreadFor(const SnapshotRequest& request)
     this->level_ = level < this->level_ || level > this->level_ + 1 ? level : this->level_;
     spread_u = std::ldexp(request.radius_u, -this->level_);
   }
-  // Where no patch would be wider than it is by its edges, one width is all there is.
+  // Where no patch would be wider than the mesh's own width, that width is enough.
   const double least_u = *std::ranges::min_element(this->surface_.patch_u);
   const double key_u = spread_u > least_u ? spread_u : 0.0;
   const auto found = this->spreads_.find(key_u);
@@ -240,12 +240,12 @@ void SnapshotMaker::choose(const SnapshotRequest& request, ComplianceSnapshot& s
   const double speed = request.velocity_u_per_s.norm();
   const double reach =
     this->surface_.patch_u[at] + request.radius_u + 2.0 * speed * request.period_s + this->surface_.edge_u[at];
-  // Ahead by what it will be old when it is half used; further than half the reach the hand itself would be left out.
+  // Ahead by the age at which it is half used; further than half the reach the hand itself would be left out.
   const double ahead = std::min(1.5 * speed * request.period_s, 0.5 * reach);
   const Vec3 center = speed > 0.0 ? Vec3(request.ball_W + ahead / speed * request.velocity_u_per_s) : request.ball_W;
   snapshot.near = nearVerticesOf(this->surface_, snapshot.free_W, center, reach, usualVertices);
   addCorners(request.forceAt, snapshot.near);
-  // A strike lasts about as long as the hand takes for a patch; and a snapshot is no older than that either.
+  // A strike lasts about as long as the hand takes to cross a patch; and a snapshot is no older than that either.
   snapshot.struck = speed * std::max(this->naturalPeriod_s_, request.period_s) > this->surface_.patch_u[at];
 }
 
@@ -264,7 +264,7 @@ void SnapshotMaker::addCompliance(Spread& spread, ComplianceSnapshot& snapshot)
     spread.rungs.clear();
     spread.depths.clear();
   }
-  // What is not known of a factor that will be another one soon is not worth to be left out.
+  // To put vertices off does not pay for a factor that changes soon.
   const std::size_t most =
     this->body_.stiffnessChanges() ? ComplianceSnapshot::mostVertices : newVertices(this->body_.factorBytes());
   snapshot.near = spread.known.learn(snapshot.near, most, this->byKept_ ? this->kept_.get() : nullptr);
@@ -308,7 +308,7 @@ BallDepth SnapshotMaker::depthAt(
   return { *this->layer_, ball_u, this->surface_.stiffness[v], this->edgeThatLacks_u(v), rungs };
 }
 
-/// The length of edge that a patch lacks compliance by (LayerCompliance). Nodes halfway the edges halve the distance
+/// The length of edge by which a patch lacks compliance (LayerCompliance). Mid-edge nodes halve the distance
 /// between nodes.
 double SnapshotMaker::edgeThatLacks_u(std::uint32_t vertex) const
 {
@@ -327,8 +327,8 @@ void SnapshotMaker::prepareSurface(const ComplianceSnapshot& snapshot)
   }
 }
 
-/// A tip that is narrower than its patch makes a dent below it: the tip's paraboloid of force goes in as it does on a
-/// layer that answers the patch alike, and along the surface by Mindlin's ratio further than on a half space.
+/// A tip that is narrower than its patch makes a dent below it: along the normal as on the layer with the same
+/// compliance of the patch, along the surface by Mindlin's ratio further than on a half space.
 void SnapshotMaker::addTips(double tip_u, ComplianceSnapshot& snapshot)
 {
   this->prepareSurface(snapshot);
@@ -380,8 +380,8 @@ void SnapshotMaker::addSprings(const SnapshotRequest& request, Spread& spread, C
     lastRoots.push_back(spread.depths.at(v).lastRoot());
   }
   this->under_ = spread.depths.at(snapshot.near[snapshot.placeOf[nearestVertex(snapshot.free_W, request.ball_W)]]);
-  // One step for all: of what hardly gives way, which takes more force for a contact as wide, no more than twice as
-  // much counts.
+  // One step for all: a stiff place, which takes more force for a contact of the same width, counts with at most twice
+  // the median.
   const auto middle = lastRoots.begin() + static_cast<std::ptrdiff_t>(lastRoots.size() / 2);
   const double most = *std::ranges::max_element(lastRoots);
   std::ranges::nth_element(lastRoots, middle);
@@ -393,8 +393,8 @@ void SnapshotMaker::addSprings(const SnapshotRequest& request, Spread& spread, C
   }
 }
 
-/// What it stores is half of what its forces do; at its rest nothing is left of them, and how far it is strained inside
-/// is not asked for.
+/// The stored energy is half of the forces times their displacements; the residual is zero, and the strain inside
+/// is not computed.
 SoftBodyState SnapshotMaker::stateOf(const ComplianceSnapshot& snapshot) const
 {
   if (this->isSettled())
@@ -418,8 +418,8 @@ std::shared_ptr<const ComplianceSnapshot> SnapshotMaker::make(const SnapshotRequ
   auto snapshot = std::make_shared<ComplianceSnapshot>();
   snapshot->version = ++this->version_;
   snapshot->builtFromTick = request.tick;
-  // Of every law: continued along the tangent of a body that bends, the surface without the tool would lie far off, on
-  // the other side of the tool even.
+  // For every model: continued along the tangent of a body that bends, the surface without the tool would lie far off,
+  // on the other side of the tool even.
   snapshot->free_W = this->untouched_W_;
   this->choose(request, *snapshot);
   this->addCompliance(spread, *snapshot);
@@ -435,7 +435,7 @@ std::shared_ptr<const ComplianceSnapshot> SnapshotMaker::make(const SnapshotRequ
   snapshot->energy_Nu = state.energy_Nu - 0.5 * forceYieldOf(*snapshot);
   if (request.tip_u > 0.0 && request.radius_u <= 0.0)
   {
-    this->addTips(request.tip_u, *snapshot); // what the tips store, the servo counts beside the body's state
+    this->addTips(request.tip_u, *snapshot); // the servo counts the energy of the tips beside that of the body's state
   }
   snapshot->residual_N = state.residual_N;
   snapshot->mostGradient = state.mostGradient;

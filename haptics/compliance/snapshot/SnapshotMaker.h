@@ -16,51 +16,51 @@ namespace palpate
 struct SnapshotRequest
 {
   std::uint64_t tick = 0;
-  Vec3 ball_W = Vec3::Zero(); ///< in the free surface of the snapshot before [u]
+  Vec3 ball_W = Vec3::Zero(); ///< in the free surface of the previous snapshot [u]
   Vec3 velocity_u_per_s = Vec3::Zero();
   double radius_u = 0.0;             ///< of the ball; 0: a point, without the spring below the patch
   double tip_u = 0.0;                ///< radius of a point contact; 0: as wide as a patch
   double period_s = 0.04;            ///< from snapshot to snapshot
-  std::vector<SurfacePoint> forceAt; ///< where the tool presses, or may: the snapshot answers there in any case
-  std::vector<Vec3> force_N;         ///< and how, on the body
+  std::vector<SurfacePoint> forceAt; ///< where the tool presses, or may: these points have compliance in any case
+  std::vector<Vec3> force_N;         ///< and the forces there, on the body
 };
 
-/// Vertices within reach of a place along the edges of the surface, nearest first, at most so many.
+/// Vertices within reach of a point along the edges of the surface, nearest first, at most `most`.
 [[nodiscard]] std::vector<std::uint32_t> nearVerticesOf(const SoftSurface& surface, const std::vector<Vec3>& places_W,
   const Vec3& center_W, double reach_u, std::size_t most);
 
-/// Makes snapshots of one body, one after the other. A worker's.
+/// Makes snapshots of one body, one after the other. Used by a worker.
 class SnapshotMaker
 {
 public:
-  /// Of a snapshot: a neighbourhood of 30 mm on edges of 6 mm; further points have the compliance of the nearest node
-  /// inside.
+  /// Vertices of a snapshot: a neighbourhood of 30 mm on edges of 6 mm; further points have the compliance of the
+  /// nearest node inside.
   static constexpr std::size_t usualVertices = 96;
-  /// Patches are the ball's radius halved so often at most.
+  /// The radius of patches is the ball's, halved at most so often.
   static constexpr int mostHalvings = 3;
-  /// Widths of patches that something is kept of at once: those of one ball, and the one that edges ask for.
+  /// Most widths of patches with cached data: those of one ball, and the mesh's own.
   static constexpr std::size_t mostWidths = mostHalvings + 2;
 
-  /// References are kept. `naturalPeriod_s`: the body's (NaturalPeriod.h); 0: it has no mass.
+  /// References are kept. `naturalPeriod_s`: of the body (NaturalPeriod.h); 0: without mass.
   SnapshotMaker(SoftBody& body, const SoftSurface& surface, double naturalPeriod_s = 0.0)
     : body_(body), surface_(surface), naturalPeriod_s_(naturalPeriod_s),
       untouched_W_(surface.placesOf(body.atRest(), body.atRest()))
   {
   }
 
-  /// Brings the body to its rest under the tool's force by so many Newton steps, and extracts the snapshot for the
-  /// servo. Null if a factor failed.
+  /// Brings the body towards equilibrium under the tool's forces by so many Newton steps, and makes the snapshot for
+  /// the servo. Null if a factorisation failed.
   [[nodiscard]] std::shared_ptr<const ComplianceSnapshot> make(const SnapshotRequest& request, int newtonSteps = 3);
   /// From now on a body whose stiffness never changes answers from this where it knows the nodes that are pressed, else
-  /// by the factor; in either case without being brought to its rest: see load_N(). Null: nothing is kept, and it is.
+  /// by the factor; in either case its equilibrium is not computed: see load_N(). Null: no inverse, and it is computed.
   void answerBy(std::shared_ptr<const KeptInverse> kept);
-  /// Whether the last snapshot was such an answer of what is kept.
+  /// True if the last snapshot was answered from the kept inverse.
   [[nodiscard]] bool answeredByKept() const { return this->byKept_; }
-  /// Whether the body is at its rest under the load of the last snapshot, as far as Newton steps led.
+  /// True if the body is in equilibrium under the load of the last snapshot, as far as Newton steps led.
   [[nodiscard]] bool isSettled() const { return !this->kept_; }
   /// The load of the last snapshot on the nodes of the body [N].
   [[nodiscard]] const Eigen::VectorXd& load_N() const { return this->load_N_; }
-  /// How many widths of patches something is kept of: no more than mostWidths.
+  /// The number of widths of patches with cached data: no more than mostWidths.
   [[nodiscard]] std::size_t widths() const { return this->spreads_.size(); }
 
 private:
@@ -74,9 +74,9 @@ private:
 
     SpreadPatches patches;
     ComplianceCache known;                                 ///< of one factor
-    std::size_t factoring = 0;                             ///< which one
-    std::map<std::uint32_t, std::vector<PatchRung>> rungs; ///< within each vertex's patch, likewise
-    std::map<std::uint32_t, BallDepth> depths;             ///< of a ball there, likewise
+    std::size_t factoring = 0;                             ///< number of that factorisation
+    std::map<std::uint32_t, std::vector<PatchRung>> rungs; ///< patches within each vertex's patch, likewise
+    std::map<std::uint32_t, BallDepth> depths;             ///< depth of a ball there, likewise
     double ball_u = 0.0;                                   ///< its radius
   };
 
@@ -98,17 +98,17 @@ private:
   SoftBody& body_;
   const SoftSurface& surface_;
   double naturalPeriod_s_;
-  std::shared_ptr<const KeptInverse> kept_; ///< null: nothing is kept
-  bool byKept_ = false;                     ///< the last snapshot
+  std::shared_ptr<const KeptInverse> kept_; ///< null: none
+  bool byKept_ = false;                     ///< whether the last snapshot is from it
   Eigen::VectorXd load_N_;                  ///< of the last snapshot
   std::vector<Vec3> untouched_W_;           ///< the surface under the permanent loads
-  std::vector<Vec3> normals_W_;             ///< of its vertices, to either side; empty: not asked for yet
+  std::vector<Vec3> normals_W_;             ///< of its vertices, to either side; empty: not computed yet
   std::optional<LayerCompliance> layer_;    ///< of its material, likewise
-  std::optional<BallDepth> under_;          ///< where the ball was in the last snapshot
-  double radius_u_ = 0.0;                   ///< of the ball that spreads are for
-  double tip_u_ = 0.0;                      ///< of the tip that they are for
-  std::map<double, Spread> spreads_;        ///< by the least radius of a patch; 0: as edges ask for
-  int level_ = mostHalvings;                ///< how often the ball's radius is halved to that
+  std::optional<BallDepth> under_;          ///< at the ball of the last snapshot
+  double radius_u_ = 0.0;                   ///< of the ball for which the spreads are
+  double tip_u_ = 0.0;                      ///< of the tip for which they are
+  std::map<double, Spread> spreads_;        ///< by the least radius of a patch; 0: the mesh's own width
+  int level_ = mostHalvings;                ///< halvings of the ball's radius for that
   std::uint32_t version_ = 0;
 };
 

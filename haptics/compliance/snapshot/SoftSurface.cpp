@@ -13,7 +13,7 @@ namespace palpate
 namespace
 {
 
-/// E / (1 - nu^2) of the stiffest point at each node: of points around one node they hardly differ.
+/// E / (1 - nu^2) of the stiffest point at each node: points around one node hardly differ.
 std::vector<double> planeModulusOfNodes(const StrainPoints& points)
 {
   std::vector<double> modulus(points.rest_W.size(), 0.0);

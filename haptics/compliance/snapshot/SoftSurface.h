@@ -10,10 +10,10 @@ namespace palpate
 {
 
 /// The border of a soft body as it is touched: each vertex is at its node, and yields elastically to a pressing contact
-/// with a patch of nodes. In the one order of cleanMesh(), so that a tree of it numbers its vertices alike.
+/// with a patch of nodes. In the order of cleanMesh(), so that a tree of it numbers its vertices alike.
 struct SoftSurface
 {
-  std::vector<std::uint32_t> vertices;                 ///< nodes of the body that the border's corners are
+  std::vector<std::uint32_t> vertices;                 ///< nodes of the body at the border's corners
   std::vector<Vec3> rest_W;                            ///< of each [u]
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< of its own vertices
   std::vector<std::vector<std::uint32_t>> neighbours;  ///< along edges
@@ -24,16 +24,16 @@ struct SoftSurface
   std::shared_ptr<const BorderFaces> border;           ///< between the body's nodes
   SurfaceMap map;
 
-  /// Where the vertices are that nothing presses: a patch would have it round off corners.
+  /// Positions of vertices without contact: with the map of their patches corners would be rounded off.
   [[nodiscard]] std::vector<Vec3> placesOf(const SoftBody& body) const
   {
     return this->placesOf(body.displacement(), body.displacement());
   }
-  /// Where they are that something presses: how far the nodes have gone without it, and with it.
+  /// Positions of vertices under contact: from the displacements of the nodes without the contact, and with it.
   [[nodiscard]] std::vector<Vec3> placesOf(const Eigen::VectorXd& atRest, const Eigen::VectorXd& pressed) const;
 };
 
-/// The nodes that patches of a surface have, halves of edges included: nearest to a place first.
+/// The nodes in the patches of a surface, mid-edge nodes included: nearest to a point first.
 [[nodiscard]] std::vector<std::uint32_t> borderNodesFrom(const SoftSurface& surface, const Vec3& place_W);
 
 /// `mesh`: the checked tetrahedra of the body; `edges`: the patches' radius in lengths of edges.

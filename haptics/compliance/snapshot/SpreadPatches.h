@@ -9,8 +9,8 @@
 namespace palpate
 {
 
-/// The patches of a surface under contacts of some width: each as wide as its edges ask for, and at least as wide as
-/// `spread_u`. Made when they are asked for. A worker's.
+/// The patches of a surface under contacts of some width: each as wide as its edges require, and at least as wide as
+/// `spread_u`. Made on demand. Used by a worker.
 class SpreadPatches
 {
 public:
@@ -18,12 +18,12 @@ public:
   SpreadPatches(const SoftSurface& surface, double spread_u) : surface_(surface), spread_u_(spread_u) {}
 
   [[nodiscard]] double radiusOf(std::uint32_t vertex) const;
-  /// Radii of the patches within that of a vertex, each twice the one before, from the one its edges ask for on.
+  /// Radii of the patches within that of a vertex, each twice the one before, from the radius that its edges require.
   [[nodiscard]] std::vector<double> radiiWithin(std::uint32_t vertex) const;
 
-  /// Three columns a vertex, as SurfaceMap has them.
+  /// Three columns per vertex, as of SurfaceMap.
   [[nodiscard]] SparseColumns columnsOf(std::span<const std::uint32_t> vertices);
-  /// Of the vertices' patches, three numbers each, as the body's nodes move: three numbers a node [u].
+  /// Displacements of the vertices' patches, three numbers each, for those of the nodes: three numbers per node [u].
   [[nodiscard]] Eigen::VectorXd displacementsOf(
     std::span<const std::uint32_t> vertices, const Eigen::VectorXd& ofNodes);
   void addForce(std::uint32_t vertex, const Vec3& force_N, Eigen::VectorXd& ofNodes);
@@ -35,7 +35,7 @@ private:
 
   const SoftSurface& surface_;
   double spread_u_;
-  std::map<std::uint32_t, std::uint32_t> placeOf_; ///< of vertices that were asked for
+  std::map<std::uint32_t, std::uint32_t> placeOf_; ///< of the vertices made so far
   SurfaceMap map_;
 };
 

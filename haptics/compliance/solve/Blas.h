@@ -28,8 +28,8 @@ extern "C"
 namespace palpate::blas
 {
 
-/// Held during each call: OpenBLAS without threads of its own, as Debian builds it since version 0.3.29, gives wrong
-/// numbers where two threads of a program call it at a time. A soft body has one thread, which then waits for nobody.
+/// Locked during each call: OpenBLAS without threads of its own, as Debian builds it since version 0.3.29, gives wrong
+/// numbers where two threads of a program call it at a time. A soft body has one thread, which then never waits.
 inline std::mutex oneCallAtATime;
 using Turn = std::lock_guard<std::mutex>;
 
@@ -51,7 +51,7 @@ enum class Transposed : char
   Yes = 'T',
 };
 
-/// C (m x n) <- scale A (m x k) B + keep C; `b`: k x n, or n x k where it is taken transposed.
+/// C (m x n) <- scale A (m x k) B + keep C; `b`: k x n, or n x k where it is transposed.
 inline void multiply(
   int m, int n, int k, double scale, ConstBlock a, ConstBlock b, Transposed ofB, double keep, Block c) noexcept
 {
@@ -63,7 +63,7 @@ inline void multiply(
     dgemm_(&no, &trans, &m, &n, &k, &scale, a.values, &a.ld, b.values, &b.ld, &keep, c.values, &c.ld);
     return;
   }
-  // One row: the other way round it is a matrix times a vector, which no BLAS takes the long way for.
+  // One row: transposed it is a matrix times a vector, for which every BLAS has a fast path.
   const char other = ofB == Transposed::Yes ? 'N' : 'T';
   const int rows = ofB == Transposed::Yes ? n : k;
   const int columns = ofB == Transposed::Yes ? k : n;

@@ -10,7 +10,7 @@ namespace palpate
 namespace
 {
 
-/// The parent of a supernode is that of the first row below its own columns; -1: it is a root.
+/// The parent of a supernode is that of the first row below its own columns; -1: a root.
 int parentOf(const SupernodalView& pattern, const std::vector<int>& supernodeOf, int s)
 {
   return pattern.all(s) == pattern.own(s) ? -1 : supernodeOf[*pattern.rowsBelow(s)];
@@ -86,7 +86,7 @@ void EliminationPath::forward(Eigen::MatrixXd& y) const
     const int all = this->pattern_.all(s);
     const double* const block = this->values_ + this->pattern_.valueStart[s];
     const int first = this->place_[this->pattern_.column[s]];
-    if (y.middleCols(first, own).isZero(0.0)) // it is on no way from a right side
+    if (y.middleCols(first, own).isZero(0.0)) // on no path from a right-hand side
     {
       continue;
     }

@@ -58,7 +58,7 @@ void SingleFactor::backward(Eigen::VectorXf& y) const
 
 Eigen::VectorXd SingleFactor::solve(const Eigen::VectorXd& b) const
 {
-  // Of a size that neither overflows nor vanishes.
+  // Scaled to a size that neither overflows nor vanishes.
   const double size = b.lpNorm<Eigen::Infinity>();
   if (!(size > 0.0))
   {

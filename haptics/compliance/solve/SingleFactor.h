@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// A factor in single precision: a solve reads half as many bytes, which is what it takes its time for. Its answers are
+/// A factor in single precision: a solve reads half as many bytes, and reading is its cost. Its solutions are
 /// good for directions to search in, not for results.
 class SingleFactor
 {
@@ -19,7 +19,7 @@ public:
   SingleFactor(const SupernodalView& pattern, const std::vector<double>& values);
 
   [[nodiscard]] bool ready() const { return this->pattern_ != nullptr; }
-  /// About K^-1 b.
+  /// An approximation of K^-1 b.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
 private:
@@ -28,7 +28,7 @@ private:
 
   const SupernodalView* pattern_ = nullptr;
   std::vector<float> values_;
-  int mostBelow_ = 0; ///< rows below any supernode
+  int mostBelow_ = 0; ///< most rows below any supernode
 };
 
 } // namespace palpate

@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// Columns with few numbers each.
+/// Columns with few entries each.
 struct SparseColumns
 {
   std::vector<std::size_t> start{ 0 }; ///< of each column in rows and values, and the end

@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 
-/// CHOLMOD's view of a matrix of ours, which it only reads.
+/// CHOLMOD's view of a matrix, which it only reads.
 cholmod_sparse viewOf(const SparseLower& matrix)
 {
   cholmod_sparse view{};
@@ -50,7 +50,7 @@ struct SparseFactor::Hidden
     this->common.nmethods = 1;
     this->common.method[0].ordering = CHOLMOD_METIS;
     this->common.print = 0;
-    this->common.try_catch = 1; // It says nothing on the terminal: what failed is asked.
+    this->common.try_catch = 1; // no messages on the terminal: failures are queried
   }
   Hidden(const Hidden&) = delete;
   Hidden& operator=(const Hidden&) = delete;
@@ -61,9 +61,9 @@ struct SparseFactor::Hidden
   }
 
   cholmod_common common{};
-  cholmod_factor* factor = nullptr; ///< its pattern alone
+  cholmod_factor* factor = nullptr; ///< its pattern only
   SupernodalView pattern;
-  std::vector<int> slots; ///< of each number of the matrix
+  std::vector<int> slots; ///< for each number of the matrix
   std::vector<double> values;
   SingleFactor single;
   bool ready = false;
@@ -71,7 +71,7 @@ struct SparseFactor::Hidden
 
 SparseFactor::SparseFactor(const SparseLower& pattern) : hidden_(std::make_unique<Hidden>())
 {
-  // METIS draws from the one sequence of rand(), which it begins anew: two at a time would find other orders each time.
+  // METIS draws from the global sequence of rand(), which it restarts: two at a time would find other orders each time.
   static std::mutex oneAtATime;
   const std::lock_guard<std::mutex> lock(oneAtATime);
   Hidden& h = *this->hidden_;
@@ -93,7 +93,7 @@ std::size_t SparseFactor::bytes() const
   return this->hidden_->factor ? this->hidden_->factor->xsize * sizeof(double) : 0;
 }
 
-/// CHOLMOD's own factorisation starts threads that wait by spinning, beside the servo.
+/// Own factorisation: that of CHOLMOD starts threads that wait by spinning, beside the servo.
 bool SparseFactor::factor(const SparseLower& matrix)
 {
   Hidden& h = *this->hidden_;

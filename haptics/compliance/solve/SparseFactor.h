@@ -21,21 +21,21 @@ public:
   SparseFactor(SparseFactor&&) noexcept;
   SparseFactor& operator=(SparseFactor&&) noexcept;
 
-  /// Of the factor [B]: known before it is computed.
+  /// Size of the factor [B]: known before it is computed.
   [[nodiscard]] std::size_t bytes() const;
   /// False if the matrix is not positive definite: there is no factor then. Throws std::bad_alloc.
   [[nodiscard]] bool factor(const SparseLower& matrix);
   [[nodiscard]] bool ready() const;
-  /// Keeps it in single precision too, until it is factored again.
+  /// Keeps the factor in single precision too, until the next factorisation.
   void keepSingle();
   [[nodiscard]] const SingleFactor& single() const;
-  /// K x = b.
+  /// The solution of K x = b.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
   /// E^T K^-1 E, symmetric and positive semidefinite by construction: Y^T Y with Y = L^-1 E, computed only on the
-  /// supernodes from the rows of E to the root of the elimination tree. No solve backwards.
+  /// supernodes from the rows of E to the root of the elimination tree. No backward solve.
   [[nodiscard]] Eigen::MatrixXd sharedCompliance(const SparseColumns& e) const;
-  /// The diagonal of that: how each column of E answers to itself.
+  /// The diagonal of that matrix.
   [[nodiscard]] Eigen::VectorXd ownCompliance(const SparseColumns& e) const;
   /// E^T K^-1 N on those supernodes, for a few columns N and all those of E: twice the cost of a column of
   /// sharedCompliance(), and only for N. The rows of N are among those of E.

@@ -9,7 +9,7 @@ namespace palpate
 namespace
 {
 
-/// Of each free node, the free nodes of higher number that share a point with it.
+/// For each free node, the free nodes of higher number that share a point with it.
 std::vector<std::vector<std::int32_t>> higherNeighbours(
   const StrainPoints& body, const std::vector<std::int32_t>& numbers, std::size_t count)
 {

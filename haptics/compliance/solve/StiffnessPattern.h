@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// A symmetric matrix's lower half, column by column, rows ascending.
+/// The lower half of a symmetric matrix, column by column, rows ascending.
 struct SparseLower
 {
   std::vector<int> start; ///< of each column in rows and values, and the end
@@ -22,7 +22,7 @@ struct SparseLower
   [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& x) const;
 };
 
-/// Where the blocks of every strain point go in the stiffness of the free nodes: found once, the numbers change.
+/// Slots of the blocks of every strain point in the stiffness of the free nodes: found once, while the numbers change.
 class StiffnessPattern
 {
 public:
@@ -33,7 +33,7 @@ public:
 
   [[nodiscard]] int order() const { return static_cast<int>(this->columnStart_.size()) - 1; }
   [[nodiscard]] const std::vector<std::int32_t>& numbers() const { return this->numbers_; }
-  /// Zeros in the pattern.
+  /// A zero matrix of this pattern.
   [[nodiscard]] SparseLower zeros() const;
   /// Adds volume times g_a : dP/dF : g_b of every pair of nodes of a point.
   void add(SparseLower& k, const StrainPoints& body, std::size_t point, const StressDerivative& stiffness) const;
@@ -46,7 +46,7 @@ private:
   std::vector<int> columnStart_;
   std::vector<int> rows_;
   std::vector<std::size_t> firstSlot_; ///< of each point
-  std::vector<std::int32_t> slots_;    ///< of each pair a >= b of a point: which block below the diagonal
+  std::vector<std::int32_t> slots_;    ///< for each pair a >= b of a point: its block below the diagonal
 };
 
 } // namespace palpate

@@ -10,10 +10,10 @@ namespace palpate
 namespace
 {
 
-/// Columns that are taken off at a time: enough for BLAS, and few enough that what is left of a triangle is little.
+/// Columns that are subtracted at a time: enough for BLAS, and few enough that little of a triangle is wasted.
 constexpr int mostAtOnce = 128;
 
-/// What one supernode takes off those to its right.
+/// Subtracts the products of one supernode from those to its right.
 class Update
 {
 public:
@@ -40,7 +40,7 @@ public:
   }
 
 private:
-  /// Columns `begin` to `end` of L L^T below the supernode, from those of the target.
+  /// Subtracts columns `begin` to `end` of L L^T below the supernode from those of the target.
   void takeOff(int s, int target, int begin, int end)
   {
     const int own = this->pattern_.own(s);
@@ -65,7 +65,7 @@ private:
     }
   }
 
-  /// Of each row among those of the target, which has them all.
+  /// Finds each row among those of the target, which has them all.
   void findPlaces(int target, const int* rows, int count)
   {
     const int* const all = this->pattern_.rows + this->pattern_.rowStart[target];

@@ -16,8 +16,8 @@ class Builder
 public:
   Builder(const std::vector<Box>& boxes, std::vector<TreeNode>& nodes) : boxes_(boxes), nodes_(nodes) {}
 
-  /// Adds the tree over these boxes, which `around` grows to hold, and returns the index of its root, with leafBit for
-  /// a single one.
+  /// Adds the tree over these boxes, sets `around` to their bounds, and returns the index of the root, with leafBit for
+  /// a single box.
   std::uint32_t build(std::span<std::uint32_t> some, Box& around)
   {
     if (some.size() == 1)

@@ -31,7 +31,7 @@ struct Box
   Vec3 low_W = Vec3::Zero();
   Vec3 high_W = Vec3::Zero();
 
-  /// Around nothing yet.
+  /// A box around no point.
   [[nodiscard]] static Box empty() noexcept
   {
     constexpr double inf = std::numeric_limits<double>::infinity();
@@ -76,17 +76,17 @@ inline void setBox(NodeBoxes& node, std::size_t child, const Box& box) noexcept
   return (a.low_W.array() <= b.high_W.array()).all() && (b.low_W.array() <= a.high_W.array()).all();
 }
 
-/// A tree of boxes, one leaf a box, over a few things that are trees themselves: the surfaces of a scene.
+/// A tree of boxes, with one leaf per box, over a few objects that are trees themselves: the surfaces of a scene.
 struct BoxTree
 {
   std::vector<TreeNode> nodes; ///< empty when there is a single leaf
   Box bounds;
 
-  /// Where a walk begins.
+  /// The child index at which a traversal begins.
   [[nodiscard]] std::uint32_t root() const noexcept { return this->nodes.empty() ? TreeNode::leafBit : 0u; }
 };
 
-/// Halved by splitAtMedian() of the centres. Leaf i is box i. O(n log n).
+/// Split by splitAtMedian() of the centres. Leaf i is box i. O(n log n).
 [[nodiscard]] BoxTree makeBoxTree(const std::vector<Box>& boxes);
 
 } // namespace palpate

@@ -18,8 +18,8 @@ namespace
 
 using Kernel = CGAL::Simple_cartesian<double>;
 
-/// A triangle as CGAL's AABB tree wants it to build its hierarchy: its number and its box, at hand in the primitive
-/// itself, since building asks for them some twenty times. No query is made to that tree.
+/// A triangle as CGAL's AABB tree needs it to build its hierarchy: its number and its box, stored in the primitive
+/// itself, since the construction reads them some twenty times. That tree is never queried.
 class BoxPrimitive
 {
 public:
@@ -60,10 +60,10 @@ using Traits = CGAL::AABB_traits<Kernel, BoxPrimitive>;
 using CgalTree = CGAL::AABB_tree<Traits>;
 using CgalNode = CGAL::AABB_node<Traits>;
 
-/// A tree of so many primitives and its nodes lie in a core's cache while they are built.
+/// A tree of this many primitives fits into a core's cache during its construction.
 constexpr std::size_t mostOfATree = 8192;
 
-/// The order in which CGAL's tree stores its primitives: an in-order walk of its leaves.
+/// The order in which CGAL's tree stores its primitives: an in-order traversal of its leaves.
 std::uint32_t* collectOrder(const CgalNode* node, std::size_t count, std::uint32_t* order)
 {
   if (count == 2)
@@ -97,8 +97,8 @@ void orderOfTree(std::span<const BoxPrimitive> boxes, std::uint32_t* order)
   collectOrder(tree.root_node(), boxes.size(), order);
 }
 
-/// CGAL's tree splits its primitives, then each half as if it were a tree of its own: so its upper nodes can be split
-/// here, by its own traits, without nodes for them, and two threads have a half each.
+/// CGAL's tree splits its primitives, then each half as a tree of its own: so its upper nodes can be split here, by its
+/// own traits, without storage for these nodes, and each of two threads takes one half.
 void orderHalves(std::span<BoxPrimitive> boxes, unsigned threads, std::uint32_t* order)
 {
   if (boxes.size() <= mostOfATree)

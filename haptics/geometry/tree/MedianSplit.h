@@ -12,8 +12,8 @@
 namespace palpate
 {
 
-/// Puts the half of the things whose places come first along the longest side of the box around the places before the
-/// others, ties by number, and returns how many they are. `placeOf(i)`: a point of thing i, finite. O(n).
+/// Moves the half of the things whose points come first along the longest side of the points' bounding box to the
+/// front, ties by number, and returns the size of that half. `placeOf(i)`: a point of thing i, finite. O(n).
 template<class PlaceOf>
 std::size_t splitAtMedian(std::span<std::uint32_t> things, const PlaceOf& placeOf)
 {

@@ -7,7 +7,7 @@
 namespace palpate
 {
 
-// They are apart if an edge of the triangle or the segment itself separates them.
+// Segment and triangle are apart if an edge of the triangle or the segment itself is a separating line.
 bool meetsInPlane(const Vec3& p, const Vec3& q, const FaceRecord& face) noexcept
 {
   int drop = 0;

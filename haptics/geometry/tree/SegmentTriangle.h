@@ -8,9 +8,9 @@ namespace palpate
 
 struct FaceRecord;
 
-/// Exact, as ExactPredicates, whose conditions hold; allocation-free, so that the tick may call them.
+/// Exact under the conditions of ExactPredicates; allocation-free, so that the tick may call them.
 
-/// True if the closed segment p q meets the closed triangle, in whose plane both of its ends lie exactly.
+/// True if the closed segment p q meets the closed triangle; both ends lie exactly in the triangle's plane.
 [[nodiscard]] bool meetsInPlane(const Vec3& p, const Vec3& q, const FaceRecord& face) noexcept;
 
 /// True if the line through p and q, which are not both in its plane, meets the closed triangle.

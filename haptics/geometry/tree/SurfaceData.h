@@ -13,7 +13,7 @@
 namespace palpate
 {
 
-/// Bits of FaceRecord::owned: which of its edges and vertices a face answers for, so that a sweep over the
+/// Bits of FaceRecord::owned: the edges and vertices that a face owns, so that a sweep over the
 /// leaves tests each edge and each vertex once. Edge k joins corners k and (k + 1) % 3.
 inline constexpr std::uint32_t ownsEdge0 = 1u;
 inline constexpr std::uint32_t ownsVertex0 = 8u;
@@ -27,7 +27,7 @@ struct FacePlane
   std::uint32_t owned;
 };
 
-/// A face as the sweep wants it: everything in one place.
+/// A face as the sweep reads it: with its corners.
 struct FaceRecord : FacePlane
 {
   std::array<Vec3, 3> corner_W;
@@ -41,7 +41,7 @@ struct alignas(16) DiscQuad
   std::array<float, 4> radius;
 };
 
-/// Balls around four faces at another place of their way, in the unit of their leaf.
+/// Balls around four faces at another position of their path, in the unit of their leaf.
 struct alignas(16) BallQuad
 {
   std::array<float, 4> cx, cy, cz;
@@ -56,13 +56,13 @@ struct PlaceBounds
   Box all;
 };
 
-/// At most eight faces in a row, and where their discs are measured from.
+/// At most eight consecutive faces, and the origin of their discs.
 struct Leaf
 {
   static constexpr std::uint32_t capacity = 8;
   Vec3 origin_W;
   double
-    perUnit; ///< 1 u in the unit of its discs, of which no coordinate of its faces is further from the origin than 1
+    perUnit; ///< 1 u in the unit of its discs, in which no coordinate of its faces is further from the origin than 1
   std::uint32_t first;
   std::uint32_t count;
 };
@@ -73,7 +73,7 @@ struct Leaf
   return corners[1] == corners[2];
 }
 
-/// Which edge of a triangle joins i and j: edge k joins corners k and (k + 1) % 3.
+/// The edge of a triangle that joins i and j: edge k joins corners k and (k + 1) % 3.
 [[nodiscard]] inline std::size_t edgeOf(
   const std::array<std::uint32_t, 3>& corners, std::uint32_t i, std::uint32_t j) noexcept
 {
@@ -81,8 +81,8 @@ struct Leaf
   return isEnd(corners[0]) ? (isEnd(corners[1]) ? 0 : 2) : 1;
 }
 
-/// True if the corners as they are stored run from i to j along their edge: two faces of one oriented surface run along
-/// theirs in opposite directions.
+/// True if the stored corners run from i to j along their edge: two faces of an oriented surface run along their common
+/// edge in opposite directions.
 [[nodiscard]] inline bool runsAlong(
   const std::array<std::uint32_t, 3>& corners, std::uint32_t i, std::uint32_t j) noexcept
 {
@@ -90,21 +90,21 @@ struct Leaf
          (corners[2] == i && corners[0] == j);
 }
 
-/// Everything contact reads of one surface. Triangles stand in the order of the tree's leaves, corners ascending.
+/// All data that contact reads of one surface. Triangles stand in the order of the tree's leaves, corners ascending.
 struct SurfaceData
 {
   TriangleMesh mesh;
   double coat_u = 0.0; ///< above 0 for curves, which are segments: distance of the touched surface from them
   std::vector<FacePlane> faces;
-  std::vector<DiscQuad> discs; ///< two a leaf
+  std::vector<DiscQuad> discs; ///< two per leaf
   std::vector<Leaf> leaves;
   std::vector<TreeNode> nodes;     ///< empty when there is a single leaf
-  std::vector<PlaceBounds> places; ///< where else the vertices may be; nodes and discs are of where they are
+  std::vector<PlaceBounds> places; ///< bounds at other positions of a path; nodes and discs are those of `mesh`
   Vec3 low_W = Vec3::Zero();
   Vec3 high_W = Vec3::Zero();
   std::vector<std::uint32_t> fanStart; ///< triangles around vertex v: fan[fanStart[v] .. fanStart[v + 1])
   std::vector<std::uint32_t> fan;
-  /// The one other triangle over edge k of each triangle, or none where there is none or more than one.
+  /// The only other triangle over edge k of each triangle, or `none` where there is no other or more than one.
   std::vector<std::array<std::uint32_t, 3>> across;
   std::uint64_t contentHash = 0;
   std::uint64_t topologyHash = 0;
@@ -162,14 +162,14 @@ struct SurfaceData
     return t[0] != i && t[0] != j ? t[0] : (t[1] != i && t[1] != j ? t[1] : t[2]);
   }
 
-  /// How many triangles there are around vertex v.
+  /// Number of triangles around vertex v.
   [[nodiscard]] std::uint32_t valence(std::uint32_t v) const noexcept
   {
     return this->fanStart[v + 1] - this->fanStart[v];
   }
 
   /// Calls visit(triangle) for each triangle around edge (i, j), in ascending order. The end with fewer triangles is
-  /// asked: a spoke of a disc costs as little at the hub as at the rim.
+  /// searched: a spoke of a disc costs as little at the hub as at the rim.
   template<class Visit>
   void forEachAtEdge(std::uint32_t i, std::uint32_t j, Visit visit) const
   {
@@ -186,7 +186,7 @@ struct SurfaceData
     }
   }
 
-  /// The one other triangle across edge (i, j), or `none` where there is none or more than one.
+  /// The only other triangle across edge (i, j), or `none` where there is no other or more than one.
   [[nodiscard]] std::uint32_t neighbour(std::uint32_t triangle, std::uint32_t i, std::uint32_t j) const noexcept
   {
     return this->across[triangle][edgeOf(this->mesh.triangles[triangle], i, j)];

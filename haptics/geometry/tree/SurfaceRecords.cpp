@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 
-/// The next larger number of one that is not negative: the library's own is a call and asks for its sign.
+/// The next larger float of one that is not negative: std::nextafter is a call and tests the sign.
 float nextAbove(float number)
 {
   return number < std::numeric_limits<float>::infinity()
@@ -43,7 +43,7 @@ void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Leaf& leaf)
   quad.nz[lane] = static_cast<float>(face.normal_W.z());
 }
 
-/// Of a sliver so thin that rounding of its sides makes of its normal what it likes.
+/// The exact normal of a sliver so thin that rounding of its sides decides its normal.
 void setNeedleNormal(FaceRecord& face) noexcept
 {
   const auto& [a, b, c] = face.corner_W;
@@ -56,7 +56,7 @@ void setNeedleNormal(FaceRecord& face) noexcept
   }
 }
 
-/// Around both children of a node.
+/// The box around both children of a node.
 Box around(const NodeBoxes& node) noexcept
 {
   Box box = boxOf(node, 0);
@@ -64,7 +64,7 @@ Box around(const NodeBoxes& node) noexcept
   return box;
 }
 
-/// A parent stands before its children: from the last node to the first, every child is done before it is asked for.
+/// A parent stands before its children: from the last node to the first, every child's box is made before it is read.
 template<class Boxes>
 Box layUpwards(const std::vector<TreeNode>& nodes, const std::vector<Box>& leafBoxes, std::vector<Boxes>& to) noexcept
 {

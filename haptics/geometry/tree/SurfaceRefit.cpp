@@ -17,9 +17,9 @@ namespace palpate
 namespace
 {
 
-/// A normal in double precision leaves no doubt below this amplification of its rounding.
+/// Below this amplification of its rounding a normal in double precision proves that a triangle has an area.
 constexpr float certainlyFlat = 1e9F;
-/// Of a way, beside the vertices' own: a start says its share of each.
+/// Most positions of a path beside the tree's own: VertexStart has a weight for each.
 constexpr std::size_t mostPlaces = std::tuple_size_v<decltype(VertexStart::ofPlaces)>;
 
 std::string refusalOf(const SurfaceData& old, const std::vector<Vec3>& vertices_W)
@@ -52,7 +52,7 @@ std::string refusalOf(const SurfaceData& old, const std::vector<Vec3>& vertices_
   return refusal;
 }
 
-/// Area, or length in a segment.
+/// True if a triangle has an area, a segment a length.
 bool hasExtent(const FaceRecord& face)
 {
   const auto& [a, b, c] = face.corner_W;
@@ -63,10 +63,10 @@ bool hasExtent(const FaceRecord& face)
   return face.normal_W.allFinite() && (face.sliver < certainlyFlat || !exactlyCollinear(a, b, c));
 }
 
-/// Around each leaf where the vertices are, and at each of their other places.
+/// The box of each leaf at the tree's own positions, then at each other position of the path.
 using LeafBoxes = std::vector<std::vector<Box>>;
 
-/// The faces of a leaf where they are now. Returns false where a triangle has no area, a segment no length.
+/// The faces of a leaf at the present positions. Returns false where a triangle has no area, a segment no length.
 bool refitFaces(SurfaceData& data, const Leaf& leaf, const std::vector<FacePlane>& old, Box& box)
 {
   box = Box::empty();
@@ -83,7 +83,7 @@ bool refitFaces(SurfaceData& data, const Leaf& leaf, const std::vector<FacePlane
   return true;
 }
 
-/// The corners of a leaf's faces at another place.
+/// The corners of a leaf's faces at another position of the path, and their box.
 using LeafCorners = std::array<std::array<Vec3, 3>, Leaf::capacity>;
 
 Box cornersAt(const SurfaceData& data, const Leaf& leaf, const std::vector<Vec3>& places_W, LeafCorners& corners_W)
@@ -98,8 +98,8 @@ Box cornersAt(const SurfaceData& data, const Leaf& leaf, const std::vector<Vec3>
   return box;
 }
 
-/// Leaf by leaf, while its faces are at hand: memory is what this costs. Returns false where a triangle has no area, a
-/// segment no length.
+/// Works leaf by leaf, while its faces are in the cache: memory access is the cost. Returns false where a triangle has
+/// no area, a segment no length.
 bool refitLeaves(SurfaceData& data, const std::vector<FacePlane>& old,
   const std::vector<const std::vector<Vec3>*>& also, LeafBoxes& boxes)
 {
@@ -151,7 +151,7 @@ std::unique_ptr<SurfaceData> SurfaceTree::roomForRefit(std::shared_ptr<const Sur
 {
   if (retired && retired.get() != this && retired.use_count() == 1 && retired->topologyHash() == this->topologyHash())
   {
-    std::atomic_thread_fence(std::memory_order_acquire); // after whatever the last other holder read
+    std::atomic_thread_fence(std::memory_order_acquire); // after all reads by the last other owner
     return std::move(std::const_pointer_cast<SurfaceTree>(retired)->data_);
   }
   const SurfaceData& old = *this->data_;

@@ -16,7 +16,7 @@ namespace palpate
 namespace
 {
 
-/// How many leaves so many triangles make.
+/// Number of leaves for `count` triangles.
 std::size_t leavesOf(std::size_t count)
 {
   return count <= Leaf::capacity ? 1 : leavesOf(count / 2) + leavesOf(count - count / 2);
@@ -97,7 +97,7 @@ void layFans(SurfaceData& data, unsigned threads)
   data.fan = std::move(fans.entries);
 }
 
-/// Faces, discs and neighbours of some leaves of a surface, of which shape and fans are there. The first triangle at an
+/// Makes faces, discs and neighbours of some leaves of a surface that has its shape and fans. The first triangle at an
 /// edge or a vertex owns it.
 class FaceMaker
 {
@@ -126,13 +126,13 @@ public:
   }
 
 private:
-  /// Notes the one other triangle over edge k. False if a triangle before this one has the edge.
+  /// Notes the only other triangle over edge k. False if a triangle before this one has the edge.
   [[nodiscard]] bool meetsAcross(std::uint32_t triangle, std::uint32_t k)
   {
     std::uint32_t& across = this->data_.across[triangle][k];
     if (across != SurfaceData::none)
     {
-      return true; // the other one has told
+      return true; // entered with the other triangle
     }
     const auto& t = this->data_.mesh.triangles[triangle];
     const std::uint32_t v = t[k], w = t[(k + 1) % 3];
@@ -153,7 +153,7 @@ private:
     return !first;
   }
 
-  /// Saves a later triangle the search, unless it is another thread's.
+  /// Saves a later triangle the search, unless that triangle belongs to another thread.
   void tell(std::uint32_t other, std::size_t k, std::uint32_t triangle)
   {
     if (other > triangle && other < this->triangles_.last)

@@ -11,12 +11,12 @@
 namespace palpate
 {
 
-/// A halving tree over 2^32 leaves is 32 deep, and a walk keeps at most one sibling a level. Three times as much leaves
-/// room for trees that do not halve exactly.
+/// A tree over 2^32 leaves that halves exactly is 32 deep, and a traversal keeps at most one sibling per level. A
+/// factor of 3 allows for trees that do not halve exactly.
 inline constexpr int mostPending = 96;
 
 /// Visits the leaves that matter, nearest first. Nodes: std::vector<TreeNode>, or a type with the same [] and
-/// empty(). `entriesOf(node)` says how far both children are; a child is kept where `reaches(distance)`, and taken up
+/// empty(). `entriesOf(node)`: distances of both children; a child is kept where `reaches(distance)`, and visited
 /// later where `admits(distance)`, which may count the visits. `onLeaf(index)`.
 template<class Nodes, class EntriesOf, class Reaches, class Admits, class OnLeaf>
 void walkNearestFirst(const Nodes& nodes, double rootEntry, const EntriesOf& entriesOf, const Reaches& reaches,
@@ -58,8 +58,8 @@ void walkNearestFirst(const Nodes& nodes, double rootEntry, const EntriesOf& ent
   }
 }
 
-/// Visits each leaf above which every box meets, in no particular order. `meets(node)` gives a bool for each child;
-/// the walk ends and the result is false where `goesOn()`, asked once for each node and leaf, or `onLeaf(index)` is.
+/// Visits each leaf above which every box meets, in no particular order. `meets(node)`: a bool for each child; the
+/// traversal ends with false where `goesOn()`, called once for each node and leaf, or `onLeaf(index)` returns false.
 template<class Nodes, class GoesOn, class Meets, class OnLeaf>
 [[nodiscard]] bool walkMeeting(const Nodes& nodes, const GoesOn& goesOn, const Meets& meets, const OnLeaf& onLeaf)
 {

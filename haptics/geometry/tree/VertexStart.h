@@ -12,12 +12,12 @@
 namespace palpate
 {
 
-/// Where the vertices of a surface begin their straight way to where its tree has them. Immutable.
+/// Positions from which the vertices of a surface move straight to those of its tree. Immutable.
 struct VertexStart
 {
   std::vector<Vec3> vertices_W; ///< one for each vertex of the tree's mesh, in its order [u]
   std::uint64_t continues = 0;  ///< content of the surface that was felt there; 0: of none
-  /// How the start is made of the places of the tree's VertexWay; the rest to 1 is the share of the tree's own
+  /// Weights in the start of the positions of the tree's VertexWay; the rest to 1 is the weight of the tree's own
   /// vertices.
   std::array<double, 2> ofPlaces;
   std::uint64_t hash = 0; ///< of vertices and content
@@ -42,7 +42,7 @@ private:
   }
 };
 
-/// A vertex at a share 0..1 of its way, within the box of both ends whatever rounding does.
+/// A vertex at a share 0..1 of its path, within the box of both ends whatever rounding does.
 [[nodiscard]] inline Vec3 alongWay(const Vec3& begin, const Vec3& end, double share) noexcept
 {
   return (begin + share * (end - begin)).cwiseMax(begin.cwiseMin(end)).cwiseMin(begin.cwiseMax(end));

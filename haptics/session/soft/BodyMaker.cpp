@@ -29,7 +29,7 @@ SnapshotRequest requestOf(const BodyHand& hand, double period_s)
   return request;
 }
 
-/// Where its way ends.
+/// The surface at rest at the end of its motion.
 Surface standing(Surface surface)
 {
   surface.motion.begin_WS = surface.motion.end_WS;
@@ -58,7 +58,7 @@ BodyMaker::BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::strin
     [this](std::uint32_t node) { return static_cast<bool>(this->checked_.fixed[node]); });
   this->heldFaces_ = heldFaces({ this->surface_.rest_W, this->surface_.triangles }, held);
   this->held_ = this->heldFaces_ ? sceneOfHeld(*this->heldFaces_) : nullptr;
-  (void)this->surfacesWith(this->surface_.rest_W, false); // numbered as the snapshots are
+  (void)this->surfacesWith(this->surface_.rest_W, false); // so that the builder numbers vertices as the snapshots do
 }
 
 void BodyMaker::touch(std::shared_ptr<const Scene> beside)
@@ -70,8 +70,8 @@ void BodyMaker::touch(std::shared_ptr<const Scene> beside)
   }
 }
 
-/// None where the body has lost vertices that its snapshots number: where they are not numbers any more, or meet.
-/// Those beside it are on the way that they have in their scene once, and stand where it ended afterwards.
+/// Empty where the built surface lacks vertices that the snapshots number: coordinates are not finite, or vertices
+/// meet. The other surfaces move once along the path that their scene gives them, and stand at its end afterwards.
 std::vector<Surface> BodyMaker::surfacesWith(const std::vector<Vec3>& free_W, bool standingBeside)
 {
   std::vector<Surface> surfaces = this->beside_ ? this->beside_->surfaces() : std::vector<Surface>();
@@ -93,7 +93,7 @@ std::vector<Surface> BodyMaker::surfacesWith(const std::vector<Vec3>& free_W, bo
   return surfaces;
 }
 
-/// The free surface is always the untouched one. What is beside a body that begins has gone its way before.
+/// The body's own surface is always the free one. At its first snapshot the other surfaces have ended their motion.
 std::shared_ptr<const Scene> BodyMaker::sceneOf(const ComplianceSnapshot& snapshot)
 {
   if (this->scene_)
@@ -174,9 +174,9 @@ BodyShape BodyMaker::shape() const
 
 std::shared_ptr<KeptInverse> BodyMaker::keepAround(const Vec3& place_W)
 {
-  constexpr double staysWithin = 0.25; // of its reach: a new one around nearly the same place would answer no more
+  constexpr double staysWithin = 0.25; // of its reach: an inverse around nearly the same point would answer no more
   const double off_u = (place_W - this->keptAround_W_).norm();
-  // A hand that strokes to and fro must not begin a new one at every turn.
+  // A hand that strokes to and fro must not begin a new inverse at every turn.
   const bool mayAnswer =
     this->kept_ && (this->snapshots_.answeredByKept() ||
                      off_u <= (this->kept_->known() < this->kept_->size() ? 1.0 : staysWithin) * this->keptReach_u_);
@@ -185,13 +185,13 @@ std::shared_ptr<KeptInverse> BodyMaker::keepAround(const Vec3& place_W)
     return nullptr;
   }
   const std::vector<std::uint32_t> nodes = borderNodesFrom(this->surface_, place_W);
-  this->snapshots_.answerBy(nullptr); // before there is memory for another one
+  this->snapshots_.answerBy(nullptr); // first, so that the old inverse leaves its memory to the new one
   this->kept_.reset();
   this->kept_ = std::make_shared<KeptInverse>(*this->body_, nodes);
   this->snapshots_.answerBy(this->kept_);
   this->keptAround_W_ = place_W;
   this->keptReach_u_ = nodes.size() <= KeptInverse::mostNodes
-                         ? std::numeric_limits<double>::infinity() // it has all nodes of the border
+                         ? std::numeric_limits<double>::infinity() // all nodes of the border are in it
                          : (this->body_->points().rest_W[nodes[KeptInverse::mostNodes - 1]] - place_W).norm();
   return this->kept_;
 }

@@ -14,16 +14,16 @@ namespace palpate
 
 struct BodySight;
 
-/// How a soft body was when its last snapshot was made.
+/// The shape of a soft body when its last snapshot was made.
 struct BodyShape
 {
-  std::vector<Vec3> displacement_u; ///< of each vertex of the tetrahedra that it was made of
+  std::vector<Vec3> displacement_u; ///< of each vertex of the tetrahedra as they were given
   std::vector<Vec3>
-    dent_u; ///< how much further each is to be seen: a place under a force at a point is where it is felt
-  std::vector<Mat3> deformation; ///< F of each tetrahedron, no part of that dent
-  Vec3 hand_W = Vec3::Zero();    ///< where the hand was that it was made for
+    dent_u; ///< further displacement of each vertex in a view: a point under a force is drawn where it is felt
+  std::vector<Mat3> deformation; ///< deformation gradient F of each tetrahedron, without that dent
+  Vec3 hand_W = Vec3::Zero();    ///< hand position for which the snapshot was made
   double mostGradient = 0.0;     ///< largest |F - 1|
-  Vec3 worst_W = Vec3::Zero();   ///< and the middle, at rest, of where it is
+  Vec3 worst_W = Vec3::Zero();   ///< rest position of the node at which it occurs
   bool struck = false;           ///< the hand is faster than the body's inertia would let it follow
   double throughItself_u = 0.0;  ///< overlap length of the body with itself below the largest contact force; 0: none
 };
@@ -32,11 +32,11 @@ struct BodyShape
 inline constexpr const char* throughItselfText = "the body was pressed through itself, because self-contact is not "
                                                  "modelled: the force there is wrong; press less deep";
 
-/// A soft body as it is to be seen.
+/// A soft body for a view.
 struct SeenBody
 {
   std::shared_ptr<const CheckedTetras> asMade; ///< map from its vertices to the input
-  std::shared_ptr<const BodyShape> shape;      ///< how it bends; null: it does not yet
+  std::shared_ptr<const BodyShape> shape;      ///< null: no snapshot has been made
 };
 
 /// A soft body and its scene: makes the snapshots for the servo, one after the other. Used by a worker.
@@ -48,21 +48,21 @@ public:
   [[nodiscard]] static std::unique_ptr<BodyMaker> make(const SoftBodyInput& input, const std::string& name,
     std::uint64_t revision, std::string& refusal, const std::stop_token& stop = {});
 
-  /// Other surfaces that are touched; null: none. A surface of its name is the body's own, and gives way to it. From
-  /// the next snapshot on.
+  /// Sets the other surfaces to touch; null: none. A surface of the body's name is left out for the body's own. Takes
+  /// effect at the next snapshot.
   void touch(std::shared_ptr<const Scene> beside);
-  /// The body under the force of the hand, for a hand that has so long until the next snapshot [s]; as many steps to
-  /// its rest as are asked for. Null if a factorisation failed: the previous snapshot stays in use.
+  /// The body under the forces of the hand, with at most `newtonSteps` steps towards its equilibrium. `period_s`: time
+  /// until the next snapshot. Null if a factorisation failed: the previous snapshot stays in use.
   [[nodiscard]] std::shared_ptr<const PressedBody> press(
     const BodyHand& hand, double period_s, int newtonSteps = usualSteps);
 
-  /// An inverse to condense around a place, from which this answers as far as it is condensed; null: there is one that
-  /// answered the last snapshot or may answer the next, or none is of use to the body's law.
+  /// A new inverse of the stiffness to condense around a point; snapshots use as much of it as is condensed. Null: the
+  /// present one answered the last snapshot or may answer the next, or the stiffness changes with the deformation.
   [[nodiscard]] std::shared_ptr<KeptInverse> keepAround(const Vec3& place_W);
-  /// What the last snapshot was made of; it lives as long as this.
+  /// Data of the last snapshot, from which the shape is computed; valid as long as this maker.
   [[nodiscard]] BodySight sight() const;
   [[nodiscard]] BodyShape shape() const;
-  /// Whether the body has passed through itself below a contact, in any of the snapshots after which this was asked.
+  /// True if the body passed through itself below a contact in any snapshot that was followed by lookThrough().
   [[nodiscard]] bool wentThroughItself() const noexcept { return this->wentThroughItself_; }
   void lookThrough();
   [[nodiscard]] const CheckedTetras& checked() const noexcept { return this->checked_; }
@@ -82,18 +82,18 @@ private:
   SnapshotMaker snapshots_;
   SceneBuilder builder_;
   std::shared_ptr<const Scene> beside_;
-  std::shared_ptr<const Scene> scene_; ///< the last one; null: the other surfaces have changed since
-  std::uint64_t first_; ///< the revision before its first snapshot: forces on older ones are at another body's vertices
+  std::shared_ptr<const Scene> scene_; ///< of the last snapshot; null: the other surfaces have changed since
+  std::uint64_t first_; ///< revision before the first snapshot: older forces belong to another body's vertices
   std::uint64_t revision_;
   Vec3 hand_W_ = Vec3::Zero();                     ///< of the last snapshot
   std::shared_ptr<const ComplianceSnapshot> last_; ///< null: none yet
-  bool underPoints_ = false;                       ///< the last one, and not under a ball
+  bool underPoints_ = false;                       ///< whether the last snapshot was for a point in place of a ball
   bool wentThroughItself_ = false;
   std::shared_ptr<KeptInverse> kept_; ///< null: none yet
   Vec3 keptAround_W_ = Vec3::Zero();
-  double keptReach_u_ = 0.0;                      ///< distance of its farthest node from there
-  std::shared_ptr<const TriangleMesh> heldFaces_; ///< that nothing moves
-  std::shared_ptr<const Scene> held_;             ///< of these
+  double keptReach_u_ = 0.0;                      ///< distance from there to its farthest node
+  std::shared_ptr<const TriangleMesh> heldFaces_; ///< faces of fixed nodes
+  std::shared_ptr<const Scene> held_;             ///< scene of these faces
 };
 
 } // namespace palpate

@@ -14,9 +14,9 @@ namespace palpate
 namespace
 {
 
-/// A place under a force goes with its patch, and between vertices further (PointCompliance.h), not with the nodes of
-/// its triangle. Of each vertex of the surface, how much further than its node it is shown, so that such places are
-/// where they are felt to be.
+/// A point under a force moves with its contact patch, and between vertices further (PointCompliance.h), not with the
+/// nodes of its triangle. Returns how much further than its node each vertex of the surface is drawn, so that such
+/// points are drawn where they are felt.
 std::vector<Vec3> dents_u(const BodySight& sight, const Eigen::VectorXd& displacement_u)
 {
   std::vector<Vec3> dents(sight.surface->vertices.size(), Vec3::Zero());
@@ -70,8 +70,8 @@ void addStrain(const StrainPoints& points, const Eigen::VectorXd& u, BodyShape& 
 
 } // namespace
 
-/// From where the ball presses most, the way that it pushes. A body does not meet itself: below a fold that is pressed
-/// shut it goes on through itself.
+/// Looks from the point of the largest contact force along that force. Self-contact is not modelled: below a fold that
+/// is pressed shut the body passes through itself.
 double throughItself_u(const BodySight& sight, const Eigen::VectorXd& displacement_u)
 {
   if (!sight.snapshot)
@@ -125,7 +125,7 @@ BodyShape shapeOf(const BodySight& sight)
   {
     if (const std::uint32_t node = sight.surface->vertices[i]; !sight.checked->fixed[node])
     {
-      shape.dent_u[node] = dents[i]; // what is held is shown where it is held
+      shape.dent_u[node] = dents[i]; // a fixed node is drawn at its fixed position
     }
   }
   addStrain(sight.body->points(), u, shape);

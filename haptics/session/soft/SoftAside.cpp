@@ -12,9 +12,9 @@ namespace palpate
 namespace
 {
 
-constexpr std::chrono::milliseconds betweenLooks(33); // as often as a view is drawn, and no longer than it rests
+constexpr std::chrono::milliseconds betweenLooks(33); // a frame of a view; after longer work the thread rests as long
 
-/// In Linux a priority is a thread's.
+/// In Linux the priority belongs to the thread.
 void giveWay() noexcept
 {
   constexpr int nice = 10;
@@ -50,7 +50,7 @@ void SoftAside::condense(std::shared_ptr<KeptInverse> kept)
   this->changed_.notify_one();
 }
 
-/// Waits for work. A body is not looked at before its time; meanwhile nodes are condensed, if there are any.
+/// Waits for work. A shape is not computed before its time; meanwhile nodes are condensed, if there are any.
 SoftAside::Work SoftAside::next(const std::stop_token& stop, Clock::time_point nextLook)
 {
   std::unique_lock lock(this->mutex_);
@@ -64,7 +64,7 @@ SoftAside::Work SoftAside::next(const std::stop_token& stop, Clock::time_point n
   return work;
 }
 
-/// Where memory is short the last shape stays.
+/// Without enough memory the last shape stays.
 void SoftAside::lookAt(const BodySight& sight)
 {
   try
@@ -83,7 +83,7 @@ void SoftAside::condenseNext(const std::shared_ptr<KeptInverse>& kept)
   {
     more = kept->condenseNext();
   }
-  catch (const std::bad_alloc&) // the factor goes on answering where it does not know
+  catch (const std::bad_alloc&) // the factor answers requests beyond the condensed nodes
   {
   }
   const std::lock_guard lock(this->mutex_);

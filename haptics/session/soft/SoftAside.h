@@ -15,9 +15,9 @@
 namespace palpate
 {
 
-/// What is computed of a soft body beside its snapshots, in a thread of its own that gives way to all others: its
-/// shape, no more often than it is drawn, and the inverse from which snapshots are answered. What it is given lives
-/// longer.
+/// Computes the shape of a soft body (no more often than a view draws it) and the inverse from which snapshots are
+/// answered, in a thread of its own with low priority, so that snapshots do not wait. Objects that it receives must
+/// outlive it.
 class SoftAside
 {
 public:
@@ -26,9 +26,9 @@ public:
   /// `publish`: called in that thread.
   explicit SoftAside(Publish publish);
 
-  /// The newest one is looked at.
+  /// Orders the shape of `sight` in place of an older order.
   void look(BodySight sight);
-  /// In place of any other; null: nothing is ordered.
+  /// Orders the condensation of `kept` in place of an older order; null: changes nothing.
   void condense(std::shared_ptr<KeptInverse> kept);
 
 private:
@@ -48,7 +48,7 @@ private:
   std::mutex mutex_; ///< guards the work
   std::condition_variable_any changed_;
   Work work_;
-  std::jthread thread_; ///< last: it ends before what it uses
+  std::jthread thread_; ///< last: joined before the other members are destroyed
 };
 
 } // namespace palpate

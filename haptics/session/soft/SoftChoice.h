@@ -14,7 +14,7 @@ struct SoftChoice
 {
   std::shared_ptr<const SoftBodyInput> input; ///< null: none
   std::string name;
-  double rate_Hz = 30.0; ///< snapshots a second, or as many as can be made
+  double rate_Hz = 30.0; ///< snapshots per second, or the highest rate that is possible
 
   friend bool operator==(const SoftChoice&, const SoftChoice&) = default;
 };

@@ -23,7 +23,7 @@ std::optional<double> SoftTask::iterate()
   const auto body = this->maker_->press(hand, this->period_s());
   if (body && !this->aside_)
   {
-    // The first shape is there with the first snapshot; the others are nothing that a snapshot waits for.
+    // The first shape is published with the first snapshot; no later snapshot waits for a shape.
     this->show(this->maker_->shape());
     this->aside_ = std::make_unique<SoftAside>([this](BodyShape shape) { this->show(std::move(shape)); });
   }
@@ -31,7 +31,7 @@ std::optional<double> SoftTask::iterate()
   if (body)
   {
     this->aside_->look(this->maker_->sight());
-    if (hand.tick > 0) // before, the place of the hand is not known
+    if (hand.tick > 0) // before the first tick the hand's position is unknown
     {
       this->aside_->condense(this->maker_->keepAround(hand.ball_W));
     }

@@ -16,10 +16,10 @@ namespace palpate
 struct SoftLinks;
 class SoftAside;
 
-/// How a soft body is, for a person to see.
+/// State of a soft body for the user.
 struct SoftStatus : WorkStatus
 {
-  std::shared_ptr<const BodyShape> shape;      ///< how it bends; null: it does not yet
+  std::shared_ptr<const BodyShape> shape;      ///< null: no snapshot has been made
   std::shared_ptr<const CheckedTetras> asMade; ///< map from its vertices to the input
 };
 
@@ -35,7 +35,7 @@ struct SoftOrder
   }
   friend bool operator==(const SoftOrder&, const SoftOrder&) = default;
   [[nodiscard]] bool isActive() const noexcept { return this->choice.input != nullptr; }
-  /// Another body, at whatever rate.
+  /// True for another body; another rate alone cancels nothing.
   [[nodiscard]] bool cancels(const SoftOrder& before) const
   {
     return this->choice.input != before.choice.input || this->choice.name != before.choice.name;
@@ -72,7 +72,7 @@ private:
   std::unique_ptr<BodyMaker> maker_;
   std::optional<VirtualBody> paced_; ///< in virtual time
   std::uint64_t revision_ = 0;       ///< of the last snapshot
-  std::unique_ptr<SoftAside> aside_; ///< null: nothing has been shown; last: it ends before what it uses
+  std::unique_ptr<SoftAside> aside_; ///< null: no shape was shown; last: destroyed before the members that it uses
 };
 
 } // namespace palpate

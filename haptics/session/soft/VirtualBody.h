@@ -10,11 +10,11 @@ namespace palpate
 class VirtualBody
 {
 public:
-  /// `period_s`: from snapshot to snapshot, and as long each of them is under way. The reference is kept.
+  /// `period_s`: from snapshot to snapshot, and the delay of each. The reference is kept.
   VirtualBody(BodyMaker& maker, double period_s) : maker_(maker), period_s_(period_s) {}
 
-  /// Before a tick at that time: the body that it takes; `hand`: of the tick before. What it gave before lives on
-  /// until the call after this one. Null if its first snapshot cannot be made.
+  /// Before a tick at `time_s`: the body for that tick; `hand`: of the tick before. The body returned before stays
+  /// valid until the call after this one. Null if the first snapshot cannot be made.
   [[nodiscard]] const PressedBody* at(double time_s, const BodyHand& hand);
   /// The last snapshot.
   [[nodiscard]] const std::shared_ptr<const PressedBody>& now() const noexcept { return this->now_; }

@@ -9,9 +9,9 @@
 namespace palpate
 {
 
-/// Why a tool that is free where it stands stays about there for good: a surface without holes is all around it, or it
-/// is all around the surface. "": nothing of that kind. The condition and the remedy, to follow the tool's name. Asked
-/// once, where the tool has just been put: from there on nothing is passed. May build a tree of the tool.
+/// Why a tool that is free at its pose can never leave: a closed surface encloses the tool, or the tool encloses a
+/// surface. "": neither. The text gives the condition and the remedy, and follows the tool's name. Called once, when
+/// the tool has just been placed: afterwards nothing is passed through. May build a tree of the tool.
 [[nodiscard]] std::string noWayOut(
   const SurfaceTree& surface, const Pose& surface_WS, const ToolMesh& tool, const Pose& tool_W);
 

@@ -8,13 +8,13 @@
 namespace palpate
 {
 
-/// A tool that a hand holds in place of the ball.
+/// A rigid tool in the hand in place of the proxy sphere.
 struct ToolChoice
 {
   std::shared_ptr<const ToolMesh> tool; ///< null: none
-  double characteristic_u = 0.0;        ///< what a turn by 1 rad weighs as a way; 0: the tool's own
+  double characteristic_u = 0.0; ///< lever arm that converts a rotation [rad] to a displacement [u]; 0: the tool's own
 
-  /// The lever that counts; 0: no tool.
+  /// The lever arm in use [u]; 0: no tool.
   [[nodiscard]] double weighs_u() const noexcept
   {
     return !this->tool ? 0.0 : this->characteristic_u > 0.0 ? this->characteristic_u : this->tool->gyration_u;

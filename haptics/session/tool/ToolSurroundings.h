@@ -14,21 +14,21 @@ namespace palpate
 struct ToolSurroundings
 {
   std::shared_ptr<const BoxedMesh> mesh_S;
-  Pose scene_WS;       ///< where that body is: at the end of the scene's motion
-  std::string refusal; ///< in words, where a tool cannot touch it
+  Pose scene_WS;       ///< pose of that body at the end of the scene's motion
+  std::string refusal; ///< why a tool cannot touch it; empty: it can
 };
 
-/// Names the body, wherever it is: another one has to be built anew.
+/// Identifies the body independently of its pose: another body has to be built anew.
 [[nodiscard]] std::uint64_t bodyNameOf(const Scene& scene) noexcept;
-/// Where it is. Surfaces that all lie in one frame move as one; those that move in ways of their own are a new body
-/// with every picture, in W.
+/// Pose of the body. Surfaces that all lie in one frame move as one body; surfaces with different motions are a new
+/// body with every scene, in W.
 [[nodiscard]] Pose bodyPlaceOf(const Scene& scene) noexcept;
 
-/// See noWayOut(), of the first surface that it is said of.
+/// See noWayOut(); of the first surface to which it applies.
 [[nodiscard]] std::string noWayOutOf(const Scene& scene, const ToolMesh& tool, const Pose& tool_W);
 
-/// Refuses deforming surfaces, surfaces without triangles, and a scene that is too large for the tool. As slow as
-/// building a tree is.
+/// Refuses deforming surfaces, surfaces without triangles, and a scene that is too large for the tool. Takes as long as
+/// building a tree.
 [[nodiscard]] ToolSurroundings surroundingsOf(const Scene& scene, const ToolMesh& tool);
 
 } // namespace palpate

@@ -12,7 +12,7 @@ namespace palpate
 namespace
 {
 
-/// A tool that was left behind where nothing is known any more touches nothing that is felt.
+/// False where the data around the tool are no longer loaded: there the tool would touch nothing that is felt.
 bool isKnown(const LoadedRegion& known, const Scene& scene, const Pose& tool_W, const ToolMesh& tool)
 {
   return known.geometry != scene.geometryHash() || known.has(tool_W.p, tool.reach_u);
@@ -52,7 +52,7 @@ void ToolTask::giveUp()
   this->report("not enough memory to touch the visible data with a tool: show fewer data");
 }
 
-/// Beyond the largest ball of a scene a tick may fall behind, which its mesh beside the tick does less.
+/// Above the radius limit of the scene a tick may fall behind the hand; the worker with the tool's mesh lags less.
 bool ToolTask::isFeltAsBall(const Order& order)
 {
   const double ball_u = order.choice.tool->ball_u();
@@ -72,7 +72,7 @@ bool ToolTask::apply(Order order, const std::stop_token& /*stop*/, bool /*again*
 {
   if (order.choice.tool != this->now_.choice.tool)
   {
-    this->came_ = {}; // where another tool was led
+    this->came_ = {}; // the history of another tool
   }
   if (!order.choice.tool || !order.scene || order.scene->empty())
   {
@@ -101,7 +101,7 @@ bool ToolTask::isSameBody(const Order& order) const
   return this->follower_ && bodyNameOf(*this->now_.scene) == bodyNameOf(*order.scene) && !order.scene->bends();
 }
 
-/// The tick sweeps it, whatever moves, bends or is replaced: there is nothing to be done beside it.
+/// The tick sweeps the ball itself, whatever moves, bends or is replaced: the worker has nothing to compute.
 void ToolTask::publishBall(const Order& order)
 {
   this->follower_.reset();
@@ -115,8 +115,8 @@ void ToolTask::publishBall(const Order& order)
   this->links_.contacts.write(ball);
 }
 
-/// In another body, and with another tool, it stays where the one before was, if it is free there. Else, and where it
-/// stood nowhere, it goes on from where the hand came from and it is free.
+/// In another body, or with another tool, the tool stays at the pose of the previous one, if it is free there. Else, or
+/// without a previous pose, the tool begins at the newest free pose of the hand's path.
 void ToolTask::placeIn(const Order& order)
 {
   const ToolMesh& tool = *order.choice.tool;

@@ -14,13 +14,13 @@
 namespace palpate
 {
 
-/// How a tool is, for a person to read.
+/// State of a tool for the user.
 struct ToolStatus : WorkStatus
 {
-  std::string noWayOut; ///< it was put where it is free and can never leave: why, to follow its name. "": it can
+  std::string noWayOut; ///< why it can never leave the place where it was put, to follow its name. "": it can
 };
 
-/// A tool, the scene that it touches, and how much of a whole that scene has.
+/// A tool, the scene that it touches, and the part of that scene that is loaded.
 struct ToolOrder
 {
   ToolChoice choice;
@@ -32,16 +32,16 @@ struct ToolOrder
   {
     return { choice, around.scene, around.known, around.period_s };
   }
-  /// What is known counts where a tool is put into another scene, which comes with it.
+  /// `known` is not compared: it matters only where a tool is put into another scene, and comes with that scene.
   friend bool operator==(const ToolOrder& a, const ToolOrder& b) { return a.choice == b.choice && a.scene == b.scene; }
   [[nodiscard]] bool isActive() const noexcept { return this->choice.tool != nullptr; }
-  /// Its trees are built to their end.
+  /// The construction of its trees is never cancelled.
   [[nodiscard]] static bool cancels(const ToolOrder& /*before*/) noexcept { return false; }
   [[nodiscard]] static bool awaits(const ToolOrder& /*before*/) noexcept { return false; }
 };
 
-/// Builds the surroundings of a tool, and moves the tool. While it builds, the contacts of before hold the hand. See
-/// WorkerList.
+/// Builds the surroundings of a tool, and moves the tool. During a construction the previous contacts act on the hand.
+/// See WorkerList.
 class ToolTask
 {
 public:
@@ -56,11 +56,11 @@ public:
   std::optional<double> iterate();
   void step(double time_s);
   void giveUp();
-  /// A tool is held, so that the ball touches nothing until there is more of it.
+  /// Publishes a tool without contacts, so that the proxy sphere touches nothing until the tool is placed.
   void publishFirst() { this->publishNone(true); }
 
 private:
-  /// No contacts: there is no tool, or it stands nowhere.
+  /// Publishes no contacts: there is no tool, or the tool has no pose.
   void publishNone(bool held);
   void placeIn(const Order& order);
   void publishBall(const Order& order);
@@ -72,11 +72,11 @@ private:
   ToolLinks& links_;
   Order now_;
   std::optional<ToolFollower> follower_;
-  std::uint64_t revision_ = 0; ///< of the last set that was published
-  bool stands_ = false;        ///< in this body
+  std::uint64_t revision_ = 0; ///< of the last contacts that were published
+  bool stands_ = false;        ///< whether the tool has a pose in this body
   HandHistory came_;
-  std::uint64_t ballBody_ = 0; ///< the body that the next is of: it costs hundreds of walks through trees
-  double largestBall_u_ = 0.0; ///< that a tick can follow there
+  std::uint64_t ballBody_ = 0; ///< body of the limit below, which costs hundreds of traversals of trees
+  double largestBall_u_ = 0.0; ///< radius limit in that body
 };
 
 } // namespace palpate

@@ -17,7 +17,7 @@ using Exact = CGAL::Exact_rational;
 using Exact3 = std::array<Exact, 3>;
 using ExactCorners = std::array<Exact3, 3>;
 
-constexpr double roundings = 64.0; // of the largest coordinate: what posing a corner may be off by
+constexpr double roundings = 64.0; // of the largest coordinate: error bound of a posed corner
 
 Exact3 exact(const Vec3& v)
 {
@@ -54,7 +54,7 @@ Exact3 cross(const Exact3& a, const Exact3& b)
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
 
-/// Not below the root, and hardly above it.
+/// The root, rounded up to a double.
 Exact rootAbove(const Exact& square)
 {
   double root = std::sqrt(CGAL::to_double(square));
@@ -70,7 +70,7 @@ Exact lengthAbove(const Exact3& a)
   return rootAbove(dot(a, a));
 }
 
-/// How far the tool is above the scene along a normal.
+/// Gap of the tool above the scene along a normal.
 Exact exactGap(const Exact3& n, const ExactCorners& tool, const ExactCorners& scene)
 {
   Exact lowest = dot(n, tool[0]), highest = dot(n, scene[0]);
@@ -82,7 +82,7 @@ Exact exactGap(const Exact3& n, const ExactCorners& tool, const ExactCorners& sc
   return lowest - highest;
 }
 
-/// The bounds of SpanProof, from the corners that it has posed.
+/// The bounds of SpanProof in rational numbers, from its posed corners.
 class ExactSpan
 {
 public:

@@ -12,7 +12,7 @@ namespace palpate
 namespace
 {
 
-constexpr int deepest = 30; // halvings: a guard, Clearance::finest ends them before
+constexpr int deepest = 30; // halvings: a safeguard, Clearance::finest ends them before
 
 /// A face's normal on the side where the tool's corners are.
 Vec3 towardsTool(const Vec3& n, const Corners& tool, const Corners& scene)
@@ -94,7 +94,7 @@ NearestPair PairProof::nearestAt(double share, const Corners& tool_W, const Corn
 {
   if (this->asked_[0].share != share)
   {
-    std::swap(this->asked_[0], this->asked_[1]); // the first is the one that was asked for last
+    std::swap(this->asked_[0], this->asked_[1]); // the first entry is the one used last
   }
   if (this->asked_[0].share != share)
   {

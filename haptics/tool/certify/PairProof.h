@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// How long a plane that once separated two triangles goes on doing so.
+/// The frame in which a plane that separated two triangles is kept.
 enum class PlaneKind : std::uint8_t
 {
   None,
@@ -18,7 +18,7 @@ enum class PlaneKind : std::uint8_t
   InTool,  ///< normal in the tool's body frame B
 };
 
-/// A direction that separated a pair the last time, to be tried first.
+/// The last direction that separated a pair, to be tried first.
 struct CachedPlane
 {
   PlaneKind kind = PlaneKind::None;
@@ -32,15 +32,15 @@ struct Clearance
   double finest = 0.0; ///< a part of the step no longer than this share of it is not divided
 };
 
-/// How much of a step from its start is proven to keep a pair apart. A part of the step that is not proven as a whole
-/// is halved, the first half first. Without budget the rest counts as unproven.
+/// The share of a step from its start over which a pair is proven to stay apart. A part of the step that is not proven
+/// as a whole is halved, the first half first. Without budget the rest counts as unproven.
 class PairProof
 {
 public:
   PairProof(const ScrewStep& step, const Clearance& clearance, WorkBudget& budget) noexcept;
 
-  /// The proven share, at most `until`. Where one plane did for all of it, it is kept in `cached`. `first`: the nearest
-  /// points where the step begins, if they are known.
+  /// The proven share, at most `until`. If one plane separates the pair in all of it, `cached` keeps that plane.
+  /// `first`: the nearest points at the start of the step, if they are known.
   [[nodiscard]] double provenUntil(const MovingPair& pair, double until, CachedPlane& cached,
     const std::optional<NearestPair>& first = std::nullopt) noexcept;
 
@@ -56,8 +56,8 @@ private:
   const ScrewStep& step_;
   Clearance clearance_;
   WorkBudget& budget_;
-  Mat3 start_; ///< how the tool is turned where the step begins
-  /// The two shares that were asked for last: halves of a span begin or end where it did.
+  Mat3 start_; ///< rotation of the tool at the start of the step
+  /// The two shares of the last queries: half of a span has an end in common with the span.
   struct Asked
   {
     double share = -1.0;

@@ -39,7 +39,7 @@ SpanGap SpanProof::inScene(const Vec3& n_W) const noexcept
 
 SpanGap SpanProof::inTool(const Vec3& n_W) const noexcept
 {
-  // Seen from the tool the scene's corners move: y = R^T (b - x), y'' = R^T (w x (w x (b - x)) + 2 w x v).
+  // In the tool's frame the scene's corners move: y = R^T (b - x), y'' = R^T (w x (w x (b - x)) + 2 w x v).
   const Vec3 &w = this->step_.w_W, &v = this->step_.v_W;
   const Vec3 centre = this->step_.centre_W(this->span_.from);
   const double w2 = this->speed_rad_ * this->speed_rad_;

@@ -16,28 +16,28 @@ struct Span
   Mat3 turnFrom = Mat3::Identity(), turnTo = Mat3::Identity();
 };
 
-/// Two triangles during a step. Arms are the tool's corners from its centre, turned as at the step's start.
+/// Two triangles during a step. Arms are the tool's corners from its centre, rotated as at the step's start.
 struct MovingPair
 {
   Corners arms_W;
   Corners scene_W;
 };
 
-/// How far a plane separates two triangles during a span [u]: at least what a straight line between the gaps at its
-/// ends says, less the dip D^2 / 8 max f'', the error of linear interpolation.
+/// Gap of a plane between two triangles during a span [u]: at least the linear interpolation of the gaps at its ends,
+/// less the dip D^2 / 8 max f'', the error of that interpolation.
 struct SpanGap
 {
   double from = 0.0, to = 0.0, dip = 0.0;
 
-  /// Everywhere in the span the two are at least this far apart.
+  /// Lower bound of the distance everywhere in the span.
   [[nodiscard]] double least() const noexcept { return std::min(this->from, this->to) - this->dip; }
-  /// The same in the first share of it.
+  /// The same in the first `share` of the span.
   [[nodiscard]] double leastUntil(double share) const noexcept
   {
     const double there = this->from + share * (this->to - this->from) - 4.0 * share * (1.0 - share) * this->dip;
     return std::min(this->from, there) - share * share * this->dip;
   }
-  /// Where the line falls below a gap: the order in which pairs are looked at, no more.
+  /// The share at which the line falls below a gap: only the order in which pairs are examined depends on it.
   [[nodiscard]] double crossing(double gap_u) const noexcept
   {
     if (this->from < gap_u)
@@ -48,20 +48,20 @@ struct SpanGap
   }
 };
 
-/// How the plane of a proof goes during a span.
+/// Motion of the plane of a proof during a span.
 enum class PlaneWay : std::uint8_t
 {
-  InScene, ///< it stays
-  InTool,  ///< it goes and turns with the tool
-  Between, ///< its normal goes straight from the first to the last
+  InScene, ///< fixed in the scene
+  InTool,  ///< moves and rotates with the tool
+  Between, ///< its normal is interpolated linearly from the first to the last
 };
 
-/// A plane that a proof rests on.
+/// The plane of a proof.
 struct ProvenPlane
 {
   PlaneWay way = PlaneWay::InScene;
   Vec3 first_W = Vec3::Zero(); ///< normal at the start of the span
-  Vec3 last_W = Vec3::Zero();  ///< of Between: at its end
+  Vec3 last_W = Vec3::Zero();  ///< normal at the end, for Between
 };
 
 /// Gaps that are proven for all of a span and not only for its ends, each a lower bound of the distance of two
@@ -77,11 +77,11 @@ public:
   [[nodiscard]] const MovingPair& pair() const noexcept { return this->pair_; }
   [[nodiscard]] const Corners& toolFrom_W() const noexcept { return this->from_; }
   [[nodiscard]] const Corners& toolTo_W() const noexcept { return this->to_; }
-  /// The plane stays in the scene. Turning about n costs nothing.
+  /// The plane is fixed in the scene. A rotation about n does not lower the bound.
   [[nodiscard]] SpanGap inScene(const Vec3& n_W) const noexcept;
-  /// The plane goes and turns with the tool; n as it stands at the start of the span.
+  /// The plane moves and rotates with the tool; n at the start of the span.
   [[nodiscard]] SpanGap inTool(const Vec3& n_W) const noexcept;
-  /// The normal goes straight from one to the other: it gets shorter on its way, which is to the safe side.
+  /// The normal is interpolated linearly: in between it is shorter than 1, which only lowers the bound.
   [[nodiscard]] SpanGap between(const Vec3& nFrom_W, const Vec3& nTo_W) const noexcept;
 
 private:
@@ -91,10 +91,10 @@ private:
   const Span& span_;
   const MovingPair& pair_;
   double length_;
-  double speed_rad_; ///< |w|, a whole step
+  double speed_rad_; ///< |w| of a whole step
   Corners from_, to_;
   Corners inward_;              ///< second derivative of each corner at the start of the span
-  std::array<double, 3> reach_; ///< of each corner from the centre
+  std::array<double, 3> reach_; ///< distance of each corner from the centre
 };
 
 } // namespace palpate

@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 
-/// What holds the nearest points: where it is a face or two edges, their normal says more than the points' difference.
+/// The features of the nearest points: the normal of a face or two edges is more accurate than the points themselves.
 enum class Holder : std::uint8_t
 {
   SceneFace,
@@ -78,8 +78,8 @@ void offerEdges(Search& search, const Corners& tool, const Corners& scene)
       const Vec3 v = scene[(j + 1) % 3] - scene[j], n = u.cross(v);
       const double height = n.dot(tool[i] - scene[j]);
       double s = 0.0, t = 0.0;
-      // Lines that are further apart than what is known hold nothing. With an end nearest, corner against triangle has
-      // found it.
+      // Lines that are further apart than the best distance cannot lower it. Where an end is nearest, corner against
+      // triangle has found the pair.
       if (height * height < search.least2 * n.squaredNorm() && nearestOnLines(tool[i], u, scene[j], v, s, t) &&
           s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0)
       {
@@ -91,7 +91,7 @@ void offerEdges(Search& search, const Corners& tool, const Corners& scene)
   }
 }
 
-/// Unit; zero where a corner or an edge's inside holds the points alone.
+/// Unit normal; zero where a corner or the inside of an edge alone has the nearest point.
 Vec3 normalOf(const Search& search, const Corners& tool, const Corners& scene)
 {
   switch (search.holder)

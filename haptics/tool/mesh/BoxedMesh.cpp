@@ -18,9 +18,9 @@ namespace
 {
 
 constexpr std::uint32_t largestLeaf = 4;
-constexpr double leafAgreement = 0.9; // cosine: normals further apart have no plane in common that separates
+constexpr double leafAgreement = 0.9; // cosine: normals that differ more have no separating plane in common
 
-/// What the axes of a box follow from: area, centroid and second moments of triangles.
+/// Moments that determine the axes of a box: area, centroid and second moments of triangles.
 struct Spread
 {
   double area = 0.0;
@@ -149,7 +149,7 @@ private:
   Vec3 about_; ///< moments are taken about a point of the mesh, so that far from the origin nothing cancels
   std::vector<std::uint32_t> order_;
   std::vector<Vec3> middles_;
-  std::vector<Vec3> points_; ///< kept for its room
+  std::vector<Vec3> points_; ///< kept for its memory
 };
 
 } // namespace
@@ -161,7 +161,7 @@ StoredBox::StoredBox(const Mat3& axes, const std::vector<Vec3>& points)
   {
     this->turn_[k] = static_cast<float>(turn.coeffs()[k]);
   }
-  const Mat3 stored = this->box().axes; // as it will be read: the half sides make up for what rounding did to it
+  const Mat3 stored = this->box().axes; // as it will be read: the half sides allow for the rounding of the axes
   const Mat3 back = stored.inverse();
   Eigen::AlignedBox3d bounds;
   for (const Vec3& p : points)
@@ -182,8 +182,8 @@ StoredBox::StoredBox(const Mat3& axes, const std::vector<Vec3>& points)
   }
 }
 
-/// Compiled into the constructor by GCC 12 it went on with numbers that were not rounded to floats yet, so that boxes
-/// did not hold what lies below them.
+/// Not inlined: in the constructor GCC 12 computed with numbers that were not rounded to floats yet, so that boxes
+/// did not contain their triangles.
 [[gnu::noinline]] OrientedBox StoredBox::box() const noexcept
 {
   return { this->centre(), this->turn().toRotationMatrix(), this->half() };

@@ -11,7 +11,7 @@ namespace palpate
 {
 
 /// A box aligned with its content, for the traversal: all points centre + axes * h with |h_i| <= half_i. The axes
-/// are unit and square to one another to a float's rounding only; the half sides make up for it.
+/// are unit and orthogonal to a float's rounding only; the half sides allow for that.
 struct OrientedBox
 {
   Vec3 centre = Vec3::Zero();
@@ -29,7 +29,7 @@ public:
 
   [[nodiscard]] Vec3 centre() const noexcept { return { this->centre_[0], this->centre_[1], this->centre_[2] }; }
   [[nodiscard]] Vec3 half() const noexcept { return { this->half_[0], this->half_[1], this->half_[2] }; }
-  /// Of length one to a float's rounding.
+  /// Unit to a float's rounding.
   [[nodiscard]] Quat turn() const noexcept
   {
     return { this->turn_[3], this->turn_[0], this->turn_[1], this->turn_[2] };
@@ -42,8 +42,8 @@ private:
   std::array<float, 3> half_{};
 };
 
-/// A triangle's edges and corners that can never be the first contact: an edge between faces of one plane, a vertex
-/// inside of such faces or along a straight edge. They only save work.
+/// A triangle's edges and corners that can never be the first contact: an edge between coplanar faces, a vertex
+/// inside of such faces or along a straight edge. The flags only save work.
 struct FlatFlags
 {
   std::uint8_t bits = 0;
@@ -67,7 +67,7 @@ public:
     [[nodiscard]] bool leaf() const noexcept { return this->count > 0; }
   };
 
-  /// `clean` as cleanMesh makes it. Bends below `flat_u` count as flat.
+  /// `clean`: a result of cleanMesh(). Bends below `flat_u` count as flat.
   BoxedMesh(TriangleMesh clean, double flat_u);
 
   [[nodiscard]] const TriangleMesh& mesh() const noexcept { return this->mesh_; }
@@ -88,7 +88,7 @@ private:
   std::vector<FlatFlags> flat_;
 };
 
-/// The unit normal of three corners, its side given by their order; also of slivers, whose edges are scaled first.
+/// The unit normal of three corners, its side given by their order; also for slivers, whose edges are scaled first.
 [[nodiscard]] Vec3 unitNormal(const std::array<Vec3, 3>& corners) noexcept;
 
 } // namespace palpate

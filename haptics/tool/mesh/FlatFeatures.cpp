@@ -37,7 +37,7 @@ public:
   [[nodiscard]] std::vector<FlatFlags> take() { return std::move(this->flags_); }
 
 private:
-  /// The other ends of edges that bend, as far as it matters: two.
+  /// The other ends of a vertex's edges that bend: two are enough.
   struct Ends
   {
     std::array<std::uint32_t, 2> other{};

@@ -8,8 +8,8 @@
 namespace palpate
 {
 
-/// Edges whose two faces lie in one plane to within `flat_u`, not folded back, and vertices with nothing but such edges
-/// or with two others in one line. Edges of one face, or of three and more, are never flat. In the order of the
+/// Edges whose two faces are coplanar to within `flat_u` and not folded back, and vertices that have only such edges
+/// or also two others in one line. Edges of one face, or of three and more, are never flat. In the order of the
 /// triangles.
 [[nodiscard]] std::vector<FlatFlags> flatFlags(const TriangleMesh& mesh, double flat_u);
 

@@ -21,7 +21,7 @@ std::uint32_t weldedIndex(const std::vector<Vec3>& ordered, const Vec3& v)
   return static_cast<std::uint32_t>(std::lower_bound(ordered.begin(), ordered.end(), v, before) - ordered.begin());
 }
 
-/// True if each edge is walked once in each direction.
+/// True if each edge is traversed once in each direction.
 bool turnedAlike(const TriangleMesh& raw, const TriangleMesh& clean)
 {
   std::vector<Edge> ways;
@@ -50,7 +50,7 @@ struct Moments
   double second = 0.0; ///< trace
 };
 
-/// Of a tetrahedron with one corner at the reference, with the sign of its volume.
+/// A tetrahedron with one corner at the reference, with the sign of its volume.
 void addSolid(Moments& m, const Vec3& a, const Vec3& b, const Vec3& c)
 {
   const double volume = a.dot(b.cross(c)) / 6.0;

@@ -6,22 +6,22 @@
 namespace palpate
 {
 
-/// Weights of a mesh in the distance between two poses, for a mass of one.
+/// The mass metric of a mesh for the distance between two poses, for a mass of one.
 struct MassMetric
 {
   Vec3 centre_W = Vec3::Zero();
   double gyration_u =
-    0.0;              ///< radius of gyration, the mean of the three axes: a turn by w costs as much as a way of w L
-  bool solid = false; ///< by its volume; else by its area
+    0.0;              ///< radius of gyration L, the mean of three axes: a rotation by w weighs as a displacement w L
+  bool solid = false; ///< mass by volume; else by area
 };
 
-/// A closed mesh whose triangles are all turned the same way counts as a solid of even density, anything else as a
-/// sheet of even thickness: open and flat meshes have no volume to weigh. `raw` as it came, since its corners' order is
-/// lost by cleaning; `clean` is the result of cleanMesh and has area.
+/// A closed mesh whose triangles are oriented consistently counts as a solid of uniform density, any other mesh as a
+/// sheet of uniform thickness: open and flat meshes have no volume. `raw`: the mesh as given, since cleaning loses the
+/// order of its corners; `clean` is the result of cleanMesh and has area.
 [[nodiscard]] MassMetric massMetric(const TriangleMesh& raw, const CleanResult& clean);
 
-/// The same about a point where a hand holds it, as a sheet: turns are about that point, and the lever is
-/// sqrt(2/3 mean |p|^2) of all points of its triangles.
+/// The same about the point at which a hand holds the tool, as a sheet: rotations are about that point, and the lever
+/// arm is sqrt(2/3 mean |p|^2) over all points of its triangles.
 [[nodiscard]] MassMetric metricAbout(const TriangleMesh& clean, const Vec3& handle_W);
 
 } // namespace palpate

@@ -32,7 +32,7 @@ double distanceTo(const Line& line, const Vec3& p)
   return (p - line.from - share * along).norm();
 }
 
-/// From one of the corners, from an end of the line, or between an edge and the inside of the line.
+/// Least distance from a corner, from an end of the line, or between an edge and the inside of the line.
 double distanceTo(const Line& line, const std::array<Vec3, 3>& t)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -54,7 +54,7 @@ double distanceTo(const Line& line, const std::array<Vec3, 3>& t)
   return least;
 }
 
-/// The centre of the ball that all vertices are nearest to in the mean: |p|^2 = 2 c.p + (r^2 - |c|^2).
+/// The centre of the ball that fits all vertices best, by least squares: |p|^2 = 2 c.p + (r^2 - |c|^2).
 Line centreOf(const TriangleMesh& mesh, const Vec3& mean)
 {
   Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
@@ -70,8 +70,8 @@ Line centreOf(const TriangleMesh& mesh, const Vec3& mean)
   return { centre, centre };
 }
 
-/// Along the longest direction through the middle of what lies furthest along it and across it, less the radius at
-/// both ends.
+/// The axis in the longest direction, through the middle of the extents along it and across it, shortened by the
+/// radius at both ends.
 Line axisOf(const TriangleMesh& mesh, const Vec3& mean)
 {
   Mat3 spread = Mat3::Zero();
@@ -102,7 +102,7 @@ SimpleShape around(const TriangleMesh& mesh, const Line& line, SimpleShape::Kind
     least = std::min(least, distanceTo(line, corners));
     for (const Vec3& p : corners)
     {
-      most = std::max(most, distanceTo(line, p)); // it is convex: most at a corner
+      most = std::max(most, distanceTo(line, p)); // the distance is convex: largest at a corner
     }
   }
   return { kind, line.from, line.to, 0.5 * (least + most), 0.5 * (most - least) };

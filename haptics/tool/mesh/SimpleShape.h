@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// A ball, or a needle: all that is within a radius of a point or of a piece of a line.
+/// A ball, or a needle: all points within a radius of a point or of a line segment.
 struct SimpleShape
 {
   enum class Kind : std::uint8_t
@@ -20,14 +20,14 @@ struct SimpleShape
   };
 
   Kind kind = Kind::Ball;
-  Vec3 from_B = Vec3::Zero(), to_B = Vec3::Zero(); ///< of the line; of a ball both are its centre
+  Vec3 from_B = Vec3::Zero(), to_B = Vec3::Zero(); ///< ends of the segment; of a ball both are its centre
   double radius_u = 0.0;
-  double bound_u = 0.0; ///< no point of either surface is further from the other
+  double bound_u = 0.0; ///< largest distance of a point of either surface from the other
 };
 
 /// The ball or needle that a closed mesh is to within a share of its radius; nothing: it is neither. The bound is
-/// measured, not estimated: the distance of the line to the mesh is least and most on its triangles, and as the line is
-/// inside of a closed surface, each way straight out of it meets the mesh within these. Builds a tree: not for a tick.
+/// measured, not estimated: the least and the largest distance of the line from the mesh's triangles. As the line is
+/// inside of a closed surface, each ray straight out of it meets the mesh between these. Builds a tree: not for a tick.
 [[nodiscard]] std::optional<SimpleShape> simpleShapeOf(const TriangleMesh& clean, double share);
 
 /// Shape and error bound: a part of a sentence.

@@ -16,11 +16,11 @@ namespace
 
 constexpr std::size_t mostTriangles = 250000;
 constexpr double furthestHandle = 10.0;   // diagonals of the tool: a turn by a degree moves it by a sixth of its size
-constexpr double furthestParts = 10.0;    // times what the parts measure together
+constexpr double furthestParts = 10.0;    // times the sum of the diagonals of the parts
 constexpr double furthestDiagonals = 1e6; // 64 roundings of such a coordinate are an eighth of the rest gap
-constexpr double simpleShare = 0.02;      // of its radius: a third of what a hand feels of a force
-constexpr double bytesATriangle = 190.0;  // boxes, corners, flags of a tool, and as much of what is built on the way
-constexpr double flatShare = 0.1;         // of the rest gap: what bends less is no feature that is felt
+constexpr double simpleShare = 0.02;      // of its radius: a third of the just noticeable difference of a force
+constexpr double bytesATriangle = 190.0;  // boxes, corners, flags of a tool, and as much for temporary data
+constexpr double flatShare = 0.1;         // of the rest gap: a smaller bend is no feature that is felt
 
 bool allFinite(const TriangleMesh& mesh)
 {
@@ -42,7 +42,7 @@ Eigen::AlignedBox3d boundsOf(const TriangleMesh& mesh)
   return bounds;
 }
 
-/// For each vertex the first one of its part.
+/// For each vertex the first vertex of its part.
 std::vector<std::uint32_t> partsOf(const TriangleMesh& mesh)
 {
   DisjointSets parts(mesh.vertices_W.size());
@@ -54,7 +54,7 @@ std::vector<std::uint32_t> partsOf(const TriangleMesh& mesh)
   return parts.all();
 }
 
-/// The diagonals of all parts together.
+/// The sum of the diagonals of all parts.
 double partsMeasure_u(const TriangleMesh& mesh)
 {
   const std::vector<std::uint32_t> part = partsOf(mesh);
@@ -133,7 +133,7 @@ Outcome<ToolMesh> makeTool(const TriangleMesh& raw, const std::optional<Vec3>& h
   {
     v -= metric.centre_W;
   }
-  CleanResult body = cleanMesh(moved); // far from the origin the shift rounds, and what is left of slivers must be seen
+  CleanResult body = cleanMesh(moved); // far from the origin the shift rounds, and slivers that vanish must be detected
   if (!body.ok())
   {
     result.problem =

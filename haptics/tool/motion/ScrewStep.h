@@ -6,8 +6,8 @@
 namespace palpate
 {
 
-/// A small motion of the tool from a pose: its centre goes by v, straight and evenly, while it turns by w, evenly about
-/// its centre. Of a share s of it: centre + s v, turned by exp(s w).
+/// A small motion of the tool from a pose: its centre moves by v on a straight line while it rotates by w about
+/// its centre, both at constant speed. At a share s of it: centre + s v, rotated by exp(s w).
 struct ScrewStep
 {
   Pose from_W;
@@ -16,7 +16,7 @@ struct ScrewStep
 
   [[nodiscard]] Mat3 turn(double share) const noexcept { return turnBy(share * this->w_W).toRotationMatrix(); }
   [[nodiscard]] Vec3 centre_W(double share) const noexcept { return this->from_W.p + share * this->v_W; }
-  /// No point of a tool of this reach goes further [u].
+  /// Upper bound of the displacement of any point of a tool of this reach [u].
   [[nodiscard]] double displacement_u(double reach_u) const noexcept
   {
     return this->v_W.norm() + this->w_W.norm() * reach_u;

@@ -37,7 +37,7 @@ Quat turnBy(const Vec3& turn_rad) noexcept
   const Vec3 half = 0.5 * turn_rad;
   const double h2 = half.squaredNorm();
   double cosineTerm = 1.0, cosine = 1.0, sineTerm = 1.0, sine = 1.0;
-  constexpr double nothing = 1e-20; // beside one
+  constexpr double nothing = 1e-20; // negligible beside one
   for (int k = 1; k <= terms && std::abs(cosineTerm) > nothing; ++k)
   {
     cosineTerm *= -h2 / ((2 * k - 1) * (2 * k));

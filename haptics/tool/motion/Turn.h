@@ -6,8 +6,8 @@
 namespace palpate
 {
 
-/// The rotation vector of a unit quaternion [rad], its length in [0, pi]. Of q and -q the same. Real-time safe: by
-/// square roots and a series, so that the bits are those of every machine.
+/// The rotation vector of a unit quaternion [rad], its length in [0, pi]. Equal for q and -q. Real-time safe: by
+/// square roots and a series, so that the bits are the same on every machine.
 [[nodiscard]] Vec3 rotationVector(const Quat& q) noexcept;
 
 /// The unit quaternion of a rotation vector [rad] of at most pi. Real-time safe, likewise.

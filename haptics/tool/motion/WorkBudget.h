@@ -7,8 +7,8 @@
 namespace palpate
 {
 
-/// Work that may still be done: a budget in time would give other poses on every machine. The unit is what a pair of
-/// boxes costs that is visited, about 50 ns on a core of 2020; see work_price.
+/// Work that may still be done: a budget in time would give other poses on every machine. The unit is the cost of a
+/// pair of boxes that is visited, about 50 ns on a core of 2020; see work_price.
 class WorkBudget
 {
 public:
@@ -27,17 +27,17 @@ private:
   std::uint64_t left_;
 };
 
-/// What else costs, in units, as it was measured.
+/// Measured costs of other operations, in units.
 namespace work_price
 {
 constexpr std::uint64_t span = 8;        ///< a test of a part of a step of two triangles
 constexpr std::uint64_t leafPlane = 8;   ///< the search for a plane between two leaves
-constexpr std::uint64_t plan = 16;       ///< a step that is planned; and
+constexpr std::uint64_t plan = 16;       ///< planning a step; and
 constexpr std::uint64_t planOfRow = 4;   ///< for each of its rows
-constexpr std::size_t looksPerUnit = 8;  ///< looks at a pair's key
-constexpr std::size_t planesPerUnit = 3; ///< planes between boxes that are asked for a gap
-constexpr std::uint64_t gap = 1;         ///< the gap that a known plane shows
-constexpr std::uint64_t touching = 2;    ///< two triangles that are asked for what touches
+constexpr std::size_t looksPerUnit = 8;  ///< comparisons of a pair's key
+constexpr std::size_t planesPerUnit = 3; ///< evaluations of a plane between boxes
+constexpr std::uint64_t gap = 1;         ///< the gap along a known plane
+constexpr std::uint64_t touching = 2;    ///< the search for features of two triangles that touch
 } // namespace work_price
 
 } // namespace palpate

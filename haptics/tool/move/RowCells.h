@@ -11,8 +11,8 @@
 namespace palpate
 {
 
-/// Numbers of rows by the place of their points, in cells of a hashed grid (Teschner et al. 2003): in a fit that is
-/// touched all around there are a thousand, and each must be told from all others.
+/// Numbers of rows by the position of their points, in cells of a hashed grid (Teschner et al. 2003): a fit that
+/// touches all around has a thousand rows, and each must be compared with all others.
 class RowCells
 {
 public:
@@ -23,14 +23,14 @@ public:
     this->heads_.fill(none);
     this->next_.clear();
   }
-  /// The next row, whose number is how many there are already.
+  /// Adds a row, whose number is the count so far.
   void add(const Vec3& p)
   {
     std::uint32_t& head = this->heads_[slotOf(this->cellOf(p))];
     this->next_.push_back(head);
     head = static_cast<std::uint32_t>(this->next_.size() - 1);
   }
-  /// True if the question is true of a row whose point may lie that near.
+  /// True if the question is true for a row whose point may lie within that distance.
   template<class Question>
   [[nodiscard]] bool any(const Vec3& p, double within_u, Question question) const
   {

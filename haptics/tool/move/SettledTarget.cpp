@@ -14,11 +14,11 @@ namespace
 
 constexpr int mostExchanges = 60, sweeps = 8;
 constexpr double settled = 1e-11; // of the wish
-/// What rubs at each contact of a set, along its tangents.
+/// Friction at each contact of a set, along its tangents.
 using Rubbing = std::array<Eigen::Vector2d, ToolContacts::capacity>;
 
-/// What rubs for given pushes: forces within the discs for which the motion with them is least, sought from those of
-/// before on. Returns their sum.
+/// Friction for given normal forces: forces within the discs for which the motion with them is least, starting from
+/// the previous ones. Returns their sum.
 Vec6 rub(
   const ToolContacts& set, const AllowedMotion& pushed, const Vec6& without, double friction, Rubbing& forces) noexcept
 {

@@ -14,8 +14,8 @@ constexpr double largestDip = 0.3;      // of the rest gap: half of it is spare
 constexpr double dipOfBend = 0.25;      // f'' / 8 in the middle of a step that ends f'' / 2 off its line
 constexpr int corrections = 2;
 
-/// The least that a row's line may rise by over the step, for a gap that also bends by bend_u. The gap ends at the rest
-/// gap. A gap that bends away from the scene may come nearer on the way by no more than its dip; a pair that has less
+/// The least rise of a row's line over the step, for a gap that also bends by bend_u. The gap ends at the rest
+/// gap. A gap that bends away from the scene may shrink during the step by no more than its dip; a pair that has less
 /// than that to spare has to rise along its line at once, because a pair at the proven gap whose line does not rise
 /// could not be proven over the start of any step, and the tool would never leave.
 double leastRise_u(double gap_u, double bend_u, double restGap_u)
@@ -26,7 +26,7 @@ double leastRise_u(double gap_u, double bend_u, double restGap_u)
   {
     return least_u;
   }
-  // gap + r s + bend s^2 is least at s = -r / (2 bend), within the step where the bend is larger than what is spare.
+  // gap + r s + bend s^2 is least at s = -r / (2 bend), within the step if the bend is larger than the spare part.
   return std::max(least_u, spare_u > 0.0 ? -2.0 * std::sqrt(bend_u * spare_u) : -spare_u);
 }
 
@@ -49,7 +49,7 @@ NearestMotion StepPlan::solve(const Vec6& wish, const std::vector<double>& bends
   NearestMotion found = nearestMotion(rows, wish);
   if (!found.feasible)
   {
-    for (MotionRow& row : rows) // a fit with less room than two rest gaps: to stay is always allowed
+    for (MotionRow& row : rows) // a fit with less clearance than two rest gaps: to stay is always allowed
     {
       row.bound = std::min(row.bound, 0.0);
     }
@@ -77,7 +77,7 @@ std::vector<double> StepPlan::bendsOf(const ScrewStep& step) const
   return bends_u;
 }
 
-/// How much of a step its lengths and the bends of its rows allow.
+/// The share of a step that its lengths and the bends of its rows allow.
 double StepPlan::shareAllowed(const ScrewStep& step) const
 {
   const double turn_rad = step.w_W.norm(), way_u = step.displacement_u(this->limits_.reach_u);
@@ -90,7 +90,7 @@ double StepPlan::shareAllowed(const ScrewStep& step) const
   for (std::size_t i = 0; i < bends_u.size(); ++i)
   {
     const double dip = dipOfBend * bends_u[i];
-    // What does not touch yet comes down by its gap on the way, which leaves room for a dip before its end.
+    // A feature that does not touch yet approaches by its gap, which allows a dip before the end of the step.
     const double spare =
       dipOfBend * (planeAt(this->rows_[i].feature, turn, this->from_W_.p).gap_u - this->limits_.restGap_u);
     const double most = std::max(largestDip * this->limits_.restGap_u, spare);

@@ -8,25 +8,25 @@
 namespace palpate
 {
 
-/// How far a step may go.
+/// Limits of a step.
 struct StepLimits
 {
   double characteristic_u = 1.0;
   double reach_u = 1.0;
   double restGap_u = 0.0;
-  double room_u = 0.0; ///< that the list of near pairs leaves
+  double room_u = 0.0; ///< motion for which the list of near pairs is complete
 };
 
-/// A step that is worth proving.
+/// A step for the proof.
 struct PlannedStep
 {
   ScrewStep step;
-  Vec6 full = Vec6::Zero();      ///< the target motion within the rows: the step is a part of it, and bent
-  std::vector<double> pressures; ///< of the rows, in the metric in which a way of 1 u costs 1
+  Vec6 full = Vec6::Zero();      ///< the target motion within the rows: the step is a part of it, corrected for bends
+  std::vector<double> pressures; ///< of the rows, in the metric in which a displacement of 1 u costs 1
 };
 
-/// The nearest motion that all rows allow, shortened until their planes hold as planes: a row's gap may curve away from
-/// its line by so much that the rest gap makes up for it, and ends where it should by two corrections.
+/// The nearest motion that all rows allow, shortened until its linear rows are accurate: a row's gap may curve away
+/// from its line by no more than the rest gap allows, and two corrections make the gap end at its bound.
 class StepPlan
 {
 public:

@@ -14,7 +14,7 @@ namespace
 
 constexpr double mayBeLost = 0.2; // of a gap that is too small already
 
-/// The best of the two triangles' own planes.
+/// The larger gap along the planes of the two triangles.
 double gapByFaces(const Corners& tool_W, const Corners& scene_W)
 {
   double best = -std::numeric_limits<double>::infinity();
@@ -44,7 +44,7 @@ public:
       return std::move(this->verdict_);
     }
     this->near_.setStep(this->step_, this->task_.way_u);
-    static_cast<void>(this->budget_.spend(this->collect() * work_price::gap)); // each doubt asks
+    static_cast<void>(this->budget_.spend(this->collect() * work_price::gap)); // each doubtful pair checks the budget
     for (const DoubtfulPair& doubt : this->verdict_.doubtful)
     {
       if (this->verdict_.share <= 0.0)
@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  /// Returns how many gaps it asked for.
+  /// Returns the number of gaps that it computed.
   std::uint64_t collect()
   {
     std::vector<DoubtfulPair>& doubtful = this->verdict_.doubtful;
@@ -86,7 +86,7 @@ private:
     return asked;
   }
 
-  /// Known to be so far away that no step of this length brings it near.
+  /// True if the pair is known to be so far away that no step of this length brings it near.
   template<class AnyPair>
   [[nodiscard]] bool farEnough(const AnyPair& pair) const
   {
@@ -103,7 +103,7 @@ private:
     }
   }
 
-  /// What the plane of the last time says; without one nothing.
+  /// The gap along the pair's last plane; without a plane no gap.
   [[nodiscard]] SpanGap gapOf(std::uint32_t index)
   {
     const NearTriangles& pair = this->near_.triangles()[index];
@@ -130,7 +130,7 @@ private:
     return gap.leastUntil(this->verdict_.share) >= this->clearance_.gap_u;
   }
 
-  /// What is left of the share where a known plane has to do, because there is no work left to look for another.
+  /// The part of the share that a known plane proves, because no work is left to search for another plane.
   [[nodiscard]] double shareBy(const SpanGap& known) const
   {
     double share = this->verdict_.share;
@@ -195,16 +195,16 @@ private:
     }
   }
 
-  /// How a pair stands where the step begins.
+  /// A pair at the start of the step.
   struct Start
   {
     Clearance clearance;
-    double gap_u = 0.0;                 ///< at the least
-    std::optional<NearestPair> nearest; ///< where it had to be asked for
+    double gap_u = 0.0;                 ///< lower bound
+    std::optional<NearestPair> nearest; ///< if it had to be computed
   };
 
-  /// A pair that stands nearer than the gap already may lose a fifth of what it has. Whether it does is seen by a plane
-  /// of one of the two in most cases.
+  /// A pair that is nearer than the gap already may lose a fifth of its distance. In most cases a plane of one of the
+  /// two triangles shows whether it is.
   [[nodiscard]] Start startOf(const MovingPair& moving, double knownGap_u) const
   {
     const double plenty_u = this->clearance_.gap_u / (1.0 - mayBeLost);
@@ -229,7 +229,7 @@ private:
   Clearance clearance_;
   WorkBudget& budget_;
   Span whole_;
-  Mat3 start_; ///< how the tool is turned where the step begins
+  Mat3 start_; ///< rotation of the tool at the start of the step
   StepVerdict verdict_;
 };
 

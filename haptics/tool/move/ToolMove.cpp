@@ -13,30 +13,30 @@ namespace palpate
 namespace
 {
 
-constexpr double provenGap = 0.5;    // of the rest gap; the other half pays for dips
+constexpr double provenGap = 0.5;    // of the rest gap; the other half allows for dips
 constexpr double endOfMotion = 0.05; // of the rest gap
 constexpr double leastMargin = 16.0; // rest gaps
-constexpr double marginOfWay = 1.5;  // times what an update usually moves
-constexpr double marginGrowth = 1.4; // for each gathering within an update; twice overshoots as badly as once
-constexpr double roomLeft = 0.4;     // of the margin: with less it gathers
+constexpr double marginOfWay = 1.5;  // times the usual motion in an update
+constexpr double marginGrowth = 1.4; // for each gathering within an update; a factor of 2 overshoots
+constexpr double roomLeft = 0.4;     // of the margin: with less left the pairs are gathered anew
 constexpr int mostSteps = 60, mostRounds = 12, idleSteps = 2;
-/// Of the work of updates that leave a tool where it is: a step in a fit all around costs many times the usual work
-/// before its first plane is looked for, and a tool with less would stand still for good.
+/// Most doublings of the work after updates that leave a tool where it is: a step in a close fit costs many times the
+/// usual work before the first plane is searched, and a tool with less work would stand still for good.
 constexpr int mostDoublings = 5;
-constexpr double widestCircle = 16.0; // rest gaps that steps which lead back to where they began go at rest
-constexpr double worthMoving = 0.25;  // of a step: with less the rows in the way are added first
+constexpr double widestCircle = 16.0; // rest gaps: path length of steps in a circle that count as rest
+constexpr double worthMoving = 0.25;  // of a step: with less the blocking rows are added first
 
-/// Tells whether a tool's steps lead back to where it was: contacts that take turns may push it round for ever.
+/// Detects that a tool's steps lead back to an earlier pose: contacts that take turns may push it round for ever.
 class Circle
 {
 public:
   Circle(const Pose& pose_W, double way_u, double reach_u) : reach_u_(reach_u) { this->remember(pose_W, way_u); }
 
-  /// How long the way back to the remembered pose was; 0: it did not lead back. The pose that is remembered changes
+  /// Length of the path back to the remembered pose; 0: it did not lead back. The pose that is remembered changes
   /// after twice as many steps each time, so that a circle of any length is found (Brent 1980).
   double close(const Pose& pose_W, double way_u)
   {
-    constexpr double same = 0.01; // of the way gone
+    constexpr double same = 0.01; // of the path length
     const double gone_u = way_u - this->way_u_;
     const double apart_u =
       (pose_W.p - this->pose_W_.p).norm() + turnFromTo(this->pose_W_.q, pose_W.q).norm() * this->reach_u_;
@@ -85,13 +85,13 @@ std::string ToolMove::place(const Pose& pose_W)
   unit_W.q.normalize();
   PairFront front(*this->tool_.shape_B, *this->scene_W_, this->restGap_u_);
   WorkBudget unlimited(std::numeric_limits<std::uint64_t>::max());
-  static_cast<void>(front.gather(unit_W, leastMargin * this->restGap_u_, unlimited)); // it cannot run out
+  static_cast<void>(front.gather(unit_W, leastMargin * this->restGap_u_, unlimited)); // the budget cannot run out
   this->near_.forget();
   this->near_.rebuild(front.near(), front.way_u(), front.margin_u());
   if (!standsFree(this->near_, unit_W, front.way_u(), provenGap * this->restGap_u_))
   {
     this->near_.forget();
-    this->gathering_ = true; // the list is made anew for where the tool stands
+    this->gathering_ = true; // the list is gathered anew for the pose of the tool
     return "the tool overlaps the scene at its start: start at a free position";
   }
   this->front_.emplace(std::move(front));
@@ -146,7 +146,7 @@ ToolUpdate ToolMove::update(const Pose& device_W, std::uint64_t work)
   {
     last = this->advance(device_W, budget);
     ++done.steps;
-    // Poses that differ by a few rest gaps, among which contacts take turns, are one place of rest.
+    // Poses within a few rest gaps, among which contacts take turns, are one position of rest.
     const double closed_u = circle.close(this->pose_W_, this->front_->way_u());
     const bool round = closed_u > endOfMotion * this->restGap_u_ && closed_u < widestCircle * this->restGap_u_;
     last = last == Advance::Moved && round ? Advance::Rests : last;
@@ -163,8 +163,8 @@ ToolUpdate ToolMove::update(const Pose& device_W, std::uint64_t work)
   return done;
 }
 
-/// How far the next list of near pairs will have to reach: as far as the hand usually goes in an update. A tool that is
-/// behind goes on with the margin that it has come to, for it has further to go than the hand.
+/// Sets how far the next list of near pairs has to reach: as far as the hand usually moves in an update. A tool that is
+/// behind keeps its present margin, for it has further to go than the hand.
 void ToolMove::expect(const Pose& device_W)
 {
   constexpr double forgets = 0.8; // in an update
@@ -176,7 +176,7 @@ void ToolMove::expect(const Pose& device_W)
   this->margin_u_ = this->behind_ ? std::max(usual_u, this->margin_u_) : usual_u;
 }
 
-/// Plans a step and proves it; what blocks it early becomes a row, and it is planned again.
+/// Plans a step and proves it; a pair that blocks it early becomes a row, and the step is planned again.
 ToolMove::ProvenStep ToolMove::planProven(const Vec6& wish, WorkBudget& budget)
 {
   const StepLimits limits{ this->characteristic_u_, this->tool_.reach_u, this->restGap_u_, this->front_->room_u() };
@@ -204,8 +204,8 @@ ToolMove::ProvenStep ToolMove::planProven(const Vec6& wish, WorkBudget& budget)
   return found;
 }
 
-/// Where the device would have to be for a tool without friction to go where this one goes. How far the hand itself
-/// leads is told.
+/// The device pose for which a tool without friction would move as this one does. `leadCut_` is about the hand
+/// itself.
 ToolMove::Lead ToolMove::lead(const Pose& device_W, WorkBudget& budget)
 {
   Lead led{ device_W, wishedMotion(this->pose_W_, device_W, this->characteristic_u_, this->leadCut_) };
@@ -213,7 +213,7 @@ ToolMove::Lead ToolMove::lead(const Pose& device_W, WorkBudget& budget)
   {
     const ToolContacts set = this->contacts();
     const SettledTarget rubbed = settledTarget(set, led.wish, this->friction_);
-    static_cast<void>(budget.spend(rubbed.rounds * std::uint64_t{ set.count })); // the proof asks
+    static_cast<void>(budget.spend(rubbed.rounds * std::uint64_t{ set.count })); // the proof checks the budget
     led.device_W = { this->pose_W_.p + rubbed.wish.head<3>(),
       (turnBy(rubbed.wish.tail<3>() / this->characteristic_u_) * this->pose_W_.q).normalized() };
     bool cut = false;
@@ -229,7 +229,7 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
     return Advance::Spent;
   }
   this->rows_.findTouching(this->near_, this->pose_W_, this->front_->way_u());
-  static_cast<void>(budget.spend(work_price::touching * this->rows_.asked())); // the proof asks
+  static_cast<void>(budget.spend(work_price::touching * this->rows_.asked())); // the proof checks the budget
   const Lead led = this->lead(device_W, budget);
   const ProvenStep found = this->planProven(led.wish, budget);
   if (found.rests)
@@ -250,7 +250,7 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
   return budget.left() > 0 ? Advance::Moved : Advance::Spent;
 }
 
-/// How much of a proven step to take: where the sum of distance and pressed gaps is least on it, by the parabola
+/// The share of a proven step to take: where the sum of distance and pressed gaps is least on it, by the parabola
 /// through its slope at the start and its value at the end. The whole step may overshoot where contacts curve.
 double ToolMove::usefulShare(const PlannedStep& planned, const ScrewStep& step, const Pose& device_W)
 {
@@ -271,7 +271,7 @@ double ToolMove::usefulShare(const PlannedStep& planned, const ScrewStep& step, 
   const double slope = 2.0 * whitened(step.v_W, step.w_W, this->characteristic_u_).dot(planned.full);
   const double best = change + slope > 0.0 ? slope / (2.0 * (change + slope)) : 1.0;
   const double share = best > 0.0 && best < nearlyAll ? best : 1.0;
-  const double taken = share * ((change + slope) * share - slope); // the parabola where the step will end
+  const double taken = share * ((change + slope) * share - slope); // the parabola at the end of the step
   constexpr double rounding = 1e-14;
   this->idle_ = taken > -rounding * before ? this->idle_ + 1 : 0;
   return share;

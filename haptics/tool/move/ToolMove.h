@@ -12,19 +12,19 @@
 namespace palpate
 {
 
-/// What an update did.
+/// The result of an update.
 struct ToolUpdate
 {
   bool converged = false; ///< the pose is the nearest one to the device's that can be reached
-  bool spent = false;     ///< it ended because the work was used up; the next update goes on
+  bool spent = false;     ///< the work was used up; the next update goes on
   bool blocked = false;   ///< no step could be proven, although the nearest pose may be elsewhere
-  bool refused = false;   ///< the device's pose is none: nothing was done
-  bool leadCut = false;   ///< the device is turned further ahead than the tool is led
+  bool refused = false;   ///< the pose of the device is invalid: nothing was done
+  bool leadCut = false;   ///< the rotation to the device is larger than the largest lead
   int steps = 0;
   std::uint64_t work = 0;
 };
 
-/// Told each step that the tool really makes: for tests that judge it.
+/// Receives each step that the tool really makes: for tests that judge it.
 class StepSink
 {
 public:
@@ -32,37 +32,37 @@ public:
   virtual void step(const ScrewStep& step, double share) = 0;
 };
 
-/// The pose of a rigid tool among triangles that stand still: it goes to the pose nearest to the device's, in the
-/// metric |way|^2 + lever^2 |turn|^2, that it can reach without meeting anything. Each pose that it takes and each way
-/// between two is proven, by planes, to be free; what is not proven is not done. So nothing is ever passed, from no
-/// side of sheets and soups either, and an update may end anywhere.
+/// The pose of a rigid tool among fixed triangles: it goes to the pose nearest to the device's, in the
+/// metric |displacement|^2 + lever^2 |rotation|^2, that it can reach without meeting a triangle. Each pose and each
+/// path between two poses is proven to be free by separating planes; an unproven motion is not made. So the tool never
+/// passes through a surface, from either side of sheets and soups, and an update may end anywhere.
 ///
-/// Constraint-based motion as Ortega, Redon & Coquillart (2007) have it; the proofs are bounds of interpolation instead
+/// Constraint-based motion after Ortega, Redon & Coquillart (2007); the proofs are bounds of interpolation instead
 /// of roots of polynomials. Not real-time safe: an update belongs on a thread of its own.
 class ToolMove
 {
 public:
-  /// `scene_W` as makeToolScene has it for this tool. `characteristic_u`: what a turn of 1 rad weighs as a way.
+  /// `scene_W`: of makeToolScene() for this tool. `characteristic_u`: lever arm between rotations and displacements.
   ToolMove(const ToolMesh& tool, std::shared_ptr<const BoxedMesh> scene_W, double characteristic_u);
 
   /// Puts the tool at a pose. Refused in words where it would touch or meet the scene there; then nothing has changed.
   [[nodiscard]] std::string place(const Pose& pose_W);
   [[nodiscard]] bool placed() const noexcept { return this->front_.has_value(); }
-  /// Moves towards the device with at most so much work (WorkBudget); after an update that this was not enough for to
-  /// prove any step, twice as much, so that it never stays where it is for want of work. Only after place().
+  /// Moves towards the device with at most `work` units (WorkBudget); after an update whose work was not enough
+  /// to prove any step, twice as much, so that a lack of work never stops it for good. Only after place().
   ToolUpdate update(const Pose& device_W, std::uint64_t work);
 
   [[nodiscard]] const Pose& pose_W() const noexcept { return this->pose_W_; }
-  /// What touches at the pose, found by the last update that was not out of work.
+  /// The features that touch at the pose, found by the last update that had enough work.
   [[nodiscard]] const std::vector<TouchRow>& rows() const noexcept { return this->rows_.rows(); }
   [[nodiscard]] const ToolMesh& tool() const noexcept { return this->tool_; }
-  /// For the servo: the newest pose and what touches there.
+  /// For the servo: the newest pose and its contacts.
   [[nodiscard]] ToolContacts contacts() const;
-  /// It stands elsewhere among the triangles: they were moved, and it was proven that nothing met on the way.
+  /// Puts the tool at another pose relative to the triangles, which moved on a path that was proven to be free.
   void stand(const Pose& pose_W);
-  /// Of each contact from now on (see settledTarget); 0: none.
+  /// Friction coefficient of each contact from now on (see settledTarget); 0: none.
   void rub(double friction) noexcept { this->friction_ = friction; }
-  /// Null: nobody.
+  /// Null: no observer.
   void watch(StepSink* sink) noexcept { this->sink_ = sink; }
 
 private:
@@ -77,7 +77,7 @@ private:
   struct Lead
   {
     Pose device_W;
-    Vec6 wish; ///< to it, whitened
+    Vec6 wish; ///< whitened motion to that pose
   };
   [[nodiscard]] Lead lead(const Pose& device_W, WorkBudget& budget);
   [[nodiscard]] bool makeScratch(WorkBudget& budget);
@@ -85,7 +85,7 @@ private:
   {
     PlannedStep planned;
     StepVerdict verdict;
-    bool rests = false; ///< the rows leave nothing of the wish
+    bool rests = false; ///< the rows allow no motion
   };
   [[nodiscard]] ProvenStep planProven(const Vec6& wish, WorkBudget& budget);
   [[nodiscard]] Advance advance(const Pose& device_W, WorkBudget& budget);
@@ -102,10 +102,10 @@ private:
   NearPairs near_;
   TouchRows rows_;
   Pose device_W_;           ///< of the last update
-  double usualWay_u_ = 0.0; ///< of the hand in an update
+  double usualWay_u_ = 0.0; ///< motion of the hand in an update
   double margin_u_ = 0.0;   ///< for the next gathering
-  int idle_ = 0;            ///< steps on end that brought nothing
-  int starved_ = 0;         ///< updates on end whose work was not enough for a step: the next one gets twice that
+  int idle_ = 0;            ///< consecutive steps without progress
+  int starved_ = 0;         ///< consecutive updates without enough work for a step: the next one gets twice that
   bool gathering_ = false;
   bool behind_ = false; ///< the last update did not come to rest
   bool leadCut_ = false;

@@ -12,7 +12,7 @@ namespace
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 constexpr int mostTurns = 12; // of both, in an update
-constexpr double still = 1.0; // rest gaps: who goes no further stays
+constexpr double still = 1.0; // rest gaps: a smaller motion is none
 
 Pose relative(const Pose& frame_W, const Pose& pose_W)
 {
@@ -27,7 +27,7 @@ Mat3 crossing(const Vec3& v)
   return m;
 }
 
-/// How a body yields to a wrench about its centre.
+/// Compliance of a body to a wrench about its centre.
 Mat6 compliance(const ToolPair::Hold& hold)
 {
   Vec6 diagonal = Vec6::Constant(1.0 / hold.stiffness_N_per_u);
@@ -35,7 +35,7 @@ Mat6 compliance(const ToolPair::Hold& hold)
   return diagonal.asDiagonal();
 }
 
-/// The motion to the hand, its turn in rad.
+/// The motion to the hand, its rotation in rad.
 Vec6 wishOf(const Pose& pose_W, const Pose& hand_W)
 {
   bool cut = false;
@@ -47,8 +47,8 @@ Pose moved(const Pose& pose_W, const Vec6& motion)
   return { pose_W.p + motion.head<3>(), (turnBy(motion.tail<3>()) * pose_W.q).normalized() };
 }
 
-/// Of a contact in the frame of the other tool: the row of a motion of one as the other sees it, about the centre of
-/// the one.
+/// The row of a contact in the frame of the other tool, for the motion of the one relative to the other, about the
+/// centre of the one.
 Vec6 rowOf(const ToolContact& contact, const Quat& other_W)
 {
   const Vec3 n_W = other_W * contact.n_W, arm_W = other_W * contact.arm_W;
@@ -78,12 +78,12 @@ std::string ToolPair::place(const Poses& poses_W)
   return refusal;
 }
 
-/// The dual of both: what pushes them apart is one wrench, under which the motion of one as the other sees it is the
+/// The dual problem of both: one wrench pushes the tools apart, under which their relative motion is the
 /// nearest to the wished one that the contacts allow, in the sum of both compliances.
 ToolPair::Motion ToolPair::nearestOfBoth(const Poses& hands_W) const
 {
   const Vec6 one = wishOf(this->poses_W_[0], hands_W[0]), other = wishOf(this->poses_W_[1], hands_W[1]);
-  Mat6 carry = Mat6::Identity(); // a motion of the other, about the centre of the one
+  Mat6 carry = Mat6::Identity(); // takes a motion of the other to the centre of the one
   carry.topRightCorner<3, 3>() = -crossing(this->poses_W_[0].p - this->poses_W_[1].p);
   const Mat6 ofOne = compliance(this->holds_[0]), ofOther = compliance(this->holds_[1]);
   const Eigen::LLT<Mat6> whitening(ofOne + carry * ofOther * carry.transpose());
@@ -108,7 +108,7 @@ ToolPair::Motion ToolPair::nearestOfBoth(const Poses& hands_W) const
   return motion;
 }
 
-/// One goes while the other stands still. What it proves holds for the other one, too.
+/// One tool moves while the other stands still. The proof holds for the other one, too.
 void ToolPair::move(std::size_t tool, const Pose& goal_W, std::uint64_t work)
 {
   const std::size_t other = 1 - tool;

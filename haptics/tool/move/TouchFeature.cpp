@@ -34,7 +34,7 @@ public:
   {
   }
 
-  /// How far apart they are by the best plane of one of the two.
+  /// The larger gap along the planes of the two triangles.
   [[nodiscard]] double facesApart_u() const
   {
     const Corners &tool = this->pair_.tool_W, &scene = this->pair_.scene_W;
@@ -103,7 +103,7 @@ private:
     {
       return;
     }
-    // The order of the two directions is such that their product leads out of the scene.
+    // The signs of the two directions are such that their cross product points out of the scene.
     const Vec3 along = gap < 0.0 ? Vec3(-u) : u;
     n = gap < 0.0 ? Vec3(-n) : n;
     this->add({ TouchFeature::Kind::EdgeOnEdge, this->toBody(onTool), this->turn_.transpose() * along.normalized(),

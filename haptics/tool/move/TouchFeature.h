@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// Two features that are near one another, one of the tool and one of the scene, so that their gap can be told for
+/// Two features that are near one another, one of the tool and one of the scene, so that their gap can be computed for
 /// every pose of the tool.
 struct TouchFeature
 {
@@ -23,12 +23,12 @@ struct TouchFeature
 
   Kind kind = Kind::CornerOnFace;
   Vec3 point_B = Vec3::Zero();     ///< a point of the tool's feature
-  Vec3 direction_B = Vec3::Zero(); ///< its plane's normal, out of the scene, or its edge's direction
-  Vec3 point_W = Vec3::Zero();     ///< the same of the scene's
+  Vec3 direction_B = Vec3::Zero(); ///< normal of its plane, out of the scene, or direction of its edge
+  Vec3 point_W = Vec3::Zero();     ///< the same for the scene's feature
   Vec3 direction_W = Vec3::Zero();
 };
 
-/// What a feature is at a pose: moving by v and turning by w changes its gap by n . (v + w x arm), to first order.
+/// A feature at a pose: a displacement v and a rotation w change its gap by n . (v + w x arm), to first order.
 struct TouchPlane
 {
   Vec3 n_W = Vec3::UnitZ();  ///< unit, from the scene to the tool
@@ -38,7 +38,7 @@ struct TouchPlane
 
 [[nodiscard]] TouchPlane planeAt(const TouchFeature& feature, const Mat3& turn, const Vec3& centre_W) noexcept;
 
-/// Two triangles where the tool stands, with what is known of their edges and corners.
+/// Two triangles at the pose of the tool, with the flags of their edges and corners.
 struct PosedPair
 {
   Corners tool_W, scene_W;
@@ -47,11 +47,11 @@ struct PosedPair
 
 /// Appends the features of two triangles that are within a distance, face to face: a corner above the inside of a face
 /// or an edge across an edge. One is taken only if its normal separates the two triangles as a whole: the plane of a
-/// neighbouring triangle must not hold anything. Returns a bound of how far apart the two are, as far as that was seen.
+/// neighbouring triangle must not stop the tool. Returns a lower bound of their distance, as far as it was computed.
 double appendFeatures(
   const PosedPair& pair, const Mat3& turn, const Vec3& centre_W, double within_u, std::vector<TouchFeature>& features);
 
-/// The plane between the nearest points, fixed in the scene: for pairs that nothing else separates.
+/// The plane between the nearest points, fixed in the scene: for pairs that no other plane separates.
 [[nodiscard]] TouchFeature nearestFeature(
   const Corners& tool_W, const Corners& scene_W, const Mat3& turn, const Vec3& centre_W);
 

@@ -16,7 +16,7 @@ constexpr double blockingWithin = 2.0;
 constexpr double cellOfRows = 32.0; // rest gaps
 constexpr std::size_t mostDeep = 8; // pairs beside the one that blocks
 
-/// True if the plane of two leaves says that they are further apart.
+/// True if the plane between two leaves shows a larger gap.
 bool showsMore(NearPairs& near, LeafPair& pair, double gap_u)
 {
   if (pair.n_W.isZero())
@@ -152,7 +152,7 @@ bool TouchRows::add(const TouchFeature& feature, const Place& place)
   row.plane = planeAt(feature, place.turn, place.centre_W);
   row.offset_u = row.plane.gap_u;
   row.offset_u = 2.0 * row.plane.gap_u - row.linear_u(place.made);
-  constexpr double sameDirection = 1e-7; // radians: a row for each would only repeat what the other says
+  constexpr double sameDirection = 1e-7; // radians: rows that differ less would repeat one another
   const bool known = this->cells_->any(row.plane.arm_W, this->restGap_u_,
     [&](std::uint32_t number)
     {

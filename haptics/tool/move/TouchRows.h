@@ -11,12 +11,12 @@
 namespace palpate
 {
 
-/// A touched feature, linear in the step that is to be made: its gap is offset_u + n . (v + w x arm).
+/// A feature that touches, linear in the step to be made: its gap is offset_u + n . (v + w x arm).
 struct TouchRow
 {
   TouchFeature feature;
-  TouchPlane plane;      ///< where the feature was found; its gap is the one there
-  double offset_u = 0.0; ///< gap for a step of zero, where the feature was found: the gap that the tool has
+  TouchPlane plane;      ///< at the pose where the feature was found, with its gap there
+  double offset_u = 0.0; ///< gap for a step of zero, extrapolated from the pose where the feature was found
 
   [[nodiscard]] double linear_u(const ScrewStep& step) const noexcept
   {
@@ -26,7 +26,7 @@ struct TouchRow
 
 class RowCells;
 
-/// Finds rows. Rows of one plane and one point are taken once.
+/// Finds rows. Rows of the same plane and point are taken once.
 class TouchRows
 {
 public:
@@ -34,23 +34,23 @@ public:
   ~TouchRows();
   TouchRows(TouchRows&& other) noexcept;
 
-  /// All that touches where the tool stands.
+  /// All features that touch at the pose of the tool.
   void findTouching(NearPairs& near, const Pose& pose_W, double way_u);
-  /// What is in the way of a step after the share that was proven. False if nothing new is.
+  /// Features that block a step after the share that was proven. False if none of them is new.
   bool addBlocking(const NearPairs& near, const ScrewStep& step, const StepVerdict& verdict);
-  /// Pairs of triangles that were looked at for what touches.
+  /// Number of pairs of triangles that were searched for features.
   [[nodiscard]] std::uint64_t asked() const noexcept { return this->asked_; }
   [[nodiscard]] const std::vector<TouchRow>& rows() const noexcept { return this->rows_; }
 
 private:
-  /// Where features are looked for, and what a row takes off for a step that is not made yet.
+  /// The pose at which features are searched, and the step to it, which a row leaves out.
   struct Place
   {
     Mat3 turn;
     Vec3 centre_W;
     ScrewStep made; ///< the part of the step that leads there
   };
-  /// How many were added, and a bound of how far apart the two triangles are.
+  /// Number of added rows, and a lower bound of the distance of the two triangles.
   struct Added
   {
     std::size_t count = 0;
@@ -67,7 +67,7 @@ private:
   std::vector<TouchRow> rows_;
   std::unique_ptr<RowCells> cells_; ///< of rows_
   std::uint64_t asked_ = 0;
-  std::vector<TouchFeature> found_; ///< kept for its room
+  std::vector<TouchFeature> found_; ///< kept for its memory
 };
 
 } // namespace palpate

@@ -8,9 +8,9 @@ namespace palpate
 namespace
 {
 
-constexpr double rounding = 1e-6; // axes are unit and square to one another to a float's rounding only
+constexpr double rounding = 1e-6; // axes are unit and orthogonal to a float's rounding only
 
-/// From the scene to the tool, unit.
+/// Unit normal from the scene to the tool.
 Vec3 normalOf(const BoxGap& found, const StoredBox& tool_B, const BoxPose& pose, const StoredBox& scene_W,
   const Vec3& between) noexcept
 {
@@ -25,7 +25,7 @@ Vec3 normalOf(const BoxGap& found, const StoredBox& tool_B, const BoxPose& pose,
 
 } // namespace
 
-/// All in the frame of the scene's box: its axes are never written down, and the tool's only as they are turned to it.
+/// All in the frame of the scene's box: its axes are the unit vectors, and the tool's axes are rotated into that frame.
 BoxGap boxGap(const StoredBox& tool_B, const BoxPose& pose, const StoredBox& scene_W) noexcept
 {
   const Vec3 halfA = tool_B.half(), halfB = scene_W.half();

@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// Where the tool stands, as its boxes are asked.
+/// The pose of the tool for queries of its boxes.
 struct BoxPose
 {
   explicit BoxPose(const Pose& pose_W) : turn(pose_W.q), turning(pose_W.q.toRotationMatrix()), centre_W(pose_W.p) {}
@@ -20,33 +20,33 @@ struct BoxPose
   }
 
   Quat turn;
-  Mat3 turning; ///< the same
+  Mat3 turning; ///< the same rotation
   Vec3 centre_W;
 };
 
-/// How far two boxes are apart, at the least.
+/// Lower bound of the distance of two boxes.
 struct BoxGap
 {
-  double gap_u = 0.0; ///< negative or zero where nothing is proven
-  int axis = 0; ///< that shows it: of the scene's box 0 to 2, of the tool's 3 to 5, the line between the centres 6
+  double gap_u = 0.0; ///< negative or zero: nothing is proven
+  int axis = 0; ///< that shows it: 0 to 2 of the scene's box, 3 to 5 of the tool's, 6 the line between the centres
 };
 
-/// A lower bound of the distance of what a box of the tool and one of the scene hold [u]: the best of the boxes' six
-/// face normals and the line between their centres.
+/// A lower bound of the distance between the contents of a box of the tool and one of the scene [u]: the best of the
+/// six face normals and the line between the centres.
 [[nodiscard]] BoxGap boxGap(const StoredBox& tool_B, const BoxPose& pose, const StoredBox& scene_W) noexcept;
 
-/// A plane between two boxes, kept while the tool moves: of a motion it loses only so much as goes along its normal,
-/// and of a turn only so much as the tool's box is large.
+/// A plane between two boxes, kept while the tool moves: its gap shrinks by the component of a displacement along
+/// the normal, and in a rotation only in proportion to the size of the tool's box.
 class BoxPlane
 {
 public:
-  /// Shows nothing.
+  /// No plane: proves nothing.
   BoxPlane() = default;
-  /// `turned_rad`: sum of the tool's turns until now.
+  /// `turned_rad`: sum of the tool's rotations until now.
   BoxPlane(const BoxGap& found, const StoredBox& tool_B, const BoxPose& pose, const StoredBox& scene_W,
     double turned_rad) noexcept;
 
-  /// A lower bound of the distance where the tool stands now.
+  /// A lower bound of the distance at the present pose of the tool.
   [[nodiscard]] double gap_u(const StoredBox& tool_B, const BoxPose& pose, double turned_rad) const noexcept;
 
 private:

@@ -58,7 +58,7 @@ void NearPairs::forget()
 {
   this->leaves_.clear();
   this->triangles_.clear();
-  if (!this->knows_) // a hand that has no place yet asks in each update
+  if (!this->knows_) // called in each update while the hand has no pose
   {
     return;
   }
@@ -156,7 +156,7 @@ NearPairs::LeafRange NearPairs::verticesOf(std::uint32_t toolNode)
   return range;
 }
 
-/// Several steps are tried from one pose.
+/// Several steps are tried from one pose, for which the corners are rotated once.
 void NearPairs::setStep(const ScrewStep& step, double way_u)
 {
   if (this->step_.from_W.q.coeffs() != step.from_W.q.coeffs())
@@ -280,7 +280,7 @@ void NearPairs::split(LeafPair& pair)
       triangles.key_u = std::max(pair.key_u, this->way_u_ + boxesApart_u(tool_W, this->scene_W_.corners(j)));
       triangles.plane = {};
       this->recall(triangles);
-      if (triangles.key_u <= this->listed_u_) // else it is as far away as what is not in the list
+      if (triangles.key_u <= this->listed_u_) // else it is as far away as pairs outside of the list
       {
         this->triangles_.push_back(triangles);
       }

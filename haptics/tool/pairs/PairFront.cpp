@@ -11,7 +11,7 @@ namespace
 constexpr double touchingWithin = 16.0; // rest gaps
 constexpr std::size_t mostNear = 4000;  // leaves, and twice those that touch
 constexpr std::size_t mostGrowth = 4000;
-constexpr double soonReached = 4.0; // margins: a plane is kept of what is no further away
+constexpr double soonReached = 4.0; // margins: a plane is kept for pairs that are no further away
 
 } // namespace
 
@@ -39,7 +39,7 @@ void PairFront::Beyond::add(const BoxPair& pair, const BoxPlane& plane)
   this->planes.push_back(plane);
 }
 
-/// The last takes its place.
+/// The last entry takes its place.
 void PairFront::Beyond::remove(std::size_t at)
 {
   this->keys_u[at] = this->keys_u.back();
@@ -85,7 +85,7 @@ void PairFront::begin(const BoxPose& pose, double margin_u, WorkBudget& budget)
   }
   this->pending_.insert(this->pending_.end(), this->near_.begin(), this->near_.end());
   this->near_.clear();
-  static_cast<void>(budget.spend(asked / work_price::planesPerUnit)); // the next visit asks
+  static_cast<void>(budget.spend(asked / work_price::planesPerUnit)); // the next visit checks the budget
 }
 
 bool PairFront::gather(const Pose& pose_W, double margin_u, WorkBudget& budget)
@@ -114,7 +114,7 @@ bool PairFront::gather(const Pose& pose_W, double margin_u, WorkBudget& budget)
   return true;
 }
 
-/// The boxes of a pair that is visited soon: those of a large mesh lie far apart.
+/// Prefetches the boxes of a pair that is visited soon: those of a large mesh lie far apart in memory.
 void PairFront::prefetch() const noexcept
 {
   constexpr std::size_t ahead = 4;
@@ -157,7 +157,7 @@ void PairFront::split(const BoxPair& pair, bool tool)
   }
 }
 
-/// Halves the margin, so that one place full of triangles does not make the list long.
+/// Halves the margin, so that a dense group of triangles does not make the list long.
 void PairFront::shrink()
 {
   this->margin_u_ *= 0.5;

@@ -9,30 +9,30 @@
 namespace palpate
 {
 
-/// Two boxes, and how far the tool can go before they may touch.
+/// Two boxes, and the path length of the tool up to which they cannot touch.
 struct BoxPair
 {
   std::uint32_t tool = 0, scene = 0; ///< nodes of the two trees
-  double key_u = 0.0;                ///< gap, plus the way of the tool when it was proven: less the way since, a bound
+  double key_u = 0.0;                ///< proven gap plus path length then; less the path length now: a lower bound
 };
 
-/// Which leaves of tool and scene may come near. Every pair of triangles lies below exactly one pair of boxes: of the
-/// front, with a bound that outlasts all motion, or of the list of near leaves. What is outside of the list is further
-/// away than the room that is left, so that only the list is looked at while the tool moves within it.
+/// The leaves of tool and scene that may come near. Every pair of triangles lies below exactly one pair of boxes: of
+/// the front, whose bounds stay valid under motion, or of the list of near leaves. Pairs outside of the list are
+/// further away than the motion that is left, so that only the list is examined while the tool moves within that.
 class PairFront
 {
 public:
   PairFront(const BoxedMesh& tool_B, const BoxedMesh& scene_W, double restGap_u);
 
-  /// Finds all leaves within a margin of the tool where it stands, or goes on with that. False: the budget was spent on
-  /// the way; until it goes on there is no room, and the tool must stay where it is.
+  /// Finds all leaves within a margin of the tool at its pose, or continues an unfinished search. False: the budget was
+  /// used up; until the search has ended no motion is left, and the tool must stay where it is.
   bool gather(const Pose& pose_W, double margin_u, WorkBudget& budget);
-  /// How far the tool may move before it gathers again [u].
+  /// Motion that is left to the tool before it gathers again [u].
   [[nodiscard]] double room_u() const noexcept;
-  /// Sum of all motion.
+  /// Sum of all motion [u].
   [[nodiscard]] double way_u() const noexcept { return this->way_u_; }
   [[nodiscard]] double margin_u() const noexcept { return this->margin_u_; }
-  /// The tool moved, no point of it by more, and turned.
+  /// The tool moved, no point of it by more than `way_u`, and rotated.
   void moved(double way_u, double turn_rad) noexcept
   {
     this->way_u_ += way_u;
@@ -41,7 +41,7 @@ public:
   [[nodiscard]] const std::vector<BoxPair>& near() const noexcept { return this->near_; }
 
 private:
-  /// Pairs of boxes beyond the list. The keys are looked at first, and lie together.
+  /// Pairs of boxes outside of the list. The keys are read first, and lie together.
   struct Beyond
   {
     std::vector<double> keys_u;
@@ -62,7 +62,7 @@ private:
   const BoxedMesh& tool_B_;
   const BoxedMesh& scene_W_;
   double restGap_u_;
-  double way_u_ = 0.0;      ///< of all motion
+  double way_u_ = 0.0;      ///< sum of all motion
   double turned_rad_ = 0.0; ///< likewise
   double gathered_u_ = 0.0; ///< that sum when the list was made
   double margin_u_ = 0.0;

@@ -12,23 +12,23 @@ namespace palpate
 /// A contact that pushes the tool.
 struct ToolPress
 {
-  static constexpr int most = 6; ///< at a time: as many as there are directions
+  static constexpr int most = 6; ///< at a time: as many as there are degrees of freedom
 
-  Vec3 p_W = Vec3::Zero();  ///< where [u]
+  Vec3 p_W = Vec3::Zero();  ///< point of contact [u]
   Vec3 n_W = Vec3::UnitZ(); ///< unit, from the scene to the tool
-  double push_u = 0.0;      ///< its force over the stiffness
-  int contact = 0;          ///< of the set
+  double push_u = 0.0;      ///< its normal force over the stiffness
+  int contact = 0;          ///< index in the set
 };
 
-/// The motion nearest to a wished one that the contacts allow, whitened, and what pushes it there.
+/// The motion nearest to a wished one that the contacts allow, whitened, and the contacts that push.
 struct AllowedMotion
 {
   Vec6 y = Vec6::Zero();
   int active = 0;                                   ///< contacts that push
-  std::array<ToolPress, ToolPress::most> presses{}; ///< those; of more that would do the sum is the same
+  std::array<ToolPress, ToolPress::most> presses{}; ///< the pushing ones; where they are not unique their sum is
 };
 
-/// To stay where the tool is, is always allowed, also where rounding leaves the solver without an answer. Real-time
+/// To stay is always allowed, also where rounding leaves the solver without a solution. Real-time
 /// safe.
 [[nodiscard]] AllowedMotion allowedMotion(const ToolContacts& set, const Vec6& wish) noexcept;
 

@@ -14,17 +14,17 @@ namespace
 
 constexpr int mostSweeps = 12;
 constexpr double settled = 1e-4; // of the wish
-constexpr double beyond = 1.3;   // steps overshoot: where all contacts hold it settles in half the sweeps
+constexpr double beyond = 1.3;   // over-relaxation: where all contacts stick half the sweeps are enough
 
-/// A contact and its force. Whitened motions are multiplied by the columns.
+/// A contact and its force. The columns multiply whitened motions.
 struct RubbingContact
 {
   Vec6 normal;
   Tangents along;
-  double least_u;   ///< that the point goes along the normal
-  double normal2;   ///< steps of the inverse hold the gap at once
-  double stiffest2; ///< of the product of the tangents: steps of its inverse never go too far
-  double push_u;    ///< force over the stiffness
+  double least_u;   ///< least motion of the point along the normal
+  double normal2;   ///< steps of its inverse meet the bound at once
+  double stiffest2; ///< largest eigenvalue of the tangents' product: steps of its inverse never overshoot
+  double push_u;    ///< normal force over the stiffness
   Eigen::Vector2d rub_u;
 };
 
@@ -42,7 +42,7 @@ RubbingContact rubbingContact(const ToolContact& contact, const ToolContacts& se
   return rubbing;
 }
 
-/// Pushes until the gap holds: changes the motion.
+/// Changes the normal force until the gap is kept, and the motion with it.
 void push(RubbingContact& contact, Vec6& motion) noexcept
 {
   const double short_u = contact.least_u - contact.normal.dot(motion);
@@ -51,7 +51,7 @@ void push(RubbingContact& contact, Vec6& motion) noexcept
   contact.push_u = push_u;
 }
 
-/// Rubs towards rest: changes the motion, and the wish with what all rub.
+/// Changes the friction towards rest, and with it the motion and the target motion.
 void rub(RubbingContact& contact, double friction, Vec6& motion, Vec6& rubbed) noexcept
 {
   const double largest_u = friction * contact.push_u;

@@ -7,18 +7,18 @@
 namespace palpate
 {
 
-/// Beyond it contacts that wedge leave more than one answer, which neither law finds from tick to tick: nothing rubs
-/// more.
+/// The largest friction coefficient of a tool. Above it contacts that wedge have several solutions, and no solver finds
+/// the same one from tick to tick.
 inline constexpr double largestToolFriction = 1.0;
 
-/// The wish for which the tool goes without friction where it goes for `wish` with friction: each contact that pushes
-/// by p rubs by at most `friction` p, against the motion of its point, or holds the point where it is (Coulomb, one
+/// The target motion that moves a tool without friction as `wish` moves it with friction: the friction of a contact
+/// with normal force p is at most `friction` p and opposes the motion of its point, or the point sticks (Coulomb, one
 /// coefficient at rest and in motion).
 ///
-/// For the tick: a dozen sweeps of projected Gauss-Seidel (Jourdan, Alart & Jean 1998), each contact in turn pushes
-/// until it holds its gap, then rubs towards rest within the disc of that push. From no force on, so that the result
-/// depends continuously on the wish even where the pushes of many contacts are not unique. Where friction just holds
-/// the tool it is good to some hundredths of what rubs, elsewhere to a thousandth. Real-time safe.
+/// For the tick: a dozen sweeps of projected Gauss-Seidel (Jourdan, Alart & Jean 1998): each contact in turn pushes
+/// until its gap is kept, then its friction acts towards rest within the disc of that push. The forces begin at zero,
+/// so that the result depends continuously on the wish even where the pushes of many contacts are not unique. Where
+/// friction just stops the tool the error is some hundredths of the friction, elsewhere a thousandth. Real-time safe.
 [[nodiscard]] Vec6 frictionTarget(const ToolContacts& set, const Vec6& wish, double friction) noexcept;
 
 } // namespace palpate

@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// How a point of a tool moves along its contact, as columns that a whitened motion is multiplied by.
+/// Tangential motion of a tool's point at its contact, as columns that multiply a whitened motion.
 using Tangents = Eigen::Matrix<double, 6, 2>;
 
 [[nodiscard]] inline Tangents tangentsOf(const Vec3& n_W, const Vec3& arm_W, double characteristic_u) noexcept
@@ -20,7 +20,7 @@ using Tangents = Eigen::Matrix<double, 6, 2>;
   return along;
 }
 
-/// The larger eigenvalue of the product of the two columns: steps of its inverse never go too far.
+/// Larger eigenvalue of the product of the two columns: steps of its inverse never overshoot.
 [[nodiscard]] inline double stiffest(const Tangents& along) noexcept
 {
   const double a = along.col(0).squaredNorm(), b = along.col(1).squaredNorm(), c = along.col(0).dot(along.col(1));

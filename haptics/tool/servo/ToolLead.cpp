@@ -6,7 +6,7 @@ namespace palpate
 namespace
 {
 
-constexpr double leastLength2 = 0.25, mostLength2 = 4.0; // of a quaternion that is one, badly rounded
+constexpr double leastLength2 = 0.25, mostLength2 = 4.0; // of a unit quaternion with large rounding errors
 
 } // namespace
 

@@ -12,7 +12,7 @@ namespace
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// The active rows as an orthonormal basis times an upper triangle.
+/// The active rows as an orthonormal basis times an upper triangular matrix.
 class ActiveRows
 {
 public:
@@ -21,10 +21,10 @@ public:
   {
   }
 
-  /// The part of a row that the active ones leave free.
+  /// The part of a row that is orthogonal to the active ones.
   [[nodiscard]] Vec6 freePart(Vec6 j) const noexcept
   {
-    for (int pass = 0; pass < 2; ++pass) // the second takes away what rounding left in the first
+    for (int pass = 0; pass < 2; ++pass) // the second removes the rounding errors of the first
     {
       for (int i = 0; i < this->result_.count; ++i)
       {
@@ -34,7 +34,7 @@ public:
     return j;
   }
 
-  /// How the pressures of the active rows fall while a row's own grows by one.
+  /// Decrease of the pressures of the active rows while the pressure of another row grows by one.
   [[nodiscard]] std::array<double, 6> falls(const Vec6& j) const noexcept
   {
     std::array<double, 6> d{};
@@ -69,7 +69,7 @@ public:
     }
   }
 
-  /// Motion and pressures from the active rows alone: no error of earlier steps stays.
+  /// Motion and pressures from the active rows alone, so that no error of earlier steps stays.
   void resolve() noexcept
   {
     NearestMotion& r = this->result_;
@@ -98,7 +98,7 @@ public:
   }
 
 private:
-  /// Column `at` of the factors, whose row number stands in the result; those before it are valid.
+  /// Column `at` of the factors, whose row number is in the result; the columns before it are valid.
   void append(int at) noexcept
   {
     Vec6 rest = this->rows_[this->result_.row[at]].j;
@@ -129,7 +129,7 @@ struct Violation
   double depth = 0.0;
 };
 
-/// The row that the motion breaks most, rounding aside.
+/// The row that the motion violates most, beyond rounding.
 Violation worst(std::span<const MotionRow> rows, const Vec6& y, double rounding) noexcept
 {
   Violation found;
@@ -155,14 +155,14 @@ double roundingOf(std::span<const MotionRow> rows, const Vec6& wish) noexcept
   return 16.0 * epsilon * largest;
 }
 
-/// How far the pressure of a broken row can grow, and the active row that lets go then.
+/// Growth of the pressure of a violated row, and the active row that is released then.
 struct PressureStep
 {
   double length = 0.0;
-  int leaves = -1; ///< none: the broken row holds after it
+  int leaves = -1; ///< none: the violated row becomes active
 };
 
-/// At most `length`: until a pressure that falls on the way is gone.
+/// At most `length`: until the first decreasing pressure is zero.
 PressureStep pressureStep(const NearestMotion& r, const std::array<double, 6>& falls, double length) noexcept
 {
   PressureStep step{ length };
@@ -176,10 +176,11 @@ PressureStep pressureStep(const NearestMotion& r, const std::array<double, 6>& f
   return step;
 }
 
-/// Makes the broken row hold: rows that would pull let go on the way. False: it contradicts the active ones.
+/// Makes the violated row active and releases rows whose pressure would become negative. False: it contradicts the
+/// others.
 bool enforce(ActiveRows& active, const MotionRow& row, int broken, NearestMotion& r) noexcept
 {
-  constexpr double dependentBelow = 1e-11; // of a unit row: less is what orthogonalising twice leaves of one
+  constexpr double dependentBelow = 1e-11; // of a unit row: a smaller rest is rounding of orthogonalising twice
   double gained = 0.0;
   while (true)
   {
@@ -225,8 +226,7 @@ NearestMotion nearestMotion(std::span<const MotionRow> rows, const Vec6& wish) n
   result.y = wish;
   ActiveRows active(rows, wish, result);
   const double rounding = roundingOf(rows, wish);
-  const std::size_t cap =
-    20 + 4 * rows.size(); // the distance grows with each step: only rounding could turn in circles
+  const std::size_t cap = 20 + 4 * rows.size(); // the distance grows with each step: only rounding could cause a cycle
   for (std::size_t step = 0; step < cap; ++step)
   {
     const Violation broken = worst(rows, result.y, rounding);

@@ -9,16 +9,16 @@
 namespace palpate
 {
 
-/// Where a hand that holds a tool came from: its poses of the last moment, each an eighth of the tool's size from the
-/// next. A tool that goes on from an older one would be drawn to the hand from further than a person has moved it since
-/// the scene was another. In another map the hand was nowhere.
+/// The recent path of a hand that holds a tool: its poses of the last moment, each an eighth of the tool's size from
+/// the next. From an older pose a tool would be drawn to the hand from further away than a person has moved it since
+/// the scene changed. In another map the hand has no path.
 class HandHistory
 {
 public:
   static constexpr double longest_s = 0.05; ///< since the hand was there
 
   void note(const ToolHand& hand, const ToolMesh& tool);
-  /// Where it was up to longest_s before `now`; nothing in another map.
+  /// The poses of up to longest_s before `now`; none in another map.
   [[nodiscard]] std::vector<Pose> newestFirst(const ToolHand& now) const;
 
 private:
@@ -28,7 +28,7 @@ private:
     double left_s = 0.0; ///< when the hand was near it last
   };
   std::deque<Past> past_; ///< oldest first
-  std::uint32_t map_ = 0; ///< that they are of
+  std::uint32_t map_ = 0; ///< of these poses
 };
 
 } // namespace palpate

@@ -65,7 +65,7 @@ std::optional<Pose> ToolFollower::tool_W() const
   return this->move_S_.placed() ? std::optional(this->scene_WS_ * this->move_S_.pose_W()) : std::nullopt;
 }
 
-/// True if the tool stands somewhere, at the latest now: a hand comes from outside, where it was free.
+/// True if the tool has a pose, which it may get now: a hand comes from outside, where the tool was free.
 bool ToolFollower::isPlaced(const Pose& hand_S)
 {
   const bool placed = this->move_S_.placed() || this->move_S_.place(hand_S).empty();

@@ -25,7 +25,7 @@ JointVector randomWay(const Arm& arm, test::Random& random)
   return way;
 }
 
-/// Calls visit(arm, q, random) for so many postures of each arm.
+/// Calls visit(arm, q, random) for random postures of each arm.
 template<class Visit>
 void forEachPosture(std::uint64_t seed, const Visit& visit)
 {

@@ -15,8 +15,8 @@ namespace palpate
 namespace
 {
 
-/// Work of a torque over a closed way of the joints, by the trapezium rule, which is exact to rounding for a periodic
-/// integrand with so many points [J].
+/// Work of a torque along a closed path of the joints, by the trapezium rule, which is exact to rounding for a periodic
+/// integrand with 256 points [J].
 template<class Torque>
 double workAround(const JointVector& middle, const Torque& torque)
 {
@@ -28,7 +28,7 @@ double workAround(const JointVector& middle, const Torque& torque)
     JointVector q = middle, way = JointVector::Zero(middle.size());
     for (Eigen::Index k = 0; k < middle.size(); ++k)
     {
-      const double phase = 2.0 * static_cast<double>(k); // so that the way encloses an area
+      const double phase = 2.0 * static_cast<double>(k); // so that the path encloses an area
       q[k] += 0.1 * std::cos(angle + phase);
       way[k] = -0.1 * std::sin(angle + phase) * 2.0 * std::numbers::pi / points;
     }
@@ -70,7 +70,7 @@ TEST(ArmDynamics, GravityIsTheGradientOfHeightAndTheVendorsFormulaIsNot)
   {
     const JointVector q = test::randomJoints(arm, random);
     const JointVector torque = gravityTorqueOf(arm, q);
-    // A motor holds against it: -g sin B (mB cB + mC Lb), +g mC cC sin C.
+    // The motors balance gravity: -g sin B (mB cB + mC Lb), +g mC cC sin C.
     EXPECT_NEAR(-torque[1], -g * std::sin(q[1]) * (mB * cB + mC * lengths.upper_m), 1e-15);
     EXPECT_NEAR(-torque[2], g * mC * cC * std::sin(q[2]), 1e-15);
     constexpr double h = 1e-5;
@@ -159,7 +159,7 @@ TEST(ArmMeasures, HaveTheForceOfTheirWorstAndTheirBestDirection)
         least = std::min(least, force);
         most = std::max(most, force);
       }
-      // Directions are tried at random: a worse and a better one lie a little aside of all of them.
+      // The directions are random samples: the worst and the best direction lie between them.
       EXPECT_LE(measures.leastForce_N, least * (1.0 + 1e-12));
       EXPECT_GE(measures.leastForce_N, 0.97 * least);
       if (arm.motors() == arm.directions())

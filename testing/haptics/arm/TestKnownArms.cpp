@@ -114,13 +114,13 @@ TEST(KnownArms, HangingDeltaHasTheAnglesAndTheConditionOfTheTextbook)
   EXPECT_NEAR(measure(delta, *q).condition, 1.308, 5e-4);
 }
 
-/// Stiffness of the tip, falling: eigenvalues of J^-T k J^-1 with so many N m/rad at each joint [N/m].
+/// Stiffness of the tip, falling: eigenvalues of J^-T k J^-1 with the given stiffness of each joint [N/m].
 Eigen::Vector2d tipStiffness(const ArmMeasures& at, double joint_Nm_per_rad)
 {
   return { joint_Nm_per_rad / (at.singular[1] * at.singular[1]), joint_Nm_per_rad / (at.singular[0] * at.singular[0]) };
 }
 
-/// Square centimetres of the half plane above the base in which the condition is below 5, by squares of 5 mm.
+/// Area of the half plane above the base in which the condition number is below 5, by squares of 5 mm [cm2].
 double usable_cm2(const Arm& arm)
 {
   int squares = 0;

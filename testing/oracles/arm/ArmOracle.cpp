@@ -31,7 +31,7 @@ QuadMatrix turnAbout(const Vec3& axis, const Quad& angle)
 
 QuadPoint tipOf(const SerialGeometry& chain, const QuadVector& q, const Vec3& /*near*/)
 {
-  // From the tip to the base: no frame is made.
+  // The point is taken from the tip to the base, without a frame.
   QuadPoint p = inQuad(chain.tip.p);
   for (int k = chain.count - 1; k >= 0; --k)
   {
@@ -48,7 +48,7 @@ QuadPoint tipOf(const WoodenGeometry& arm, const QuadVector& q, const Vec3& /*ne
     Quad(arm.column_m) + Quad(arm.upper_m) * cos(q[1]) - Quad(arm.fore_m) * cos(q[2]) };
 }
 
-/// Newton steps to where `left` is none, with its slopes by differences.
+/// Newton's method for left(p) = 0, with slopes by central differences.
 template<class Left>
 QuadPoint solve(const Left& left, QuadPoint p)
 {
@@ -70,7 +70,7 @@ QuadPoint solve(const Left& left, QuadPoint p)
 
 QuadPoint tipOf(const DeltaGeometry& arm, const QuadVector& q, const Vec3& near)
 {
-  // Each leg with its own joints on the platform, where the hinges apart make the rods shorter by hinge_m.
+  // Each leg ends at its own joints on the platform, where the distance of the hinges takes hinge_m from its rod.
   const auto left = [&](const QuadPoint& p)
   {
     QuadPoint all;

@@ -16,10 +16,10 @@ using Quad = boost::multiprecision::cpp_bin_float_quad;
 using QuadVector = Eigen::Matrix<Quad, Eigen::Dynamic, 1>;
 using QuadPoint = Eigen::Matrix<Quad, 3, 1>;
 
-/// Where the tip is with these joints [m], in D. `near` says which of the places that close the links is meant.
+/// Position of the tip with these joints [m], in D. `near` selects among the solutions that close the links.
 [[nodiscard]] QuadPoint tipInQuad(const ArmPlan& plan, const QuadVector& q, const Vec3& near_D);
 
-/// How the tip moves with the joints along `way`: a central difference, exact to about 1e-20.
+/// Derivative of the tip along `way`: a central difference, exact to about 1e-20.
 [[nodiscard]] Vec3 tipSlope(const ArmPlan& plan, const JointVector& q, const JointVector& way, const Vec3& near_D);
 
 } // namespace palpate::test
