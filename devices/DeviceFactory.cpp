@@ -11,6 +11,8 @@
 #include "devices/arm/kit/Kits.h"
 #include "devices/calibration/CalibratedDevice.h"
 #include "devices/calibration/CalibrationFiles.h"
+#include "devices/calibration/SelfTest.h"
+#include "devices/common/DeviceSteps.h"
 #include "devices/evdev/EvdevDevice.h"
 #include "devices/evdev/EvdevDiscovery.h"
 #include "devices/hid/HidapiBus.h"
@@ -32,7 +34,7 @@ struct Kind
   std::string what;
   std::function<MadeDevice(const DeviceOptions&)> make;
   std::string problem = {}; ///< why it cannot be used now
-  bool hasTwin = false, hasGrip = false, forPrograms = false;
+  bool hasTwin = false, hasGrip = false, forPrograms = false, isAssumed = false;
 };
 
 /// Calls make(hand) with the hand that holds the device, if there is one of that name.
@@ -138,11 +140,15 @@ Kind kindOf(const FoundEvdev& found, const std::shared_ptr<EvdevBus>& bus)
 
 Kind kindOf(const FoundArm& found)
 {
-  const auto make = [name = found.name, entry = found.entry, hasTwin = found.hasTwin, kit = *found.kit](
+  ArmSetup setup = found.kit->setup;
+  setup.problem = found.problem;
+  const auto make = [name = found.name, entry = found.entry, hasTwin = found.hasTwin, bus = found.kit->bus, setup](
                       const DeviceOptions&) {
-    return MadeDevice{ std::make_unique<ArmDevice>(name, kit.bus, entry, kit.setup), "", "", hasTwin };
+    return MadeDevice{ std::make_unique<ArmDevice>(name, bus, entry, setup), "", "", hasTwin };
   };
-  return { found.name, found.kit->setup.what, make, found.problem, found.hasTwin, found.kit->setup.grips };
+  Kind kind{ found.name, setup.what, make, found.problem, found.hasTwin, setup.grips };
+  kind.isAssumed = found.isAssumed;
+  return kind;
 }
 
 /// The kits of arms, each with the places where its arm is searched.
@@ -209,6 +215,22 @@ void makeWheelIfSaid(MadeDevice& made, bool wheel)
   }
 }
 
+/// An arm whose pushes have passed along each of its axes gives all of its force. Without a serial number a file may be
+/// another arm's: then only a check of this session counts.
+void proveIfChecked(HapticDevice& device, const Calibration& kept, const std::optional<Calibration>& felt)
+{
+  auto* const unproven = dynamic_cast<ProvenDevice*>(&device);
+  const DeviceInfo& info = device.info();
+  const Calibration* const checked = !info.serial.empty()                ? &kept
+                                     : felt && felt->device == info.name ? &*felt
+                                                                         : nullptr;
+  const int axes = SelfTestPlan::forDevice(info).axes;
+  if (unproven != nullptr && checked != nullptr && checked->serial == info.serial && checked->axisCount == axes)
+  {
+    unproven->prove();
+  }
+}
+
 /// Puts the calibration that is kept of a device around it. One whose calibration cannot be read is taken away.
 void calibrate(MadeDevice& made, const DeviceOptions& options)
 {
@@ -217,6 +239,12 @@ void calibrate(MadeDevice& made, const DeviceOptions& options)
     return;
   }
   const DeviceInfo& info = made.device->info();
+  if (options.wheel && info.deviceClass == DeviceClass::Joystick2D && info.knowsAxes)
+  {
+    made.problem = info.name + ": " + armIsNoWheel;
+    made.device = nullptr;
+    return;
+  }
   KeptCalibration kept = knownOf(info, options.calibrationFolder, options.felt);
   const bool isUnsure = made.hasTwin && (kept.value || !kept.problem.empty());
   if (isUnsure || (!kept.value && kept.problem.empty()))
@@ -238,6 +266,7 @@ void calibrate(MadeDevice& made, const DeviceOptions& options)
   {
     kept.value->axisCount = 1;
   }
+  proveIfChecked(*made.device, *kept.value, options.felt);
   made.device = std::make_unique<CalibratedDevice>(std::move(made.device), *kept.value);
   made.warning = std::move(kept.problem);
 }
@@ -252,7 +281,7 @@ std::vector<KnownDevice> knownDevices(const DeviceOptions& options)
     for (const Kind& kind : kinds)
     {
       known.push_back({ kind.name, kind.what, kind.make({}).device->info(), kind.problem, kind.hasTwin, kind.hasGrip,
-        kind.forPrograms });
+        kind.forPrograms, kind.isAssumed });
     }
   }
   return known;
@@ -260,7 +289,8 @@ std::vector<KnownDevice> knownDevices(const DeviceOptions& options)
 
 std::string preferredDevice(const std::vector<KnownDevice>& devices)
 {
-  const auto isThere = [](const KnownDevice& d) { return d.problem.empty() && !d.info.simulated && !d.forPrograms; };
+  const auto isThere = [](const KnownDevice& d)
+  { return d.problem.empty() && !d.info.simulated && !d.forPrograms && !d.isAssumed; };
   const auto pushes = [&](const KnownDevice& d) { return isThere(d) && d.info.rendersForce; };
   auto best = std::find_if(devices.begin(), devices.end(), pushes);
   best = best == devices.end() ? std::find_if(devices.begin(), devices.end(), isThere) : best;

@@ -43,6 +43,7 @@ struct KnownDevice
   bool hasTwin = false;     ///< another one is plugged in that nothing tells apart: see twinNote
   bool hasGrip = false;     ///< it can tell whether it is gripped
   bool forPrograms = false; ///< its hand is led by a program: a person alone cannot use it
+  bool isAssumed = false;   ///< its vendor's library may know it, but nothing shows that it is plugged in
 };
 
 /// Of a device with a twin, for a person. The calibration of one of the two may be wrong for the other.

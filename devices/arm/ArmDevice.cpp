@@ -88,6 +88,10 @@ void ArmDevice::prove() noexcept
 
 std::string ArmDevice::open()
 {
+  if (!this->setup_.problem.empty())
+  {
+    return "\"" + this->info_.name + "\": " + this->setup_.problem;
+  }
   this->link_->limit(this->info_.maxForce_N.value);
   this->heardOf_ = this->link_->answers();
   if (!this->options_.threads)
@@ -119,7 +123,7 @@ std::string ArmDevice::open()
 
 void ArmDevice::await() noexcept
 {
-  this->bell_->await(longestWait);
+  static_cast<void>(this->bell_->await(longestWait));
 }
 
 /// An exchange that hangs says nothing: the servo sees it by the time since the last answer.

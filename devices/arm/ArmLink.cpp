@@ -139,7 +139,6 @@ void ArmLink::push(const Attached& device, const Wrench& wrench_D, WireOrder& or
   }
   const double share = asked_N > limit_N ? limit_N / asked_N : 1.0;
   order.wrench_D.force = share * wrench_D.force;
-  order.wrench_D.torque = this->setup_.turns ? Vec3(share * wrench_D.torque) : Vec3(Vec3::Zero());
   if (!this->arm_ || !device.joints)
   {
     return;
@@ -158,7 +157,8 @@ void ArmLink::push(const Attached& device, const Wrench& wrench_D, WireOrder& or
 void ArmLink::take(const std::shared_ptr<Attached>& device, ArmLine::Answer& answer, std::int64_t asked_ns)
 {
   const std::int64_t now_ns = this->clock_.now_ns();
-  device->doubted = answer.said != ArmLine::Said::Reading;
+  const bool late = now_ns - asked_ns > answer_ms * perMs_ns || now_ns < asked_ns;
+  device->doubted = answer.said != ArmLine::Said::Reading || late;
   ++this->counts_.outputs;
   if (!device->doubted)
   {
@@ -169,10 +169,10 @@ void ArmLink::take(const std::shared_ptr<Attached>& device, ArmLine::Answer& ans
     return;
   }
   this->counts_.strange += answer.said == ArmLine::Said::Nonsense ? 1 : 0;
-  const bool late = now_ns - device->good_ns > lostAfter_ns || now_ns < asked_ns;
-  if (answer.said == ArmLine::Said::Gone || late)
+  const bool silent = now_ns - device->good_ns > lostAfter_ns || now_ns < asked_ns;
+  if (answer.said == ArmLine::Said::Gone || silent)
   {
-    this->lose(device, device->line->error());
+    this->lose(device, answer.said == ArmLine::Said::Reading ? "the device answers too late" : device->line->error());
   }
 }
 
@@ -219,7 +219,7 @@ std::optional<HandExchange::Hand> ArmLink::handOf(Attached& device, const WireRe
   if (!this->arm_)
   {
     const Pose pose_D = reading.pose_D.value_or(Pose{});
-    hand.p_D = pose_D.p - this->setup_.centre_D;
+    hand.p_D = pose_D.p;
     hand.q_D = pose_D.q;
     hand.velocity_D = reading.velocity_D.value_or(Twist{});
     return reading.pose_D && pose_D.p.allFinite() ? std::optional(hand) : std::nullopt;

@@ -3,9 +3,6 @@
 
 #include <chrono>
 #include <utility>
-
-#include "devices/common/LinkNotes.h"
-
 namespace palpate
 {
 namespace
@@ -33,7 +30,7 @@ bool WireLine::send()
   {
     return true;
   }
-  this->error_ = describeFailedWrite(this->link_->error());
+  this->error_ = this->link_->unsent();
   return false;
 }
 
@@ -72,7 +69,7 @@ ArmLine::Said WireLine::receive(int timeout_ms, WireReading& reading)
     const int count = this->link_->receive(room, static_cast<int>(left.count()));
     if (count < 0)
     {
-      this->error_ = "the cable was unplugged";
+      this->error_ = this->link_->gone();
       return Said::Gone;
     }
     const Said said = count == 0 ? Said::Nothing : this->take(static_cast<std::size_t>(count), reading);

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "devices/common/DeviceSteps.h"
 #include "devices/common/HeldTrust.h"
 
 namespace palpate
@@ -75,7 +74,7 @@ DeviceInfo calibratedInfo(DeviceInfo info, const Calibration& calibration)
 
 DeviceInfo asWheel(DeviceInfo info)
 {
-  if (info.deviceClass == DeviceClass::Joystick2D)
+  if (info.deviceClass == DeviceClass::Joystick2D && !info.knowsAxes)
   {
     info.deviceClass = DeviceClass::Wheel1D;
     info.abilities.sensedAxes = 1;
@@ -91,25 +90,9 @@ Calibration wheelCalibration(const DeviceInfo& info, const std::string& date)
   return wheel;
 }
 
-namespace
-{
-
-/// An arm that was checked gives all of its force.
-std::unique_ptr<HapticDevice> proven(std::unique_ptr<HapticDevice> device)
-{
-  if (auto* const unproven = dynamic_cast<ProvenDevice*>(device.get()))
-  {
-    unproven->prove();
-  }
-  return device;
-}
-
-} // namespace
-
 CalibratedDevice::CalibratedDevice(std::unique_ptr<HapticDevice> device, const Calibration& calibration)
-  : device_(proven(std::move(device))), calibration_(calibration),
-    info_(calibratedInfo(this->device_->info(), calibration)), sensors_(sensorsOf(calibration)),
-    motors_(motorsOf(calibration)), middle_D_(middleOf(calibration))
+  : device_(std::move(device)), calibration_(calibration), info_(calibratedInfo(this->device_->info(), calibration)),
+    sensors_(sensorsOf(calibration)), motors_(motorsOf(calibration)), middle_D_(middleOf(calibration))
 {
   if (auto* const holder = dynamic_cast<WallHolder*>(this->device_.get()))
   {

@@ -273,6 +273,10 @@ std::string SelfTestPlan::refusal() const
   {
     return "this device renders no force, so there is nothing to check";
   }
+  if (this->wheel && this->knowsAxes)
+  {
+    return armIsNoWheel;
+  }
   const bool measurable = this->radius_m > 0.0 && this->radius_m < std::numeric_limits<double>::infinity();
   return measurable && this->push_N > 0.0 ? ""
                                           : "this device reports neither its range of motion nor its largest force";

@@ -17,6 +17,10 @@
 namespace palpate
 {
 
+/// Why no device whose kinematics are known is taken for a wheel.
+inline constexpr const char* armIsNoWheel =
+  "an arm is no wheel, because its kinematics say which axes it has: deselect the wheel option";
+
 /// Limits of a self-test. Fixed while it runs.
 struct SelfTestPlan
 {

@@ -72,7 +72,7 @@ SelfTestRun::~SelfTestRun()
 std::string SelfTestRun::start(std::unique_ptr<HapticDevice> device, const SelfTestOptions& options)
 {
   this->stop();
-  std::string problem = SelfTestPlan::forDevice(device->info()).refusal();
+  std::string problem = SelfTestPlan::forDevice(device->info(), options.deadMan, options.wheel).refusal();
   if (auto* const holder = dynamic_cast<WallHolder*>(device.get()))
   {
     holder->trust({ true, true }); // to be felt

@@ -16,10 +16,13 @@ std::vector<FoundArm> findArms(const std::vector<ArmKit>& kits)
   {
     std::vector<HidEntry> entries = kit.bus->devices();
     std::sort(entries.begin(), entries.end(), [](const HidEntry& a, const HidEntry& b) { return a.path < b.path; });
+    const bool isAssumed = kit.isPlugged && !kit.isPlugged();
     for (HidEntry& entry : entries)
     {
-      std::string problem = kit.problem.empty() ? kit.bus->refusal(entry) : kit.problem;
-      addNamed(found, kit.road, FoundArm{ {}, std::move(entry), &kit, std::move(problem) },
+      std::string problem = kit.setup.problem.empty() ? kit.bus->refusal(entry) : kit.setup.problem;
+      FoundArm arm{ {}, std::move(entry), &kit, std::move(problem) };
+      arm.isAssumed = isAssumed;
+      addNamed(found, kit.road, std::move(arm),
         [](const FoundArm& a, const FoundArm& b) { return a.kit == b.kit && sameKind(a.entry, b.entry); });
     }
   }

@@ -18,17 +18,18 @@ struct ArmKit
   std::string road; ///< first word of the names of its devices
   std::shared_ptr<ArmBus> bus;
   ArmSetup setup;
-  std::string problem; ///< why none of them can be used here and what to do; empty: they can
+  std::function<bool()> isPlugged = {}; ///< what is listed may not be attached, and this tells it; null: it is
 };
 
-/// An arm that is attached, usable or not.
+/// An arm that is attached, as far as is known, usable or not.
 struct FoundArm
 {
   std::string name; ///< for the factory: the same as long as the same devices are plugged in
   HidEntry entry;
   const ArmKit* kit = nullptr;
-  std::string problem;  ///< empty, or why it cannot be used and what to do
-  bool hasTwin = false; ///< another one is attached that neither kind nor serial number tells apart
+  std::string problem;    ///< empty, or why it cannot be used and what to do
+  bool hasTwin = false;   ///< another one is attached that neither kind nor serial number tells apart
+  bool isAssumed = false; ///< nothing shows that it is attached
 };
 
 /// The arms of these kits that are attached. Tells no device anything.

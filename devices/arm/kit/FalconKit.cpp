@@ -51,7 +51,7 @@ ArmKit falconKit(const std::string& sys)
   return { "falcon",
     std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [ids, sys] { return usbPlugs(ids, sys); }, openFalcon,
       [](const HidEntry& entry) { return fileRefusal(entry.path); } }),
-    falconSetup(), {} };
+    falconSetup() };
 }
 
 } // namespace palpate

@@ -28,15 +28,15 @@ struct Entered
 
 Entered enter(const HaplyPorts& ports)
 {
-  Outcome<std::unique_ptr<ByteLink>> link = openLoopbackSocket(ports.states, connect_ms);
-  if (link.value == nullptr)
+  LoopbackSocket socket = openLoopbackSocket(ports.states, connect_ms);
+  if (socket.link == nullptr)
   {
     return { nullptr, {},
       "the vendor's service does not accept a connection on port " + std::to_string(ports.states) +
-        " of this computer: " + link.problem };
+        " of this computer: " + socket.problem };
   }
   WireBytes message(longestInventory);
-  const int count = link.value->receive(message, inventory_ms);
+  const int count = socket.link->receive(message, inventory_ms);
   std::optional<std::vector<HaplyDevice>> devices =
     count > 0 ? haplyInventory({ reinterpret_cast<const char*>(message.data()), static_cast<std::size_t>(count) })
               : std::nullopt;
@@ -44,7 +44,7 @@ Entered enter(const HaplyPorts& ports)
   {
     return { nullptr, {}, "the vendor's service does not say which devices it has" };
   }
-  return { std::move(link.value), std::move(*devices), {} };
+  return { std::move(socket.link), std::move(*devices), {} };
 }
 
 std::string refusalOf(const HaplyDevice& device)
@@ -84,16 +84,23 @@ ArmBus::Opened openHaply(const HidEntry& entry, const HaplyPorts& ports)
   {
     return { nullptr, problem };
   }
-  auto wire =
-    std::make_unique<WireLine>(std::move(entered.link), std::make_shared<HaplyServiceWire>(entry.serial, vector.value));
+  // Where nobody listens the service has no such channel; every other failure would hide its safety events.
+  LoopbackSocket events = openLoopbackSocket(ports.events, connect_ms);
+  if (events.link == nullptr && !events.nobodyListens)
+  {
+    return { nullptr, "the vendor's service does not open its channel of safety events on port " +
+                        std::to_string(ports.events) + ": " + events.problem };
+  }
+  const Vec3 inBase_D(0.0, -0.12, 0.15); // where the samples of the vendor rest, of an origin in the base
+  const Vec3 centre_D = found->centred ? Vec3(Vec3::Zero()) : inBase_D;
+  auto wire = std::make_unique<WireLine>(
+    std::move(entered.link), std::make_shared<HaplyServiceWire>(entry.serial, vector.value, centre_D));
   problem = wire->begin();
   if (!problem.empty())
   {
     return { nullptr, problem };
   }
-  return { std::make_unique<ServiceLine>(
-             std::move(wire), openLoopbackSocket(ports.events, connect_ms).value, haplySafetyEvent),
-    {} };
+  return { std::make_unique<ServiceLine>(std::move(wire), std::move(events.link), haplySafetyEvent), {} };
 }
 
 HidEntry entryOf(const HaplyDevice& device)
@@ -138,7 +145,6 @@ ArmSetup haplySetup()
   ArmSetup setup;
   setup.what = "Haply Inverse3, Inverse3X or Minverse";
   setup.turns = true;
-  setup.centre_D = Vec3(0.0, -0.12, 0.15); // where the samples of the vendor rest, of an origin in the base
   setup.radius_m = { inverse3Radius_m, false };
   setup.force_N = { watchedForce_N, false };
   setup.homing = "Calibrate the device as the vendor's program says, until it is ready.";
@@ -151,7 +157,7 @@ ArmKit haplyKit(const HaplyPorts& ports)
     std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [ports] { return listHaply(ports); },
       [ports](const HidEntry& entry) { return openHaply(entry, ports); },
       [ports](const HidEntry& entry) { return refuseHaply(entry, ports); } }),
-    haplySetup(), {} };
+    haplySetup() };
 }
 
 } // namespace palpate

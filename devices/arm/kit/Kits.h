@@ -34,8 +34,8 @@ struct HaplyPorts
 /// Arms of Force Dimension by the vendor's library, which is looked for at run time.
 [[nodiscard]] ArmKit forceDimensionKit(const std::string& library = "libdhd.so.3");
 
-/// Touch and Phantom arms by OpenHaptics' library, likewise.
-[[nodiscard]] ArmKit openHapticsKit(const std::string& library = "libHD.so");
+/// Touch and Phantom arms by OpenHaptics' library, likewise; plugs are looked for below `sys`.
+[[nodiscard]] ArmKit openHapticsKit(const std::string& library = "libHD.so", const std::string& sys = "/sys");
 
 /// Haply 2DIY boards on serial lines, below `sys`.
 [[nodiscard]] ArmKit twoDiyKit(const std::string& sys = "/sys");

@@ -41,15 +41,14 @@ ArmKit forceDimensionKit(const std::string& library)
   setup.turns = true;
   setup.radius_m = { omegaRadius_m, false };
   setup.force_N = { omegaForce_N, false };
-  setup.endsAfter_s = 0.2;
   return { "dhd",
     std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [dhd, plugs] { return listDhd(*dhd, plugs); },
       [dhd](const HidEntry& entry) { return DhdLine::open(dhd, std::atoi(entry.path.c_str())); },
       [dhd](const HidEntry&) { return dhd->library.problem(); } }),
-    std::move(setup), {} };
+    std::move(setup) };
 }
 
-ArmKit openHapticsKit(const std::string& library)
+ArmKit openHapticsKit(const std::string& library, const std::string& sys)
 {
   constexpr double touchRadius_m = 0.06, touchForce_N = 3.3;
   const auto hd = std::make_shared<HdFunctions>(library);
@@ -61,17 +60,18 @@ ArmKit openHapticsKit(const std::string& library)
   setup.force_N = { touchForce_N, false };
   setup.pacing = Pacing::Callback;
   setup.period_s = 0.0; // the scheduler's calls are waited for
-  // Whether a device is there is known once it is opened: the vendor's default one is offered where the library is.
-  const auto list = [hd, plugs]
+  // Whether a device is there is known once it is opened, for some are on Ethernet: the vendor's default one is offered
+  // where the library is, but nobody's first choice without a plug.
+  const auto list = [hd, plugs, sys]
   {
     return hd->library.found()
              ? std::vector<HidEntry>{ { "default", 0x0301, 0x2988, "", "the vendor's default device" } }
-             : usbPlugs(plugs);
+             : usbPlugs(plugs, sys);
   };
   return { "openhaptics",
     std::make_shared<ListedArmBus>(ListedArmBus::Ways{ list, [hd](const HidEntry&) { return HdLine::open(hd, ""); },
       [hd](const HidEntry&) { return hd->library.problem(); } }),
-    std::move(setup), {} };
+    std::move(setup), [plugs, sys] { return !usbPlugs(plugs, sys).empty(); } };
 }
 
 } // namespace palpate

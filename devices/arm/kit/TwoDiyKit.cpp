@@ -53,7 +53,7 @@ ArmKit twoDiyKit(const std::string& sys)
     std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [ids, sys] { return serialPlugs(ids, sys); },
       [](const HidEntry& entry) { return openTwoDiy(entry.path); },
       [](const HidEntry& entry) { return fileRefusal(entry.path); } }),
-    twoDiySetup(), {} };
+    twoDiySetup() };
 }
 
 } // namespace palpate

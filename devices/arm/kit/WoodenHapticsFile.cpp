@@ -14,7 +14,6 @@ namespace
 {
 
 constexpr std::size_t longestText = 65536;
-constexpr double watchdog_s = 0.5;
 constexpr std::array<char, 3> bodies{ 'a', 'b', 'c' };
 
 /// Numbers of the file by their names; keeps the first that is missing or is none.
@@ -130,7 +129,6 @@ Outcome<WoodenHapticsArm> readWoodenHapticsFile(const std::string& text)
   }
   arm.setup.counterBits = 16;
   arm.setup.grips = true;
-  arm.setup.endsAfter_s = watchdog_s;
   arm.setup.pose = "Hold the arm in its calibration pose, then press the button: its counters are set there.";
   return { std::move(arm), {} };
 }

@@ -37,7 +37,7 @@ ArmKit woodenHapticsKit(const std::shared_ptr<HidBus>& hid, const std::string& f
     std::make_shared<HidArmBus>(hid, std::make_shared<WoodenHapticsWire>(arm.value.constants_Nm_per_A), reportBytes);
   kit.setup = std::move(arm.value.setup);
   kit.setup.what = "WoodenHaptics or Polhem arm";
-  kit.problem = arm.ok() ? "" : "the arm's geometry cannot be read from " + file + ": " + arm.problem;
+  kit.setup.problem = arm.ok() ? "" : "the arm's geometry cannot be read from " + file + ": " + arm.problem;
   return kit;
 }
 

@@ -22,6 +22,7 @@ enum Name : std::uint32_t
 constexpr std::uint32_t noDevice = 0xFFFFFFFF, goOn = 1;
 constexpr std::uint16_t usualPriority = 32767;
 constexpr double perMetre = 1000.0;
+constexpr auto lastingOrder = std::chrono::milliseconds(20);
 
 /// One scheduler serves all devices: it runs while there is one.
 std::mutex schedulerMutex;
@@ -128,7 +129,7 @@ void HdLine::frame()
   WireOrder order;
   {
     const std::lock_guard lock(this->mutex_);
-    order = this->order_;
+    order = std::chrono::steady_clock::now() - this->ordered_ > lastingOrder ? WireOrder{} : this->order_;
   }
   Vec3 p, v;
   std::array<double, 16> transform{};
@@ -161,6 +162,7 @@ ArmLine::Answer HdLine::exchange(const WireOrder& order, int timeout_ms)
 {
   std::unique_lock lock(this->mutex_);
   this->order_ = order;
+  this->ordered_ = std::chrono::steady_clock::now();
   if (!this->done_.wait_for(
         lock, std::chrono::milliseconds(timeout_ms), [this] { return this->frames_ != this->seen_; }))
   {

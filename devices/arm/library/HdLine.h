@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <memory>
@@ -44,7 +45,7 @@ struct HdFunctions
 };
 
 /// A Touch or Phantom. The vendor's scheduler, one for all devices, calls back; the call only exchanges the newest
-/// order for the newest reading, which the exchange waits for.
+/// order for the newest reading, which the exchange waits for. An order that is not renewed ends after 20 ms.
 class HdLine final : public ArmLine
 {
 public:
@@ -71,6 +72,7 @@ private:
   mutable std::mutex mutex_; ///< of what follows: the vendor's thread and the exchange
   std::condition_variable done_;
   WireOrder order_;
+  std::chrono::steady_clock::time_point ordered_; ///< when that was
   Answer answer_;
   std::uint64_t frames_ = 0, seen_ = 0;
   std::string error_;

@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 
+#include "devices/common/LinkNotes.h"
+
 namespace palpate
 {
 
@@ -20,6 +22,9 @@ public:
   [[nodiscard]] virtual int receive(std::span<std::uint8_t> bytes, int timeout_ms) noexcept = 0;
   /// The system's message for the last failure, for a person.
   [[nodiscard]] virtual std::string error() const = 0;
+  /// Phrases for a person: why receive() says that the link is gone, and why send() has just failed.
+  [[nodiscard]] virtual std::string gone() const { return "the cable was unplugged"; }
+  [[nodiscard]] virtual std::string unsent() const { return describeFailedWrite(this->error()); }
   /// What receive() returns is one message; else it is a part of a stream.
   [[nodiscard]] virtual bool keepsBorders() const noexcept = 0;
 };

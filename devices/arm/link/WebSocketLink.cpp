@@ -64,12 +64,13 @@ public:
   WebSocketLink& operator=(const WebSocketLink&) = delete;
 
   /// Empty, or a phrase.
-  [[nodiscard]] std::string begin(std::uint16_t port, int timeout_ms)
+  [[nodiscard]] std::string begin(std::uint16_t port, int timeout_ms, bool& nobodyListens)
   {
     const auto connected = within(
       this->context_, timeout_ms, [&](auto done) { this->socket_.next_layer().async_connect(loopback(port), done); });
     if (!connected || *connected)
     {
+      nobodyListens = connected && *connected == asio::error::connection_refused;
       return connected ? connected->message() : "it does not accept a connection";
     }
     error_code ignored;
@@ -87,7 +88,8 @@ public:
     this->error_ = sent ? *sent : error_code(asio::error::timed_out);
     if (!sent)
     {
-      this->tcp().close(); // it still reads the bytes of the caller
+      error_code ignored;
+      this->tcp().close(ignored); // it still reads the bytes of the caller
       this->context_.restart();
       this->context_.run_for(std::chrono::milliseconds(socketWrite_ms));
     }
@@ -121,6 +123,11 @@ public:
     return static_cast<int>(this->buffer_.size());
   }
   std::string error() const override { return this->error_.message(); }
+  std::string gone() const override
+  {
+    return "the program at the other end does not hold the connection: " + this->error();
+  }
+  std::string unsent() const override { return this->gone(); }
   bool keepsBorders() const noexcept override { return true; }
 
 private:
@@ -136,11 +143,13 @@ private:
 
 } // namespace
 
-Outcome<std::unique_ptr<ByteLink>> openLoopbackSocket(std::uint16_t port, int timeout_ms)
+LoopbackSocket openLoopbackSocket(std::uint16_t port, int timeout_ms)
 {
+  LoopbackSocket opened;
   auto link = std::make_unique<WebSocketLink>();
-  std::string problem = link->begin(port, timeout_ms);
-  return { problem.empty() ? std::move(link) : nullptr, problem };
+  opened.problem = link->begin(port, timeout_ms, opened.nobodyListens);
+  opened.link = opened.problem.empty() ? std::move(link) : nullptr;
+  return opened;
 }
 
 Outcome<std::string> askLoopback(std::uint16_t port, const std::string& target, int timeout_ms)

@@ -164,7 +164,7 @@ std::optional<WireReading> HaplyServiceWire::decode(std::span<const std::uint8_t
       return std::nullopt;
     }
     WireReading reading;
-    reading.pose_D = Pose{ *position, Quat::Identity() };
+    reading.pose_D = Pose{ *position - this->centre_D_, Quat::Identity() };
     if (const std::optional<Vec3> velocity = vectorOf(memberOf(state, "cursor_velocity")))
     {
       reading.velocity_D = Twist{ *velocity, Vec3::Zero() };

@@ -17,8 +17,12 @@ namespace palpate
 class HaplyServiceWire final : public WireProtocol
 {
 public:
-  /// `vector`: forces stand under "vector", which they do since 3.5; else under "values".
-  HaplyServiceWire(std::string device, bool vector) : device_(std::move(device)), vector_(vector) {}
+  /// `vector`: forces stand under "vector", which they do since 3.5; else under "values". `centre_D`: of the work
+  /// space, where the service has its origin elsewhere [m]; places are counted from there.
+  HaplyServiceWire(std::string device, bool vector, const Vec3& centre_D = Vec3::Zero())
+    : device_(std::move(device)), vector_(vector), centre_D_(centre_D)
+  {
+  }
 
   void encode(const WireOrder& order, WireBytes& bytes) const override;
   [[nodiscard]] std::optional<WireReading> decode(std::span<const std::uint8_t> answer) const override;
@@ -28,6 +32,7 @@ public:
 private:
   std::string device_;
   bool vector_;
+  Vec3 centre_D_;
 };
 
 /// A device in the message that the service begins with.

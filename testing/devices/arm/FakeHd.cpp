@@ -17,7 +17,7 @@ struct Error
   std::uint32_t device;
 };
 
-std::atomic<double> force[3];
+std::atomic<double> force[3], lastPush[3]; // lastPush: the last force that was one
 std::atomic<std::uint32_t> failure = 0;
 std::atomic<int> rate_Hz = 1000, outputOn = 0, calls = 0;
 std::atomic<bool> runs = false;
@@ -69,9 +69,11 @@ extern "C"
   }
   void hdSetDoublev(std::uint32_t what, const double* values)
   {
+    const bool pushes = values[0] != 0.0 || values[1] != 0.0 || values[2] != 0.0;
     for (int i = 0; i < 3 && what == 0x2700; ++i)
     {
       force[i] = values[i];
+      lastPush[i] = pushes ? values[i] : lastPush[i].load();
     }
   }
   std::uint64_t hdScheduleAsynchronous(Callback call, void* of, std::uint16_t)
@@ -114,6 +116,10 @@ extern "C"
   double fakeForce(int axis)
   {
     return force[axis];
+  }
+  double fakeLastPush(int axis)
+  {
+    return lastPush[axis];
   }
   int fakeCalls()
   {

@@ -2,6 +2,7 @@
 #include "testing/devices/arm/FakeService.h"
 
 #include <chrono>
+#include <cstdio>
 #include <sys/socket.h>
 
 #include <boost/asio/io_context.hpp>
@@ -60,7 +61,7 @@ struct FakeService::Parts
     const Json transform{ { "position", vectorOf(shift) }, { "rotation", turnOf(Quat::Identity()) },
       { "scale", vectorOf(one) } };
     const Json arm{ { "device_id", this->says.answer == Answer::OtherArm ? "FFFF" : "049D" },
-      { "config", { { "type", "inverse3" }, { "preset", "defaults" } } },
+      { "config", { { "type", "inverse3" }, { "preset", this->says.preset } } },
       { "state", { { "cursor_position", vectorOf(this->says.position_m) },
                    { "cursor_velocity", vectorOf({ 0, 0.02, 0 }) }, { "transform", transform } } },
       { "status", { { "calibrated", this->says.calibrated }, { "ready", this->says.ready },
@@ -89,7 +90,9 @@ struct FakeService::Parts
       const Json t = commands["set_transform"]["transform"];
       this->identity = t["position"]["x"] == 0.0 && t["rotation"]["w"] == 1.0 && t["scale"]["x"] == 1.0;
     }
-    const std::string key = this->says.version >= "3.5" ? "vector" : "values";
+    int major = 0, minor = 0;
+    std::sscanf(this->says.version.c_str(), "%d.%d", &major, &minor);
+    const std::string key = major > 3 || (major == 3 && minor >= 5) ? "vector" : "values";
     if (commands.contains("set_cursor_force") && commands["set_cursor_force"].contains(key))
     {
       const Json v = commands["set_cursor_force"][key];
@@ -118,6 +121,7 @@ struct FakeService::Parts
         socket.write_some(false, asio::buffer(text.data(), text.size() / 2), error);
         return !error;
       case Answer::Closes:
+        socket.next_layer().shutdown(tcp::socket::shutdown_both, error);
         return false;
       default:
         break;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole chain of an arm behind a vendor's service, against a service that is made up, on this computer.
+#include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include "devices/arm/ArmDevice.h"
 #include "devices/arm/kit/Kits.h"
@@ -58,14 +61,10 @@ TEST(HaplyService, ThatIsInstalledAndSilentIsToldOfAndOneThatIsNotThereIsNot)
 
 TEST(HaplyService, IsNamedTheProgramAndSetToIdentityAndAppliesTheForceThatIsAsked)
 {
-  for (const char* const version : { "3.0.1", "3.1.4", "3.5.2", "3.10.0" })
+  for (const char* const version : { "3.0.1", "3.1.4", "3.4.9", "3.5.2", "3.10.0" })
   {
     HaplyRig rig;
     rig.says.version = version;
-    if (rig.says.version == "3.10.0")
-    {
-      rig.says.version = "3.9"; // as the fake compares versions as texts
-    }
     rig.service.say(rig.says);
     ASSERT_EQ(rig.device.open(), "") << version;
     const Vec3 force_N(0.5, -1.25, 2.0);
@@ -89,6 +88,57 @@ TEST(HaplyService, TellsPlaceVelocityTurnAndButtons)
   EXPECT_LT(rig.sample.pose_D.q.angularDistance(rig.says.turn), 1e-9);
   EXPECT_EQ(rig.sample.velocity_D.linear, Vec3(0.0, 0.02, 0.0));
   EXPECT_EQ(rig.sample.buttons, 5U);
+}
+
+TEST(HaplyService, CountsPlacesFromTheMiddleOfTheWorkSpaceAlsoWhereTheServiceDoes)
+{
+  HaplyRig rig;
+  rig.says.preset = "arm_front_centered";
+  rig.service.say(rig.says);
+  ASSERT_EQ(rig.device.open(), "");
+  rig.run(5);
+  EXPECT_EQ(rig.sample.pose_D.p, rig.says.position_m);
+}
+
+/// A port of this computer, and perhaps a program that takes connections there and says nothing.
+class MutePort
+{
+public:
+  explicit MutePort(bool listens) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0))
+  {
+    sockaddr_in at{};
+    at.sin_family = AF_INET;
+    at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t length = sizeof at;
+    auto* const address = reinterpret_cast<sockaddr*>(&at);
+    EXPECT_EQ(::bind(this->socket_, address, length), 0);
+    EXPECT_EQ(::getsockname(this->socket_, address, &length), 0);
+    EXPECT_EQ(listens ? ::listen(this->socket_, 8) : 0, 0);
+    this->number = ntohs(at.sin_port);
+  }
+  ~MutePort() { ::close(this->socket_); }
+  MutePort(const MutePort&) = delete;
+  MutePort& operator=(const MutePort&) = delete;
+
+  std::uint16_t number = 0;
+
+private:
+  int socket_;
+};
+
+TEST(HaplyService, IsRefusedWhereItsChannelOfSafetyEventsDoesNotOpenButNotWhereThereIsNone)
+{
+  for (const bool listens : { false, true })
+  {
+    const FakeService service;
+    const MutePort events(listens);
+    const ArmKit kit = haplyKit({ service.port(), service.port(), events.number, "/nowhere" });
+    ArmDevice device("haply", kit.bus, { "049D", 0, 0, "049D", "Haply inverse3" }, kit.setup, { false });
+    const std::string problem = device.open();
+    EXPECT_EQ(problem.find("does not open its channel of safety events") != std::string::npos, listens) << problem;
+    EXPECT_EQ(problem.empty(), !listens);
+    EXPECT_EQ(service.messages() > 0, !listens) << "a device that is refused is told nothing";
+  }
 }
 
 TEST(HaplyService, WithADeviceThatAnotherProgramUsesIsRefused)
@@ -178,7 +228,10 @@ TEST(HaplyService, ThatSaysSomethingElseIsLostWithinTwentyMillisecondsAndIsToldN
       rig.run(1);
     }
     EXPECT_GE(rig.lostTicks, 1) << static_cast<int>(answer);
-    EXPECT_NE(rig.device.linkReport().lostFor, "") << static_cast<int>(answer);
+    const std::string why = rig.device.linkReport().lostFor;
+    EXPECT_NE(why, "") << static_cast<int>(answer);
+    EXPECT_THAT(why, testing::Not(testing::HasSubstr("unplugged"))) << "a service has no cable";
+    EXPECT_TRUE(answer != Answers::Closes || why.find("does not hold the connection") != std::string::npos) << why;
     EXPECT_TRUE(answer == Answers::Closes || rig.service.force_N().norm() == 0.0) << static_cast<int>(answer);
   }
 }

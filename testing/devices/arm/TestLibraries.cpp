@@ -2,15 +2,20 @@
 // Arms behind a vendor's library, against libraries that are made up.
 #include <chrono>
 #include <dlfcn.h>
+#include <filesystem>
+#include <fstream>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "devices/DeviceFactory.h"
 #include "devices/arm/ArmDevice.h"
 #include "devices/arm/kit/Kits.h"
 #include "testing/devices/arm/ServoSide.h"
+#include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/Eventually.h"
+#include "testing/support/TemporaryFolder.h"
 
 namespace palpate
 {
@@ -60,8 +65,11 @@ TEST(ForceDimension, ExchangesForceForPlaceTurnVelocityAndButtonsAndSetsTheWatch
   LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
   ASSERT_EQ(rig.device.open(), "");
   ask(rig, { 1.0, -2.0, 3.0 }, 5);
+  rig.command.wrench_D.torque = { 0.1, 0.2, 0.3 };
+  rig.run(2);
   const auto force = fakeFunction<double(int)>(PALPATE_FAKE_DHD, "fakeForce");
   EXPECT_EQ(Vec3(force(0), force(1), force(2)), Vec3(1.0, -2.0, 3.0));
+  EXPECT_EQ(Vec3(force(3), force(4), force(5)), Vec3(Vec3::Zero())) << "it renders no torque";
   EXPECT_EQ(fakeFunction<int()>(PALPATE_FAKE_DHD, "fakeWatchdog")(), 20);
   EXPECT_EQ(rig.sample.pose_D.p, Vec3(0.01, 0.02, -0.03));
   EXPECT_LT((rig.sample.pose_D.q * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-12);
@@ -119,8 +127,8 @@ TEST_P(OpenHapticsRates, ExchangesInTheVendorsCallsAtTheirRate)
   ASSERT_EQ(rig.device.open(), "");
   ask(rig, { 1.0, -2.0, 0.5 }, 5);
   rig.run(3);
-  const auto force = fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeForce");
-  EXPECT_EQ(Vec3(force(0), force(1), force(2)), Vec3(1.0, -2.0, 0.5));
+  const auto push = fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeLastPush");
+  EXPECT_EQ(Vec3(push(0), push(1), push(2)), Vec3(1.0, -2.0, 0.5));
   EXPECT_LT((rig.sample.pose_D.p - Vec3(0.01, 0.02, -0.03)).norm(), 1e-15);
   EXPECT_LT((rig.sample.pose_D.q * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-12);
   EXPECT_NEAR(rig.sample.velocity_D.linear.x(), 0.1, 1e-15);
@@ -135,6 +143,36 @@ TEST_P(OpenHapticsRates, ExchangesInTheVendorsCallsAtTheirRate)
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, OpenHapticsRates, testing::Values(500, 1000, 4000));
+
+TEST(OpenHaptics, EndsAForceThatNobodyAsksForAgainAlthoughTheVendorsSchedulerGoesOn)
+{
+  LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
+  ASSERT_EQ(rig.device.open(), "");
+  ask(rig, { 0.0, 0.0, 2.5 }, 5);
+  const auto force = fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeForce");
+  const auto push = fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeLastPush");
+  const auto calls = fakeFunction<int()>(PALPATE_FAKE_HD, "fakeCalls");
+  EXPECT_TRUE(test::eventually([&] { return push(2) == 2.5; }));
+  const int before = calls();
+  EXPECT_TRUE(test::eventually([&] { return force(2) == 0.0; })) << "the exchange hangs";
+  EXPECT_TRUE(test::eventually([&] { return calls() > before; }));
+}
+
+TEST(OpenHaptics, IsNobodysFirstChoiceWithoutAPlug)
+{
+  const test::TemporaryFolder sys;
+  DeviceOptions options;
+  options.hid = std::make_shared<test::FakeHidBus>();
+  options.arms = std::make_shared<const std::vector<ArmKit>>(
+    std::vector<ArmKit>{ openHapticsKit(PALPATE_FAKE_HD, sys.path().string()) });
+  EXPECT_EQ(knownDevices(options).back().name, "openhaptics-0301-2988") << "it may be on Ethernet";
+  EXPECT_EQ(preferredDevice(knownDevices(options)), "mouse");
+  const std::filesystem::path plug = sys.path() / "bus/usb/devices/1-1";
+  std::filesystem::create_directories(plug);
+  std::ofstream(plug / "idVendor") << "0301\n";
+  std::ofstream(plug / "idProduct") << "2988\n";
+  EXPECT_EQ(preferredDevice(knownDevices(options)), "openhaptics-0301-2988");
+}
 
 TEST(OpenHaptics, WhoseSchedulerStopsOrReportsAnErrorIsLost)
 {

@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "devices/DeviceFactory.h"
 #include "devices/arm/protocol/TwoDiyWire.h"
+#include "devices/calibration/SelfTest.h"
 #include "testing/devices/arm/TwoDiyRig.h"
 #include "testing/support/Random.h"
 
@@ -88,6 +90,21 @@ TEST(TwoDiy, AppliesTheForceThatIsAskedToAStepOfItsTorque)
     EXPECT_LT((diy.rig.sample.pose_D.p - from_m).norm(), count_m);
     EXPECT_LT((diy.model->force_N() - force_N).norm(), diy.model->step_N() + 5e-3) << from_m.transpose();
   }
+}
+
+TEST(TwoDiy, IsNoWheelWhateverThePersonSays)
+{
+  const HidEntry entry{ "/dev/none", 0x2341, 0x003E, "7", "board" };
+  const auto bus = std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [entry] { return std::vector{ entry }; },
+    [](const HidEntry&) { return ArmBus::Opened{}; }, [](const HidEntry&) { return ""; } });
+  DeviceOptions options;
+  options.arms = std::make_shared<const std::vector<ArmKit>>(std::vector<ArmKit>{ { "2diy", bus, twoDiySetup() } });
+  const std::string name = "2diy-2341-003e-7";
+  EXPECT_EQ(makeDevice(name, options).device->info().deviceClass, DeviceClass::Joystick2D);
+  options.wheel = true;
+  const MadeDevice made = makeDevice(name, options);
+  EXPECT_EQ(made.device, nullptr);
+  EXPECT_EQ(made.problem, name + ": " + armIsNoWheel);
 }
 
 TEST(TwoDiy, IsToldNoTorqueBeforeItIsLetGo)

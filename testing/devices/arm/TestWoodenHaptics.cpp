@@ -250,6 +250,66 @@ TEST(WoodenHaptics, GivesAllOfItsForceOnceItsCheckWasKeptForItsNumber)
   EXPECT_EQ(made.device->info().pacing, Pacing::Device);
 }
 
+/// Its options, and a check along its first axes that was kept.
+struct KeptCheck
+{
+  KeptCheck(const WoodenHapticsRig& rig, const std::string& serial, int axes)
+    : name("woodenhaptics-1234-0006" + (serial.empty() ? "" : "-" + serial))
+  {
+    this->options.hid = rig.bus;
+    this->options.arms = std::make_shared<const std::vector<ArmKit>>(std::vector<ArmKit>{ rig.kit });
+    this->options.calibrationFolder = rig.folder.path();
+    this->kept = { this->name, serial, "2026-01-31", axes, {} };
+    for (int i = 0; i < axes; ++i)
+    {
+      this->kept.axes[static_cast<std::size_t>(i)] = { i, 1, -0.1, 0.1, i, 1, 0.01, 0.0 };
+    }
+    EXPECT_EQ(saveCalibration(this->options.calibrationFolder, this->kept), "");
+  }
+  [[nodiscard]] double largest_N() const
+  {
+    const MadeDevice made = makeDevice(this->name, this->options);
+    EXPECT_NE(made.device, nullptr) << made.problem;
+    return made.device != nullptr ? made.device->info().maxForce_N.value : 0.0;
+  }
+
+  std::string name;
+  DeviceOptions options;
+  Calibration kept;
+};
+
+TEST(WoodenHaptics, WithoutANumberIsProvenByACheckOfThisSessionAlone)
+{
+  WoodenHapticsRig rig;
+  rig.port.entry.serial.clear();
+  KeptCheck check(rig, "", 3);
+  EXPECT_EQ(check.largest_N(), 1.0) << "the file may be that of another arm";
+  check.options.felt = check.kept;
+  EXPECT_EQ(check.largest_N(), 5.0);
+  check.options.felt->device = "woodenhaptics-16c0-0486";
+  EXPECT_EQ(check.largest_N(), 1.0);
+}
+
+TEST(WoodenHaptics, IsProvenByPushesAlongAllOfItsAxes)
+{
+  const WoodenHapticsRig rig;
+  EXPECT_EQ(KeptCheck(rig, "7", 2).largest_N(), 1.0);
+  EXPECT_EQ(KeptCheck(rig, "7", 3).largest_N(), 5.0);
+}
+
+TEST(WoodenHaptics, WithoutItsOwnersFileSaysSoWhereItIsListedAndWhenItIsOpened)
+{
+  const WoodenHapticsRig rig;
+  DeviceOptions options;
+  options.hid = rig.bus;
+  options.arms = std::make_shared<const std::vector<ArmKit>>(
+    std::vector<ArmKit>{ woodenHapticsKit(rig.bus, rig.folder.file("none.json")) });
+  EXPECT_THAT(knownDevices(options).back().problem, testing::HasSubstr("none.json: it is missing"));
+  const MadeDevice made = makeDevice("woodenhaptics-1234-0006-7", options);
+  ASSERT_NE(made.device, nullptr) << made.problem;
+  EXPECT_THAT(made.device->open(), testing::HasSubstr("none.json: it is missing"));
+}
+
 TEST(WoodenHaptics, OfWhichTwoCannotBeToldApartKeepsItsLimit)
 {
   WoodenHapticsRig rig;

@@ -2,6 +2,7 @@
 // The check of an arm, whose kinematics say where a push must lead.
 #include <gtest/gtest.h>
 
+#include "devices/calibration/CalibratedDevice.h"
 #include "testing/devices/calibration/SelfTested.h"
 
 namespace palpate::test
@@ -41,6 +42,17 @@ TEST(SelfTestOfArms, PassesWithPushesOfHalfANewtonAndNobodyMovesTheArmToItsEnds)
     EXPECT_EQ(axis.high_m, found.device.workspaceRadius_m.value);
     EXPECT_EQ(axis.low_m, -axis.high_m);
   }
+}
+
+TEST(SelfTestOfArms, RefusesAnArmThatIsCalledAWheelForItsOtherAxesWouldPassUnchecked)
+{
+  DeviceInfo arm = infoOf(*deviceModel("simulated-ideal"));
+  EXPECT_EQ(SelfTestPlan::forDevice(arm, {}, true).refusal(), "");
+  arm.knowsAxes = true;
+  EXPECT_EQ(SelfTestPlan::forDevice(arm, {}, true).refusal(), armIsNoWheel);
+  EXPECT_EQ(SelfTestPlan::forDevice(arm).refusal(), "");
+  arm.deviceClass = DeviceClass::Joystick2D;
+  EXPECT_EQ(asWheel(arm).deviceClass, DeviceClass::Joystick2D);
 }
 
 TEST(SelfTestOfArms, TellsAnAxisThatIsReversed)

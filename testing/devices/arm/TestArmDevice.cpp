@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds for an arm whatever its line is, against a line that does what a test says.
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "devices/arm/ArmDevice.h"
+#include "devices/arm/ListedArmBus.h"
+#include "devices/calibration/CalibratedDevice.h"
+#include "testing/devices/arm/ServoSide.h"
+#include "testing/support/AllocationGuard.h"
+#include "testing/support/Eventually.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// What a line does, and the order that it had last.
+struct Script
+{
+  test::ModelTime* time = nullptr; ///< null: the line answers at once
+  std::int64_t takes_ns = perMs_ns / 4;
+  WireOrder last;
+};
+
+class ScriptedLine final : public ArmLine
+{
+public:
+  explicit ScriptedLine(std::shared_ptr<Script> script) : script_(std::move(script)) {}
+
+  Answer exchange(const WireOrder& order, int /*timeout_ms*/) override
+  {
+    this->script_->last = order;
+    if (this->script_->time != nullptr)
+    {
+      this->script_->time->pass(this->script_->takes_ns);
+    }
+    Answer answer{ Said::Reading, {} };
+    answer.reading.pose_D = Pose{};
+    return answer;
+  }
+  void letGo() noexcept override { this->script_->last = {}; }
+  std::string error() const override { return "an error of before"; }
+
+private:
+  std::shared_ptr<Script> script_;
+};
+
+ArmSetup turningSetup()
+{
+  ArmSetup setup;
+  setup.what = "an arm that senses turns";
+  setup.turns = true;
+  setup.force_N = { 3.0, true };
+  return setup;
+}
+
+std::shared_ptr<ArmBus> busOf(const std::shared_ptr<Script>& script, const HidEntry& entry)
+{
+  return std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [entry] { return std::vector{ entry }; },
+    [script](const HidEntry&) {
+      return ArmBus::Opened{ std::make_unique<ScriptedLine>(script), {} };
+    },
+    [](const HidEntry&) { return ""; } });
+}
+
+/// Such an arm in virtual time; a tick, then an exchange of a millisecond or as long as the script says.
+struct ScriptedRig : test::ServoSide
+{
+  ScriptedRig() { this->script->time = &this->time; }
+
+  void run(int duration_ms)
+  {
+    for (int i = 0; i < duration_ms; ++i)
+    {
+      this->tick(this->device, this->time.now_ns());
+      this->pass();
+    }
+  }
+  void pass()
+  {
+    static_cast<void>(this->device.link().pass());
+    this->time.pass(std::max<std::int64_t>(0, perMs_ns - this->script->takes_ns));
+  }
+
+  test::ModelTime time;
+  std::shared_ptr<Script> script = std::make_shared<Script>();
+  HidEntry entry{ "line", 1, 2, "7", "scripted" };
+  ArmDevice device{ "arm", busOf(script, entry), entry, turningSetup(), { false, &time } };
+};
+
+TEST(ArmDevice, ReadsWritesAndAwaitsWithoutAllocationAndWithoutALock)
+{
+  const HidEntry entry{ "line", 1, 2, "7", "scripted" };
+  ArmDevice device("arm", busOf(std::make_shared<Script>(), entry), entry, turningSetup());
+  ASSERT_EQ(device.open(), "");
+  DeviceSample sample;
+  int tick = 0;
+  ASSERT_TRUE(test::eventually([&] { return device.read(1e-3 * ++tick, sample) == DeviceStatus::Ok; }));
+  DeviceCommand command;
+  command.wrench_D.force = { 0.1, 0.0, 0.0 };
+  const test::AllocationGuard guard;
+  for (int i = 0; i < 200; ++i)
+  {
+    device.await();
+    static_cast<void>(device.read(1e-3 * ++tick, sample));
+    device.write(command);
+  }
+  EXPECT_EQ(guard.allocations(), 0U);
+  EXPECT_EQ(guard.frees(), 0U);
+  EXPECT_EQ(guard.locks(), 0U);
+}
+
+TEST(AnswerBell, IsHeardOnceHoweverOftenItRangAndAlsoIfItRangBefore)
+{
+  AnswerBell bell;
+  bell.ring();
+  bell.ring();
+  EXPECT_TRUE(bell.await(std::chrono::seconds(100)));
+  EXPECT_FALSE(bell.await(std::chrono::microseconds(0)));
+  bell.ring();
+  EXPECT_TRUE(bell.await(std::chrono::microseconds(0)));
+}
+
+TEST(AnswerBell, WakesAThreadThatWaits)
+{
+  AnswerBell bell;
+  bool heard = false;
+  std::thread servo([&] { heard = bell.await(std::chrono::seconds(100)); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  bell.ring();
+  servo.join();
+  EXPECT_TRUE(heard);
+}
+
+TEST(ArmDevice, GivesNoForceAfterAnAnswerThatCameTooLateAndForceAgainAfterOneInTime)
+{
+  ScriptedRig rig;
+  ASSERT_EQ(rig.device.open(), "");
+  ask(rig, { 0.5, 0.0, 0.0 });
+  ASSERT_EQ(rig.script->last.wrench_D.force.x(), 0.5);
+  rig.script->takes_ns = ArmLink::answer_ms * perMs_ns + 1;
+  rig.run(1);
+  EXPECT_EQ(rig.script->last.wrench_D.force.x(), 0.5) << "nobody knew yet";
+  rig.script->takes_ns = perMs_ns / 4;
+  rig.run(1);
+  EXPECT_EQ(rig.script->last.wrench_D.force.norm(), 0.0);
+  rig.run(1);
+  EXPECT_EQ(rig.script->last.wrench_D.force.x(), 0.5);
+  EXPECT_EQ(rig.status, DeviceStatus::Ok);
+}
+
+TEST(ArmDevice, WhoseAnswersAllComeTooLateIsLostAndTheReasonIsSaid)
+{
+  ScriptedRig rig;
+  ASSERT_EQ(rig.device.open(), "");
+  ask(rig, { 0.5, 0.0, 0.0 });
+  rig.script->takes_ns = ArmLink::answer_ms * perMs_ns + 1;
+  for (const std::int64_t until_ns = rig.time.now_ns() + 20 * perMs_ns; rig.time.now_ns() < until_ns;)
+  {
+    rig.run(1);
+  }
+  EXPECT_GE(rig.lostTicks, 1);
+  EXPECT_EQ(rig.script->last.wrench_D.force.norm(), 0.0);
+  EXPECT_EQ(rig.device.linkReport().lostFor, "the device answers too late");
+}
+
+TEST(ArmDevice, SendsNoTorqueForItRendersNone)
+{
+  ScriptedRig rig;
+  ASSERT_EQ(rig.device.open(), "");
+  ASSERT_FALSE(rig.device.info().rendersTorque);
+  for (const Vec3& force_N : { Vec3(0.5, 0.0, 0.0), Vec3(0.0, 0.0, 0.0) })
+  {
+    ask(rig, force_N, 1);
+    rig.command.wrench_D.torque = { 0.0, 2.0, 0.0 };
+    rig.run(5);
+    EXPECT_EQ(rig.script->last.wrench_D.force, force_N);
+    EXPECT_EQ(rig.script->last.wrench_D.torque, Vec3(Vec3::Zero()));
+  }
+}
+
+TEST(ArmDevice, KeepsItsLimitBehindACalibrationThatNobodyHasFelt)
+{
+  const HidEntry entry{ "line", 1, 2, "7", "scripted" };
+  const auto script = std::make_shared<Script>();
+  auto arm = std::make_unique<ArmDevice>("arm", busOf(script, entry), entry, turningSetup());
+  const Calibration unfelt = wheelCalibration(arm->info(), "2026-01-31");
+  const CalibratedDevice device(std::move(arm), unfelt);
+  EXPECT_EQ(device.info().maxForce_N.value, 1.0);
+}
+
+TEST(ArmDevice, ThatCannotBeUsedSaysWhyWhenItIsOpened)
+{
+  const HidEntry entry{ "line", 1, 2, "7", "scripted" };
+  ArmSetup setup = turningSetup();
+  setup.problem = "its file is missing";
+  ArmDevice device("arm", busOf(std::make_shared<Script>(), entry), entry, setup);
+  EXPECT_EQ(device.open(), "\"arm\": its file is missing");
+}
+
+} // namespace
+} // namespace palpate
