@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 #include <thread>
 
 #include "haptics/arm/ArmMeasures.h"
@@ -19,21 +18,6 @@ constexpr int noDevice_ms = 5;
 constexpr double forgottenAfter_s = 0.012; ///< an arm of which nothing new is heard; an answer is waited for 5 ms
 constexpr auto longestWait = std::chrono::milliseconds(4);
 
-/// The longest way of the hand for one step of an encoder, with the arm so.
-double resolutionOf(const Arm& arm, const JointVector& q)
-{
-  const ArmJacobian J = arm.jacobian(q);
-  double longest_m = 0.0;
-  for (int i = 0; i < arm.joints(); ++i)
-  {
-    const ArmJoint& joint = arm.plan().joints[static_cast<std::size_t>(i)];
-    const double step_rad =
-      joint.countsPerTurn > 0.0 ? 2.0 * std::numbers::pi / std::fabs(joint.countsPerTurn * joint.gear) : 0.0;
-    longest_m = std::max(longest_m, step_rad * J.col(i).head<3>().norm());
-  }
-  return longest_m;
-}
-
 void describe(const ArmPlan& plan, DeviceInfo& info)
 {
   const Arm arm(plan);
@@ -47,7 +31,7 @@ void describe(const ArmPlan& plan, DeviceInfo& info)
   if (const std::optional<JointVector> middle = arm.inverse(plan.workSpace.centre_D))
   {
     const double motors_N = measure(arm, *middle).leastForce_N;
-    info.resolution_m = { resolutionOf(arm, *middle), true };
+    info.resolution_m = { countStepOf(arm, *middle), true };
     const bool told = std::isfinite(motors_N) && motors_N > 0.0 && !info.maxForce_N.known;
     info.maxForce_N = told ? DeviceQuantity{ motors_N, true } : info.maxForce_N;
   }

@@ -143,14 +143,13 @@ void ArmLink::push(const Attached& device, const Wrench& wrench_D, WireOrder& or
   {
     return;
   }
-  const Posture posture = this->arm_->posture(*device.joints);
-  const JointVector torque_Nm = this->arm_->torqueOf(posture, order.wrench_D);
-  const double let = this->arm_->forceFade(*device.joints, posture) * this->arm_->shareWithinMotors(torque_Nm);
+  const JointVector torque_Nm =
+    this->arm_->givenTorqueOf(*device.joints, order.wrench_D, JointVector::Zero(this->arm_->joints()));
   const JointVector motor_Nm = this->arm_->motorTorqueOf(torque_Nm);
   for (int i = 0; i < std::min<int>(this->arm_->motors(), WireOrder::motors); ++i)
   {
-    order.joint_Nm[static_cast<std::size_t>(i)] = let * torque_Nm[i];
-    order.motor_Nm[static_cast<std::size_t>(i)] = let * motor_Nm[i];
+    order.joint_Nm[static_cast<std::size_t>(i)] = torque_Nm[i];
+    order.motor_Nm[static_cast<std::size_t>(i)] = motor_Nm[i];
   }
 }
 

@@ -16,20 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t wordBits = 64; // of the kernel's unsigned long
 
-std::string lineOf(const fs::path& file)
-{
-  const std::string content = contentOf(file);
-  return content.substr(0, content.find('\n'));
-}
-
-std::uint16_t numberOf(const fs::path& file)
-{
-  const std::string line = lineOf(file);
-  std::uint16_t number = 0;
-  std::from_chars(line.data(), line.data() + line.size(), number, 16);
-  return number;
-}
-
 template<std::size_t N>
 std::bitset<N> bitsIn(const fs::path& file)
 {
@@ -44,19 +30,6 @@ std::bitset<N> bitsIn(const fs::path& file)
   return bits;
 }
 
-/// The entries of a folder; none where it cannot be read.
-std::vector<fs::path> within(const fs::path& folder)
-{
-  std::error_code problem;
-  std::vector<fs::path> all;
-  for (fs::directory_iterator it(folder, problem), end; !problem && it != end; it.increment(problem))
-  {
-    all.push_back(it->path());
-  }
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
 bool has(const fs::path& folder, const char* file)
 {
   std::error_code problem;
@@ -65,7 +38,7 @@ bool has(const fs::path& folder, const char* file)
 
 bool holdsOneOf(const std::set<std::string>& devices, const fs::path& process)
 {
-  const std::vector<fs::path> files = within(process / "fd");
+  const std::vector<fs::path> files = entriesOf(process / "fd");
   return std::any_of(files.begin(), files.end(),
     [&](const fs::path& file)
     {
@@ -113,8 +86,8 @@ HidEntry entryOf(const fs::path& event)
   const fs::path device = event / "device";
   HidEntry entry;
   entry.path = "/dev/input/" + event.filename().string();
-  entry.vendor = numberOf(device / "id" / "vendor");
-  entry.product = numberOf(device / "id" / "product");
+  entry.vendor = hexIn(device / "id" / "vendor");
+  entry.product = hexIn(device / "id" / "product");
   entry.serial = lineOf(device / "uniq");
   entry.name = lineOf(device / "name");
   return entry;
@@ -134,9 +107,9 @@ std::vector<fs::path> hidFolders(const fs::path& event)
   {
     return all; // no USB: nothing else is behind its plug
   }
-  for (const fs::path& other : within(interface.parent_path()))
+  for (const fs::path& other : entriesOf(interface.parent_path()))
   {
-    const std::vector<fs::path> inside = within(other);
+    const std::vector<fs::path> inside = entriesOf(other);
     const bool sibling = other != interface && has(other, "bInterfaceNumber");
     std::copy_if(inside.begin(), inside.end(), std::back_inserter(all),
       [sibling](const fs::path& folder) { return sibling && has(folder, "report_descriptor"); });
@@ -149,12 +122,12 @@ std::string hidrawHolder(const std::vector<fs::path>& folders, const fs::path& p
   std::set<std::string> devices;
   for (const fs::path& folder : folders)
   {
-    for (const fs::path& hidraw : within(folder / "hidraw"))
+    for (const fs::path& hidraw : entriesOf(folder / "hidraw"))
     {
       devices.insert("/dev/" + hidraw.filename().string());
     }
   }
-  for (const fs::path& process : devices.empty() ? std::vector<fs::path>{} : within(processes))
+  for (const fs::path& process : devices.empty() ? std::vector<fs::path>{} : entriesOf(processes))
   {
     if (holdsOneOf(devices, process))
     {

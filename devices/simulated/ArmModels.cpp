@@ -74,20 +74,6 @@ Part worstOf(const std::vector<Part>& parts)
   return worst;
 }
 
-/// The largest displacement of the tip for one count of any encoder, in the middle of the work space [m].
-double stepOf(const Arm& arm, const JointVector& q)
-{
-  double step = 0.0;
-  const ArmJacobian J = arm.jacobian(q);
-  for (int k = 0; k < arm.joints(); ++k)
-  {
-    const double perTurn = arm.plan().joints[static_cast<std::size_t>(k)].countsPerTurn;
-    const double count_rad = perTurn > 0.0 ? 2.0 * M_PI / perTurn : 0.0;
-    step = std::max(step, count_rad * (J.topRows<3>() * arm.gears().col(k)).norm());
-  }
-  return step;
-}
-
 /// The force that the motors give in every direction everywhere in the work space.
 double forceOf(const Arm& arm)
 {
@@ -126,7 +112,7 @@ DeviceModel armModel(const std::string& id, const std::string& name, const std::
   model.mass_kg = worst.mass_kg;
   model.damping_Ns_per_m = worst.damping_Ns_per_m;
   model.friction_N = worst.friction_N;
-  model.encoderStep_m = stepOf(arm, *arm.inverse(Vec3::Zero()));
+  model.encoderStep_m = countStepOf(arm, *arm.inverse(Vec3::Zero()));
   model.maxForce_N = forceOf(arm);
   model.maxStiffness_N_per_m = plan.maxStiffness_N_per_m;
   model.maxDamping_Ns_per_m = plan.maxDamping_Ns_per_m;

@@ -16,16 +16,10 @@ namespace
 
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
 
-/// Columns: directions in which the arm moves.
-Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> movedDirections(const Arm& arm) noexcept
-{
-  return Mat3(arm.plan().base_D.q.toRotationMatrix()).leftCols(arm.directions());
-}
-
 /// Matrix from the velocity of the tip to the speeds of the joints; nothing in a singularity.
 std::optional<Square> jointsOverTip(const Arm& arm, const Posture& posture) noexcept
 {
-  const Square J = movedDirections(arm).transpose() * posture.jacobian.topRows<3>();
+  const Square J = arm.movedDirections().transpose() * posture.jacobian.topRows<3>();
   const Square inverse = J.inverse();
   return posture.exists && inverse.allFinite() ? std::optional(inverse) : std::nullopt;
 }
@@ -64,7 +58,7 @@ std::optional<PrincipalPart> principalPartOf(const Arm& arm, const JointVector& 
   const Eigen::SelfAdjointEigenSolver<Square> solver(inertia);
   PrincipalPart part;
   part.count = count;
-  part.directions_D.leftCols(count) = movedDirections(arm) * solver.eigenvectors();
+  part.directions_D.leftCols(count) = arm.movedDirections() * solver.eigenvectors();
   part.mass_kg.head(count) = solver.eigenvalues();
   const Square along = *joints * solver.eigenvectors(); // speeds of the joints in a motion along each direction
   JointVector damping(count);
@@ -107,7 +101,7 @@ Vec3 ArmPlant::shown_D() const noexcept
 /// Force at the tip of motors, gravity, and the Coriolis and centrifugal terms of the motion.
 Vec3 ArmPlant::ownForce(const Posture& posture, const Wrench& command_D) const noexcept
 {
-  const auto basis = movedDirections(this->arm_);
+  const auto basis = this->arm_.movedDirections();
   const Square joints = *jointsOverTip(this->arm_, posture);
   const JointVector rate = joints * (basis.transpose() * this->v_D_);
   const JointVector motors = motorCommandOf(this->arm_, this->arm_.shown(this->q_), command_D);
@@ -136,7 +130,7 @@ std::optional<JointVector> ArmPlant::jointsAt(const Vec3& p_D) const noexcept
     {
       return std::nullopt;
     }
-    q += *joints * (movedDirections(this->arm_).transpose() * (p_D - posture.tip.p));
+    q += *joints * (this->arm_.movedDirections().transpose() * (p_D - posture.tip.p));
   }
   const std::optional<Pose> there = this->arm_.forward(q);
   return there && (there->p - p_D).norm() < 1e-12 && this->arm_.withinLimits(q) ? std::optional(q) : std::nullopt;

@@ -273,17 +273,6 @@ JointVector Arm::motorTorqueOf(const JointVector& torque_Nm) const noexcept
   return this->gears_.transpose() * torque_Nm;
 }
 
-JointVector Arm::currentOf(const JointVector& torque_Nm) const noexcept
-{
-  JointVector current = this->motorTorqueOf(torque_Nm);
-  for (int k = 0; k < this->joints_; ++k)
-  {
-    const double constant = this->plan_.joints[static_cast<std::size_t>(k)].torqueConstant_Nm_per_A;
-    current[k] = constant > 0.0 ? current[k] / constant : 0.0;
-  }
-  return current;
-}
-
 double Arm::shareWithinMotors(const JointVector& torque_Nm) const noexcept
 {
   const JointVector motors_Nm = this->motorTorqueOf(torque_Nm);
@@ -294,6 +283,15 @@ double Arm::shareWithinMotors(const JointVector& torque_Nm) const noexcept
     share = std::fabs(motors_Nm[k]) > most ? std::min(share, most / std::fabs(motors_Nm[k])) : share;
   }
   return share;
+}
+
+JointVector Arm::givenTorqueOf(
+  const JointVector& q, const Wrench& wrench_D, const JointVector& beside_Nm) const noexcept
+{
+  const Posture posture = this->posture(q);
+  JointVector torque_Nm = this->forceFade(q, posture) * this->torqueOf(posture, wrench_D) + beside_Nm;
+  torque_Nm.tail(this->joints_ - this->motors_).setZero();
+  return this->shareWithinMotors(torque_Nm) * torque_Nm;
 }
 
 double Arm::forceFade(const JointVector& q, const Posture& posture) const noexcept

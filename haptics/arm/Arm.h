@@ -23,6 +23,11 @@ public:
   [[nodiscard]] int motors() const noexcept { return this->motors_; } ///< on the first joints
   /// Directions in which it pushes: 2 in the plane z = 0, else 3.
   [[nodiscard]] int directions() const noexcept { return this->directions_; }
+  /// These directions in D, a column each.
+  [[nodiscard]] Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> movedDirections() const noexcept
+  {
+    return this->turn_D_.leftCols(this->directions_);
+  }
 
   /// Angles of the joints from counts of the encoders [rad].
   [[nodiscard]] JointVector jointsOf(const JointCounts& counts) const noexcept;
@@ -57,14 +62,17 @@ public:
   [[nodiscard]] JointVector torqueOf(const Posture& posture, const Wrench& wrench_D) const noexcept;
   /// Torque of the motors for torques of the joints [N m].
   [[nodiscard]] JointVector motorTorqueOf(const JointVector& torque_Nm) const noexcept;
-  /// Their currents [A]; 0 where the motor's constant is unknown.
-  [[nodiscard]] JointVector currentOf(const JointVector& torque_Nm) const noexcept;
   /// The share of these torques that every motor can give, 0 .. 1.
   [[nodiscard]] double shareWithinMotors(const JointVector& torque_Nm) const noexcept;
 
   /// Factor on the force, 0 .. 1: 0 at a joint's end and at the largest condition number of the Jacobian that the plan
   /// allows, rising to 1 over 5 % of the joint's range and of that number.
   [[nodiscard]] double forceFade(const JointVector& q, const Posture& posture) const noexcept;
+
+  /// Torque of the joints for a command: the torque of the wrench times forceFade(), plus `beside`. The sum is scaled
+  /// to the largest torque that every motor can give.
+  [[nodiscard]] JointVector givenTorqueOf(
+    const JointVector& q, const Wrench& wrench_D, const JointVector& beside_Nm) const noexcept;
 
   /// Matrix from turns of the encoders and motors to turns of the joints, and its inverse.
   [[nodiscard]] const JointMatrix& gears() const noexcept { return this->gears_; }

@@ -69,24 +69,13 @@ JointVector velocityTorqueOf(const Arm& arm, const JointVector& q, const JointVe
 
 JointVector motorCommandOf(const Arm& arm, const JointVector& shown, const Wrench& wrench_D) noexcept
 {
-  const Posture posture = arm.posture(shown);
-  JointVector torque = arm.forceFade(shown, posture) * arm.torqueOf(posture, wrench_D) - gravityTorqueOf(arm, shown);
-  torque.tail(arm.joints() - arm.motors()).setZero();
-  JointVector motors = arm.shareWithinMotors(torque) * arm.motorTorqueOf(torque);
+  JointVector motors = arm.motorTorqueOf(arm.givenTorqueOf(shown, wrench_D, -gravityTorqueOf(arm, shown)));
   for (int k = 0; k < arm.motors(); ++k)
   {
     const double step = arm.plan().joints[static_cast<std::size_t>(k)].torqueStep_Nm;
     motors[k] = step > 0.0 ? step * std::round(motors[k] / step) : motors[k];
   }
   return motors;
-}
-
-double heightEnergyOf(const Arm& arm, const JointVector& q) noexcept
-{
-  double energy = 0.0;
-  forEachPoint(
-    arm, q, [&](double mass_kg, const LinkPoint& point) { energy -= mass_kg * arm.plan().gravity_D.dot(point.p); });
-  return energy;
 }
 
 } // namespace palpate

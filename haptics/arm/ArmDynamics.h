@@ -24,7 +24,4 @@ namespace palpate
 /// the hand faded (Arm::forceFade), and the sum limited by the torque of every motor and rounded to whole steps.
 [[nodiscard]] JointVector motorCommandOf(const Arm& arm, const JointVector& shown, const Wrench& wrench_D) noexcept;
 
-/// Potential energy [J]; 0 at the origin of D.
-[[nodiscard]] double heightEnergyOf(const Arm& arm, const JointVector& q) noexcept;
-
 } // namespace palpate

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include "haptics/arm/ArmDynamics.h"
@@ -26,12 +26,6 @@ PointJacobian drivenOf(const Arm& arm, const Posture& posture) noexcept
   return driven;
 }
 
-/// Columns: the directions in which the arm moves.
-Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> basisOf(const Arm& arm) noexcept
-{
-  return Mat3(arm.plan().base_D.q.toRotationMatrix()).leftCols(arm.directions());
-}
-
 /// The condition number by eigenvalues of J J^T in closed form, a third of the work of a decomposition.
 double conditionOfGram(const Mat3& gram, int directions) noexcept
 {
@@ -41,42 +35,17 @@ double conditionOfGram(const Mat3& gram, int directions) noexcept
   return most > 0.0 && least > 1e-15 * most ? std::sqrt(most / least) : unlimited;
 }
 
-/// The largest force over all directions is at a corner of the polytope of forces, where every motor gives its largest
-/// torque. 0 unless there are as many motors as directions.
-double mostForceOf(const Eigen::MatrixXd& J, const Eigen::VectorXd& most)
-{
-  const Eigen::Index rows = J.rows(), motors = J.cols();
-  if (motors != rows)
-  {
-    return 0.0;
-  }
-  const Eigen::MatrixXd forceOf = J.transpose().inverse();
-  double largest = 0.0;
-  for (int signs = 0; signs < 1 << (rows - 1); ++signs)
-  {
-    Eigen::VectorXd torque = most;
-    for (Eigen::Index i = 0; i + 1 < rows; ++i)
-    {
-      torque[i] *= (signs >> i) % 2 == 0 ? 1.0 : -1.0;
-    }
-    largest = std::max(largest, (forceOf * torque).norm());
-  }
-  return largest;
-}
-
 void addForces(const Arm& arm, const Eigen::MatrixXd& J, ArmMeasures& measures)
 {
   // In motor torques, so that a motor that moves two joints counts for both.
   const JointMatrix gears = arm.gears().topLeftCorner(arm.motors(), arm.motors());
   const Eigen::MatrixXd motorJ = J * gears;
-  Eigen::VectorXd most(arm.motors());
   measures.leastForce_N = unlimited;
   for (int k = 0; k < arm.motors(); ++k)
   {
-    most[k] = arm.plan().joints[static_cast<std::size_t>(k)].maxTorque_Nm;
-    measures.leastForce_N = std::min(measures.leastForce_N, most[k] / motorJ.col(k).norm());
+    const double most_Nm = arm.plan().joints[static_cast<std::size_t>(k)].maxTorque_Nm;
+    measures.leastForce_N = std::min(measures.leastForce_N, most_Nm / motorJ.col(k).norm());
   }
-  measures.mostForce_N = mostForceOf(motorJ, most);
 }
 
 void addMasses(const Arm& arm, const JointVector& q, const Eigen::MatrixXd& J, ArmMeasures& measures)
@@ -125,7 +94,7 @@ ArmMeasures measure(const Arm& arm, const JointVector& q)
   {
     return measures;
   }
-  const auto basis = basisOf(arm);
+  const auto basis = arm.movedDirections();
   const Eigen::MatrixXd J = basis.transpose() * drivenOf(arm, posture);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J);
   const Eigen::Index directions = svd.singularValues().size();
@@ -140,6 +109,19 @@ ArmMeasures measure(const Arm& arm, const JointVector& q)
   addForces(arm, J, measures);
   addMasses(arm, q, J, measures);
   return measures;
+}
+
+double countStepOf(const Arm& arm, const JointVector& q) noexcept
+{
+  double step_m = 0.0;
+  const ArmJacobian J = arm.jacobian(q);
+  for (int k = 0; k < arm.joints(); ++k)
+  {
+    const double perTurn = arm.plan().joints[static_cast<std::size_t>(k)].countsPerTurn;
+    const double count_rad = perTurn > 0.0 ? 2.0 * std::numbers::pi / perTurn : 0.0;
+    step_m = std::max(step_m, count_rad * (J.topRows<3>() * arm.gears().col(k)).norm());
+  }
+  return step_m;
 }
 
 } // namespace palpate

@@ -19,7 +19,6 @@ struct ArmMeasures
   double condition = 0.0;
   double manipulability = 0.0;                  ///< product of the singular values (Yoshikawa 1985)
   double leastForce_N = 0.0;                    ///< force of the motors in their worst direction
-  double mostForce_N = 0.0;                     ///< and in their best direction
   double leastMass_kg = 0.0, mostMass_kg = 0.0; ///< apparent at the tip, in the lightest and the heaviest direction
 };
 
@@ -28,5 +27,8 @@ struct ArmMeasures
 
 /// The largest force along a direction of length 1 that every motor can give [N].
 [[nodiscard]] double largestForce(const Arm& arm, const Posture& posture, const Vec3& n_D) noexcept;
+
+/// The largest displacement of the tip for one count of any encoder [m]; 0 where encoders tell angles.
+[[nodiscard]] double countStepOf(const Arm& arm, const JointVector& q) noexcept;
 
 } // namespace palpate

@@ -42,7 +42,7 @@ ArmRange rangeOf(const Arm& arm, const std::vector<ArmPlace>& places)
   constexpr double endless = std::numeric_limits<double>::infinity();
   ArmRange range;
   range.places = places.size();
-  range.leastCondition = range.leastForce_N = range.leastMass_kg = endless;
+  range.leastCondition = range.leastManipulability = range.leastForce_N = range.leastMass_kg = endless;
   for (const ArmPlace& place : places)
   {
     range.reached += place.reached ? 1 : 0;
@@ -55,6 +55,8 @@ ArmRange rangeOf(const Arm& arm, const std::vector<ArmPlace>& places)
     range.best_D = at.condition < range.leastCondition ? place.p_D : range.best_D;
     range.leastCondition = std::min(range.leastCondition, at.condition);
     range.mostCondition = std::max(range.mostCondition, at.condition);
+    range.leastManipulability = std::min(range.leastManipulability, at.manipulability);
+    range.mostManipulability = std::max(range.mostManipulability, at.manipulability);
     range.leastForce_N = std::min(range.leastForce_N, at.leastForce_N);
     range.mostForce_N = std::max(range.mostForce_N, at.leastForce_N);
     range.leastMass_kg = std::min(range.leastMass_kg, at.leastMass_kg);

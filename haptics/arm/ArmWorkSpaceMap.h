@@ -26,6 +26,7 @@ struct ArmRange
 {
   std::size_t places = 0, reached = 0, usable = 0; ///< usable: with force on the hand
   double leastCondition = 0.0, mostCondition = 0.0;
+  double leastManipulability = 0.0, mostManipulability = 0.0;
   double leastForce_N = 0.0, mostForce_N = 0.0; ///< in the worst direction at each position
   double leastMass_kg = 0.0, mostMass_kg = 0.0; ///< over all directions
   Vec3 best_D = Vec3::Zero();                   ///< position of the least condition number

@@ -31,6 +31,10 @@ class Arm(CommandLineTest):
         least, most = said["condition"]
         self.assertTrue(1.0 <= least <= most < falcon["max_condition"])
         self.assertEqual(said["usable_places"], said["places"])
+        least, most = said["manipulability"]
+        self.assertTrue(0.0 < least < most)
+        self.assertIn(f"manipulability, the product of its singular values: {least:.6g} to {most:.6g}",
+                      described("falcon"))
         self.assertGreater(said["force_N"][0], 0.0)
         self.assertLess(said["apparent_mass_kg"][0], said["apparent_mass_kg"][1])
         centre, radius = falcon["work_space"]["centre_m"], falcon["work_space"]["radius_m"]

@@ -34,7 +34,7 @@ double energyOf(const ArmPlant& plant)
   const Arm& arm = plant.arm();
   const Eigen::MatrixXd J = arm.jacobian(plant.joints()).topRows(arm.directions());
   const Eigen::VectorXd rate = J.inverse() * plant.speed_D().head(arm.directions());
-  return 0.5 * rate.dot(inertiaOf(arm, plant.joints()) * rate) + heightEnergyOf(arm, plant.joints());
+  return 0.5 * rate.dot(inertiaOf(arm, plant.joints()) * rate) + test::heightEnergyOf(arm, plant.joints());
 }
 
 TEST(ArmPlant, SwingsAsItsMassesDoAndKeepsItsEnergy)

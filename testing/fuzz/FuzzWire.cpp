@@ -34,23 +34,28 @@ std::unique_ptr<WireProtocol> wireOf(unsigned which)
     case 1:
       return std::make_unique<palpate::FalconWire>();
     case 2:
-      return std::make_unique<palpate::TwoDiyWire>(palpate::TwoDiyWire::Setup{});
+      return std::make_unique<palpate::TwoDiyWire>(
+        palpate::TwoDiyWire::Setup{ 5, {}, {}, { 180.0, 0.0 }, { 13824.0, 13824.0 }, 0.123 });
     default:
       return std::make_unique<palpate::HaplyServiceWire>("049D", which % 8 < 4);
   }
 }
 
-void judgeReading(const WireReading& reading)
+/// Counters are whole numbers of 16 bits, angles are twenty turns at most, the service's numbers 1000.
+void judgeReading(const WireReading& reading, unsigned which)
 {
   for (const double encoder : reading.encoder)
   {
-    require(std::fabs(encoder) <= 1e5);
+    const bool isCount = encoder == std::floor(encoder) && encoder >= -32768.0 && encoder <= 32767.0;
+    require(which % 4 == 3 ? encoder == 0.0 : which % 4 == 2 ? std::fabs(encoder) <= 7200.0 : isCount);
   }
-  require(!reading.pose_D || (reading.pose_D->p.norm() < 1e4 && std::fabs(reading.pose_D->q.norm() - 1.0) < 1e-9));
-  require(!reading.velocity_D || reading.velocity_D->linear.norm() < 1e4);
+  require(reading.pose_D.has_value() == (which % 4 == 3));
+  require(!reading.pose_D ||
+          (reading.pose_D->p.cwiseAbs().maxCoeff() <= 1000.0 && std::fabs(reading.pose_D->q.norm() - 1.0) < 1e-12));
+  require(!reading.velocity_D || reading.velocity_D->linear.cwiseAbs().maxCoeff() <= 1000.0);
 }
 
-void judgeAnswer(const WireProtocol& wire, std::span<const std::uint8_t> bytes)
+void judgeAnswer(const WireProtocol& wire, unsigned which, std::span<const std::uint8_t> bytes)
 {
   const palpate::WireFrame frame = wire.frame(bytes);
   require(frame.skip + frame.length <= bytes.size());
@@ -58,7 +63,7 @@ void judgeAnswer(const WireProtocol& wire, std::span<const std::uint8_t> bytes)
   {
     if (const std::optional<WireReading> reading = wire.decode(answer))
     {
-      judgeReading(*reading);
+      judgeReading(*reading, which);
     }
   }
 }
@@ -78,11 +83,23 @@ WireOrder orderOf(std::span<const std::uint8_t> bytes)
   return order;
 }
 
+/// A motor's number in a Falcon's packet: four characters, the lowest nibble first.
+int numberAt(const WireBytes& sent, std::size_t at)
+{
+  unsigned number = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    number |= static_cast<unsigned>(sent[at + i] - 0x41) << 4 * i;
+  }
+  return static_cast<std::int16_t>(static_cast<std::uint16_t>(number));
+}
+
 void judgeOrder(const WireProtocol& wire, unsigned which, const WireOrder& order)
 {
   WireBytes sent;
   wire.encode(order, sent);
-  require(!sent.empty() && sent.size() < 4096);
+  constexpr std::array<std::size_t, 3> lengths{ 14, 16, 10 };
+  require(which % 4 == 3 ? sent.size() < 256 : sent.size() == lengths[which % 4]);
   if (which % 4 == 0)
   {
     for (std::size_t at = 0; at < 6; at += 2)
@@ -91,13 +108,20 @@ void judgeOrder(const WireProtocol& wire, unsigned which, const WireOrder& order
       require(std::abs(current_mA) <= 2000);
     }
   }
+  if (which % 4 == 1)
+  {
+    for (std::size_t at = 1; at < 13; at += 4)
+    {
+      require(std::abs(numberAt(sent, at)) <= 4096);
+    }
+  }
   if (which % 4 == 2)
   {
     for (std::size_t at = 2; at < 10; at += 4)
     {
       float torque_Nm = 0.0F;
       std::memcpy(&torque_Nm, sent.data() + at, sizeof torque_Nm);
-      require(std::fabs(torque_Nm) <= 0.1231F);
+      require(std::fabs(torque_Nm) <= 0.123F);
     }
   }
   if (which % 4 == 3)
@@ -119,7 +143,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::span<const std::uint8_t> bytes(data + 1, size - 1);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const std::unique_ptr<WireProtocol> wire = wireOf(data[0]);
-  judgeAnswer(*wire, bytes);
+  judgeAnswer(*wire, data[0], bytes);
   judgeOrder(*wire, data[0], orderOf(bytes));
   static_cast<void>(palpate::haplyInventory(text));
   static_cast<void>(palpate::haplyHasVector(text));

@@ -136,6 +136,18 @@ std::vector<ArmPlan> allArms()
   return arms;
 }
 
+/// A rod is as high as the middle of its ends.
+double heightEnergyOf(const Arm& arm, const JointVector& q)
+{
+  double energy = 0.0;
+  for (const ArmMass& mass : arm.plan().masses)
+  {
+    const Vec3 middle = 0.5 * (arm.linkPoint(q, mass.link, mass.from).p + arm.linkPoint(q, mass.link, mass.to).p);
+    energy -= mass.mass_kg * arm.plan().gravity_D.dot(middle);
+  }
+  return energy;
+}
+
 JointVector randomJoints(const Arm& arm, Random& random)
 {
   for (;;)

@@ -21,6 +21,9 @@ namespace palpate::test
 /// All of these and those that are built in.
 [[nodiscard]] std::vector<ArmPlan> allArms();
 
+/// Potential energy of its masses [J]; 0 at the origin of D.
+[[nodiscard]] double heightEnergyOf(const Arm& arm, const JointVector& q);
+
 /// Joints within the limits, or within half a turn, in which the arm has a posture with a condition below the largest.
 [[nodiscard]] JointVector randomJoints(const Arm& arm, Random& random);
 

@@ -25,6 +25,7 @@ nlohmann::ordered_json ToJson(const palpate::Arm& arm, const palpate::ArmRange& 
     json["places"] = range.places;
     json["usable_places"] = range.usable;
     json["condition"] = { range.leastCondition, range.mostCondition };
+    json["manipulability"] = { range.leastManipulability, range.mostManipulability };
     json["force_N"] = { range.leastForce_N, range.mostForce_N };
     json["apparent_mass_kg"] = { range.leastMass_kg, range.mostMass_kg };
     json["best_m"] = { range.best_D.x(), range.best_D.y(), range.best_D.z() };
@@ -44,6 +45,8 @@ void Print(const palpate::Arm& arm, const palpate::ArmRange& range, const std::s
   if (range.usable > 0)
   {
     std::cout << "  condition of the Jacobian: " << range.leastCondition << " to " << range.mostCondition << '\n'
+              << "  manipulability, the product of its singular values: " << range.leastManipulability << " to "
+              << range.mostManipulability << '\n'
               << "  largest force in the worst direction: " << range.leastForce_N << " to " << range.mostForce_N
               << " N\n"
               << "  apparent mass: " << range.leastMass_kg << " to " << range.mostMass_kg << " kg\n"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "devices/arm/kit/ArmKit.h"
+#include "devices/arm/protocol/TwoDiyWire.h"
 
 namespace palpate
 {
@@ -40,6 +41,7 @@ struct HaplyPorts
 /// Haply 2DIY boards on serial lines, below `sys`.
 [[nodiscard]] ArmKit twoDiyKit(const std::string& sys = "/sys");
 [[nodiscard]] ArmSetup twoDiySetup();
+[[nodiscard]] TwoDiyWire::Setup twoDiyBoard();
 /// Sets the board up, with a guard beside it.
 [[nodiscard]] ArmBus::Opened openTwoDiy(const std::string& path);
 

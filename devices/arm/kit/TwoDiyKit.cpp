@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "devices/arm/ListedArmBus.h"
@@ -6,7 +9,6 @@
 #include "devices/arm/kit/Kits.h"
 #include "devices/arm/link/Plugs.h"
 #include "devices/arm/link/SerialPort.h"
-#include "devices/arm/protocol/TwoDiyWire.h"
 #include "haptics/arm/file/ArmFile.h"
 
 namespace palpate
@@ -20,7 +22,7 @@ ArmBus::Opened openTwoDiy(const std::string& path)
   {
     return { nullptr, std::move(port.problem) };
   }
-  const auto wire = std::make_shared<TwoDiyWire>(TwoDiyWire::Setup{});
+  const auto wire = std::make_shared<TwoDiyWire>(twoDiyBoard());
   Outcome<Guard> guard = Guard::start(port.value->handle(), 0, wire->farewell());
   if (!guard.ok())
   {
@@ -31,14 +33,29 @@ ArmBus::Opened openTwoDiy(const std::string& path)
   return { problem.empty() ? std::move(line) : nullptr, problem };
 }
 
+/// The numbers are those of the arm's file.
+TwoDiyWire::Setup twoDiyBoard()
+{
+  const ArmPlan plan = knownArm("pantograph").value;
+  TwoDiyWire::Setup board;
+  for (std::size_t i = 0; i < board.offset_deg.size(); ++i)
+  {
+    board.offset_deg[i] = plan.joints[i].zero_rad * 180.0 / std::numbers::pi;
+    board.countsPerTurn[i] = plan.joints[i].countsPerTurn;
+  }
+  board.largest_Nm = plan.joints[0].maxTorque_Nm;
+  return board;
+}
+
 ArmSetup twoDiySetup()
 {
   ArmSetup setup;
   setup.what = "Haply 2DIY";
   setup.plan = knownArm("pantograph").value;
   setup.tellsAngles = true;
-  const TwoDiyWire::Setup board;
-  setup.counters = { static_cast<std::int16_t>(board.offset_deg[0]), static_cast<std::int16_t>(board.offset_deg[1]) };
+  const TwoDiyWire::Setup board = twoDiyBoard();
+  std::transform(board.offset_deg.begin(), board.offset_deg.end(), setup.counters.begin(),
+    [](double offset_deg) { return static_cast<std::int16_t>(std::lround(offset_deg)); });
   setup.poseTolerance = 3.0;
   setup.pose = "Hold both arms of the pantograph stretched out to the sides, then press the button: the angles begin "
                "there.";

@@ -2,11 +2,11 @@
 #include "devices/arm/kit/WoodenHapticsFile.h"
 
 #include <cmath>
-#include <optional>
 
 #include <nlohmann/json.hpp>
 
 #include "devices/arm/protocol/WoodenHapticsWire.h"
+#include "haptics/core/JsonNode.h"
 
 namespace palpate
 {
@@ -16,38 +16,32 @@ namespace
 constexpr std::size_t longestText = 65536;
 constexpr std::array<char, 3> bodies{ 'a', 'b', 'c' };
 
-/// Numbers of the file by their names; keeps the first that is missing or is none.
+using Json = nlohmann::json;
+
+/// Numbers of the file by their names.
 class Numbers
 {
 public:
-  explicit Numbers(const nlohmann::json& json) : json_(json) {}
+  explicit Numbers(const Json& json) : json_(json), node_(json, "") {}
 
-  double of(const std::string& name)
-  {
-    const auto found = this->json_.find(name);
-    const bool isThere = found != this->json_.end() && found->is_number() && std::isfinite(found->get<double>());
-    if (!isThere && this->problem_.empty())
-    {
-      this->problem_ = "\"" + name + "\" is missing or no number";
-    }
-    return isThere ? found->get<double>() : 1.0;
-  }
-  double of(const std::string& name, char axis) { return this->of(name + '_' + axis); }
+  [[nodiscard]] double of(const std::string& name) const { return this->node_.needsNumber(name.c_str()); }
+  [[nodiscard]] double of(const std::string& name, char axis) const { return this->of(name + '_' + axis); }
   /// Some writers have 0 and 1 for it.
-  bool isSet(const std::string& name, char axis)
+  [[nodiscard]] bool isSet(const std::string& name, char axis) const
   {
-    const auto found = this->json_.find(name + '_' + axis);
-    return found != this->json_.end() && (found->is_boolean() ? found->get<bool>() : this->of(name, axis) != 0.0);
+    const std::string key = name + '_' + axis;
+    const bool isNumber = this->node_.has(key.c_str()) && this->json_[key].is_number();
+    return isNumber ? this->of(key) != 0.0 : this->node_.flag(key.c_str(), false);
   }
-  [[nodiscard]] const std::string& problem() const noexcept { return this->problem_; }
+  [[nodiscard]] const JsonNode<Json>& node() const noexcept { return this->node_; }
 
 private:
-  const nlohmann::json& json_;
-  std::string problem_;
+  const Json& json_;
+  JsonNode<Json> node_;
 };
 
 /// Motor and body turn the same way where they are "aligned", which the firmware counts against.
-ArmJoint jointOf(Numbers& numbers, char axis)
+ArmJoint jointOf(const Numbers& numbers, char axis)
 {
   ArmJoint joint;
   const double sign = numbers.isSet("motor_and_body_aligned", axis) ? -1.0 : 1.0;
@@ -60,7 +54,7 @@ ArmJoint jointOf(Numbers& numbers, char axis)
 }
 
 /// Weights are those of its bodies, each at its centre of mass.
-void addMasses(Numbers& numbers, ArmPlan& plan)
+void addMasses(const Numbers& numbers, ArmPlan& plan)
 {
   int link = 1;
   for (const char body : { 'b', 'c' })
@@ -70,7 +64,7 @@ void addMasses(Numbers& numbers, ArmPlan& plan)
   }
 }
 
-ArmPlan planOf(Numbers& numbers)
+ArmPlan planOf(const Numbers& numbers)
 {
   ArmPlan plan;
   plan.name = "WoodenHaptics";
@@ -93,44 +87,45 @@ ArmPlan planOf(Numbers& numbers)
   return plan;
 }
 
-} // namespace
-
-Outcome<WoodenHapticsArm> readWoodenHapticsFile(const std::string& text)
+WoodenHapticsArm armOf(const Numbers& numbers)
 {
-  const nlohmann::json json = text.size() <= longestText ? nlohmann::json::parse(text, nullptr, false)
-                                                         : nlohmann::json(nlohmann::json::value_t::discarded);
-  if (!json.is_object())
-  {
-    return { {}, "it is not one JSON object of at most 64 KiB" };
-  }
-  Numbers numbers(json);
   const double variant = numbers.of("variant");
-  if (numbers.problem().empty() && !(variant >= 0.0 && variant <= 2.0))
-  {
-    return { {},
-      "the kinematics of variant " + std::to_string(std::lround(variant)) + " are not known: 0, 1 and 2 are" };
-  }
+  numbers.node().accept(
+    "variant", variant >= 0.0 && variant <= 2.0
+                 ? ""
+                 : "the kinematics of " + std::to_string(std::lround(variant)) + " are not known: 0, 1 and 2 are");
   WoodenHapticsArm arm;
   arm.setup.what = "WoodenHaptics or Polhem arm";
   arm.setup.plan = planOf(numbers);
-  const std::string refused = numbers.problem().empty() ? refuse(*arm.setup.plan) : numbers.problem();
-  if (!refused.empty())
-  {
-    return { {}, refused };
-  }
+  numbers.node().accept("", refuse(*arm.setup.plan));
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
     arm.constants_Nm_per_A[i] = arm.setup.plan->joints[i].torqueConstant_Nm_per_A;
     arm.setup.counters[i] = static_cast<std::int16_t>(arm.setup.plan->joints[i].calibrated);
-    if (!(arm.constants_Nm_per_A[i] > 0.0))
-    {
-      return { {}, "a torque constant must be above 0" };
-    }
+    numbers.node().accept("", arm.constants_Nm_per_A[i] > 0.0 ? "" : "a torque constant must be above 0");
   }
   arm.setup.counterBits = 16;
   arm.setup.grips = true;
   arm.setup.pose = "Hold the arm in its calibration pose, then press the button: its counters are set there.";
-  return { std::move(arm), {} };
+  return arm;
+}
+
+} // namespace
+
+Outcome<WoodenHapticsArm> readWoodenHapticsFile(const std::string& text)
+{
+  if (text.size() > longestText)
+  {
+    return { {}, "it has more than 64 KiB" };
+  }
+  Outcome<WoodenHapticsArm> arm;
+  arm.problem = jsonProblemOf<Json>(
+    [&]
+    {
+      const Json json = Json::parse(text);
+      arm.value = armOf(Numbers(json));
+    });
+  return arm;
 }
 
 } // namespace palpate

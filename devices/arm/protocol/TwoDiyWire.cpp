@@ -20,10 +20,10 @@ WireBytes TwoDiyWire::greeting() const
   const Setup& s = this->setup_;
   WireBytes bytes{ setUp, s.device, firstTwo, s.motorTurned[0], s.motorTurned[1], firstTwo, s.encoderTurned[0],
     s.encoderTurned[1], 0, 0 };
-  for (const double offset_deg : s.offset_deg)
+  for (std::size_t i = 0; i < axes; ++i)
   {
-    putFloat(bytes, static_cast<float>(offset_deg));
-    putFloat(bytes, static_cast<float>(s.countsPerTurn));
+    putFloat(bytes, static_cast<float>(s.offset_deg[i]));
+    putFloat(bytes, static_cast<float>(s.countsPerTurn[i]));
   }
   return bytes;
 }
@@ -34,9 +34,8 @@ void TwoDiyWire::encode(const WireOrder& order, WireBytes& bytes) const
   bytes.insert(bytes.end(), { pushAndTell, this->setup_.device });
   for (std::size_t i = 0; i < axes; ++i)
   {
-    const double torque_Nm = order.counters ? 0.0 : order.joint_Nm[i];
-    putFloat(
-      bytes, std::isfinite(torque_Nm) ? static_cast<float>(std::clamp(torque_Nm, -largest_Nm, largest_Nm)) : 0.0F);
+    const double asked_Nm = order.counters ? 0.0 : order.joint_Nm[i], most_Nm = this->setup_.largest_Nm;
+    putFloat(bytes, std::isfinite(asked_Nm) ? static_cast<float>(std::clamp(asked_Nm, -most_Nm, most_Nm)) : 0.0F);
   }
 }
 

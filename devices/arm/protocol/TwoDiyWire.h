@@ -12,15 +12,13 @@ namespace palpate
 class TwoDiyWire final : public WireProtocol
 {
 public:
-  static constexpr double largest_Nm = 0.123; ///< where the firmware clamps
-
   /// How the board is wired; both motors stand on the first two ports.
   struct Setup
   {
     std::uint8_t device = 5;
     std::array<std::uint8_t, 2> motorTurned{}, encoderTurned{}; ///< 1: the other way round
-    std::array<double, 2> offset_deg{ 180.0, 0.0 };             ///< where the arms stand when it is set up
-    double countsPerTurn = 13824.0;
+    std::array<double, 2> offset_deg{}, countsPerTurn{};        ///< offset: where the arms stand when it is set up
+    double largest_Nm = 0.0;                                    ///< where the firmware clamps
   };
   explicit TwoDiyWire(const Setup& setup) : setup_(setup) {}
 

@@ -9,6 +9,7 @@
 #include "devices/arm/protocol/TwoDiyWire.h"
 #include "devices/calibration/SelfTest.h"
 #include "testing/devices/arm/TwoDiyRig.h"
+#include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/Random.h"
 
 namespace palpate
@@ -30,7 +31,7 @@ TEST(TwoDiyModel, HasThePlacesOfTheTableOfFacts)
 /// A message that was cut short stands before the guard's: the greeting of a board that pushes already, or torques.
 TEST(TwoDiy, GuardEndsItsTorqueWhateverWasCutShort)
 {
-  const TwoDiyWire wire({});
+  const TwoDiyWire wire(twoDiyBoard());
   WireOrder order;
   order.joint_Nm = { 0.07, -0.05, 0.0 };
   WireBytes push, anew = wire.greeting();
@@ -98,6 +99,7 @@ TEST(TwoDiy, IsNoWheelWhateverThePersonSays)
   const auto bus = std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [entry] { return std::vector{ entry }; },
     [](const HidEntry&) { return ArmBus::Opened{}; }, [](const HidEntry&) { return ""; } });
   DeviceOptions options;
+  options.hid = std::make_shared<test::FakeHidBus>();
   options.arms = std::make_shared<const std::vector<ArmKit>>(std::vector<ArmKit>{ { "2diy", bus, twoDiySetup() } });
   const std::string name = "2diy-2341-003e-7";
   EXPECT_EQ(makeDevice(name, options).device->info().deviceClass, DeviceClass::Joystick2D);

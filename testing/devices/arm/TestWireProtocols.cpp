@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "devices/arm/kit/Kits.h"
 #include "devices/arm/protocol/FalconWire.h"
 #include "devices/arm/protocol/TwoDiyWire.h"
 #include "devices/arm/protocol/WireNumbers.h"
@@ -129,7 +130,7 @@ TEST(FalconWire, FindsThePacketBehindTheRestOfAnother)
 
 TEST(TwoDiyWire, SendsTorquesAndItsOff)
 {
-  const TwoDiyWire wire({});
+  const TwoDiyWire wire(twoDiyBoard());
   WireOrder order;
   EXPECT_EQ(hexOf(encoded(wire, order)), "02050000000000000000");
   order.joint_Nm = { 0.05, -0.02, 7.0 };
@@ -142,7 +143,7 @@ TEST(TwoDiyWire, SendsTorquesAndItsOff)
 
 TEST(TwoDiyWire, SetsTheBoardUpBeforeAnythingElse)
 {
-  TwoDiyWire::Setup setup;
+  TwoDiyWire::Setup setup = twoDiyBoard();
   setup.motorTurned = { 1, 0 };
   // set-up, device 5; motors on ports 1 and 2, the first turned round; encoders likewise, none turned; no sensor, no
   // PWM; 180 degrees (0x43340000), 13824 counts (0x46580000), 0 degrees, 13824 counts.
@@ -155,7 +156,7 @@ TEST(TwoDiyWire, SetsTheBoardUpBeforeAnythingElse)
 
 TEST(TwoDiyWire, TellsDegreesAndRefusesWhatIsNone)
 {
-  const TwoDiyWire wire({});
+  const TwoDiyWire wire(twoDiyBoard());
   WireBytes answer{ 5 };
   putFloat(answer, 140.25F);
   putFloat(answer, -40.5F);

@@ -29,7 +29,7 @@ struct TwoDiyRig
     [this]
     {
       auto line = std::make_unique<WireLine>(
-        std::make_unique<BoardSerial>(this->model, this->time), std::make_shared<TwoDiyWire>(TwoDiyWire::Setup{}));
+        std::make_unique<BoardSerial>(this->model, this->time), std::make_shared<TwoDiyWire>(twoDiyBoard()));
       std::string problem = line->begin();
       return ArmBus::Opened{ problem.empty() ? std::move(line) : nullptr, problem };
     } };

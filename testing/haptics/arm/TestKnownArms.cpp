@@ -75,8 +75,12 @@ TEST(KnownArms, WoodenHapticsIsWhereTheVendorsCodeSaysWithItsCurrents)
     const Arm arm = known(row.arm);
     const JointVector q = arm.jointsOf(row.counts);
     EXPECT_LE((arm.forward(q)->p - row.p).cwiseAbs().maxCoeff(), 1e-9) << row.arm;
-    const JointVector current = arm.currentOf(arm.torqueOf(q, { Vec3(1, .5, -2), Vec3::Zero() }));
-    EXPECT_LE((Vec3(current) - row.current_A).cwiseAbs().maxCoeff(), 6e-7) << row.arm << " " << current.transpose();
+    const JointVector motor_Nm = arm.motorTorqueOf(arm.torqueOf(q, { Vec3(1, .5, -2), Vec3::Zero() }));
+    for (int k = 0; k < 3; ++k)
+    {
+      const double constant_Nm_per_A = arm.plan().joints[static_cast<std::size_t>(k)].torqueConstant_Nm_per_A;
+      EXPECT_NEAR(motor_Nm[k] / constant_Nm_per_A, row.current_A[k], 6e-7) << row.arm;
+    }
   }
 }
 
