@@ -23,7 +23,8 @@ void vtkHapticSession::Internals::FollowCheck()
     this->Check.Run.stop();
     this->TakeBackTrust();
   }
-  this->Check.Ask = palpate::askOf(this->Check.Run.plan(), this->Check.Run.state());
+  const std::optional<palpate::DeviceStep> need = this->Check.Run.need();
+  this->Check.Ask = need ? need->sentence : palpate::askOf(this->Check.Run.plan(), this->Check.Run.state());
   this->Check.Result = palpate::resultOf(this->Check.Run.plan(), this->Check.Run.state(), this->Check.Run.link());
 }
 

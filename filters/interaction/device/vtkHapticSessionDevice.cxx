@@ -10,6 +10,7 @@
 #include "devices/common/DeviceSteps.h"
 #include "devices/common/LinkNotes.h"
 #include "devices/common/LinkedDevice.h"
+#include "vtkHapticCheckState.h"
 #include "vtkHapticSessionInternals.h"
 
 void vtkHapticSession::Internals::LookForDevices()
@@ -155,7 +156,8 @@ const char* vtkHapticSession::Internals::SayLinkText()
 const char* vtkHapticSession::Internals::SayDeviceButton()
 {
   const auto* const prepared = dynamic_cast<const palpate::PreparedDevice*>(this->Linked());
-  const std::optional<palpate::DeviceStep> step = prepared ? prepared->step() : std::nullopt;
+  std::optional<palpate::DeviceStep> step = prepared ? prepared->step() : std::nullopt;
+  step = this->Check.Run.running() ? this->Check.Run.need() : step;
   this->DeviceButton = step ? step->button : "";
   return this->DeviceButton.c_str();
 }
@@ -167,7 +169,11 @@ void vtkHapticSession::SetDeviceFile(const char* file)
 
 void vtkHapticSession::PrepareDevice()
 {
-  if (const auto* const prepared = dynamic_cast<const palpate::PreparedDevice*>(this->Impl->Linked()))
+  if (this->Impl->Check.Run.running())
+  {
+    this->Impl->Check.Run.needDone(this->Impl->DeviceFile);
+  }
+  else if (const auto* const prepared = dynamic_cast<const palpate::PreparedDevice*>(this->Impl->Linked()))
   {
     prepared->stepDone(this->Impl->DeviceFile);
   }
