@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What holds for an arm whatever its line is, against a line that does what a test says.
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <memory>
+#include <string>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -11,6 +13,7 @@
 #include "devices/arm/ArmDevice.h"
 #include "devices/arm/ListedArmBus.h"
 #include "devices/calibration/CalibratedDevice.h"
+#include "devices/calibration/SelfTestRun.h"
 #include "testing/devices/arm/ServoSide.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Eventually.h"
@@ -26,6 +29,8 @@ struct Script
   test::ModelTime* time = nullptr; ///< null: the line answers at once
   std::int64_t takes_ns = perMs_ns / 4;
   WireOrder last;
+  std::atomic<bool> waits = false; ///< for a step of a person
+  std::string file;                ///< that the person chose
 };
 
 class ScriptedLine final : public ArmLine
@@ -45,6 +50,15 @@ public:
     return answer;
   }
   void letGo() noexcept override { this->script_->last = {}; }
+  std::optional<DeviceStep> step() const override
+  {
+    return this->script_->waits ? std::optional(DeviceStep{ "Choose a file.", "Choose...", true }) : std::nullopt;
+  }
+  void stepDone(const std::string& file) override
+  {
+    this->script_->file = file;
+    this->script_->waits = false;
+  }
   std::string error() const override { return "an error of before"; }
 
 private:
@@ -114,6 +128,24 @@ TEST(ArmDevice, ReadsWritesAndAwaitsWithoutAllocationAndWithoutALock)
   EXPECT_EQ(guard.allocations(), 0U);
   EXPECT_EQ(guard.frees(), 0U);
   EXPECT_EQ(guard.locks(), 0U);
+}
+
+TEST(ArmDevice, IsPreparedByThePersonWhileItsCheckRuns)
+{
+  const HidEntry entry{ "line", 1, 2, "7", "scripted" };
+  const auto script = std::make_shared<Script>();
+  script->waits = true;
+  SelfTestRun run;
+  SelfTestOptions options;
+  options.virtualTime = true;
+  ASSERT_EQ(run.start(std::make_unique<ArmDevice>("arm", busOf(script, entry), entry, turningSetup()), options), "");
+  ASSERT_TRUE(run.need());
+  EXPECT_EQ(run.need()->sentence, "Choose a file.");
+  run.needDone("firmware.bin");
+  EXPECT_FALSE(run.need());
+  EXPECT_EQ(script->file, "firmware.bin");
+  run.stop();
+  EXPECT_FALSE(run.need());
 }
 
 TEST(AnswerBell, IsHeardOnceHoweverOftenItRangAndAlsoIfItRangBefore)
