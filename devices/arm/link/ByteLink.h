@@ -22,6 +22,8 @@ public:
   [[nodiscard]] virtual std::string error() const = 0;
   /// What receive() returns is one message; else it is a part of a stream.
   [[nodiscard]] virtual bool keepsBorders() const noexcept = 0;
+  /// To look whether something has come takes no time; else it is looked only after an answer that was none.
+  [[nodiscard]] virtual bool looksForFree() const noexcept { return true; }
 };
 
 } // namespace palpate
