@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/arm/FirmwareLine.h"
 
-#include <cerrno>
+#include <array>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -44,6 +44,14 @@ bool FirmwareLine::runs()
   return false;
 }
 
+/// Its chip answers within a millisecond, whatever is behind it.
+bool FirmwareLine::isThere() noexcept
+{
+  constexpr int longest_ms = 3;
+  std::array<std::uint8_t, 64> transfer;
+  return this->port_->read(transfer, longest_ms) >= 0;
+}
+
 std::string FirmwareLine::guarded()
 {
   const auto wire = std::make_shared<FalconWire>();
@@ -84,16 +92,18 @@ void FirmwareLine::proceed()
   }
   if (!file || this->running_)
   {
+    this->gone_ = !this->running_ && !this->isThere();
     return;
   }
   const std::string problem = this->load(*file);
+  this->gone_ = !problem.empty() && !this->isThere();
   const std::lock_guard lock(this->mutex_);
   this->failed_ = problem.empty() ? "" : "The firmware " + *file + " was not loaded: " + problem + ". ";
 }
 
 std::optional<DeviceStep> FirmwareLine::step() const
 {
-  if (this->running_)
+  if (this->running_ || this->gone_)
   {
     return std::nullopt;
   }
@@ -123,7 +133,9 @@ void FirmwareLine::letGo() noexcept
 
 std::string FirmwareLine::error() const
 {
-  return this->line_ != nullptr ? this->line_->error() : "the device has no firmware";
+  return this->line_ != nullptr ? this->line_->error()
+         : this->gone_          ? "the cable was unplugged"
+                                : "the device has no firmware";
 }
 
 } // namespace palpate

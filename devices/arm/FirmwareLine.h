@@ -33,13 +33,15 @@ public:
 
 private:
   [[nodiscard]] bool runs();
+  [[nodiscard]] bool isThere() noexcept;
   [[nodiscard]] std::string load(const std::string& file);
   [[nodiscard]] std::string guarded();
 
   std::shared_ptr<FtdiPort> port_;
   std::unique_ptr<WireLine> line_;
   std::atomic<bool> running_ = false;
-  mutable std::mutex mutex_; ///< of what follows
+  std::atomic<bool> gone_ = false; ///< noticed before it ran
+  mutable std::mutex mutex_;       ///< of what follows
   std::optional<std::string> chosen_;
   std::string failed_; ///< the last loading, as a phrase
 };

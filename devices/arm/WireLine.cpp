@@ -36,10 +36,14 @@ bool WireLine::send()
 
 void WireLine::drop() noexcept
 {
+  this->cameBytes_ = 0;
+  if (!this->mayHoldMore_ && !this->link_->looksForFree())
+  {
+    return;
+  }
   for (int i = 0; i<mostDropped&& this->link_->receive(this->came_, 0)> 0; ++i)
   {
   }
-  this->cameBytes_ = 0;
 }
 
 ArmLine::Answer WireLine::exchange(const WireOrder& order, int timeout_ms)
@@ -51,6 +55,7 @@ ArmLine::Answer WireLine::exchange(const WireOrder& order, int timeout_ms)
     return answer;
   }
   this->drop();
+  this->mayHoldMore_ = true;
   this->protocol_->encode(order, this->request_);
   if (this->send())
   {
@@ -98,6 +103,7 @@ ArmLine::Said WireLine::take(std::size_t count, WireReading& reading)
   }
   const std::optional<WireReading> read = this->protocol_->decode(all.subspan(frame.skip, frame.length));
   reading = read.value_or(WireReading{});
+  this->mayHoldMore_ = !read || frame.skip + frame.length != all.size();
   return read ? Said::Reading : Said::Nonsense;
 }
 

@@ -11,7 +11,8 @@
 namespace palpate
 {
 
-/// A protocol on a link of bytes. Whatever came before a request is no answer to it and is thrown away.
+/// A protocol on a link of bytes. Whatever came before a request is no answer to it and is thrown away; a link that
+/// takes its time to look is asked only where something may have come.
 class WireLine final : public ArmLine
 {
 public:
@@ -35,6 +36,7 @@ private:
   WireBytes request_;
   WireBytes came_;
   std::size_t cameBytes_ = 0;
+  bool mayHoldMore_ = true; ///< the link, of what belongs to no request yet to come
   std::string error_;
 };
 

@@ -29,7 +29,7 @@ PidOutput::Wish HandExchange::wish() noexcept
 {
   const std::uint64_t beat = this->beat_.load(std::memory_order_acquire);
   const DeviceCommand& newest = this->commands_.read();
-  this->muted_ = this->muted_ && asksForForce(newest);
+  this->muted_ = this->muted_ && (asksForForce(newest) || newest.wrench_D.torque != Vec3::Zero());
   const std::optional<Hand>& hand = this->handToWriter_.read();
   return { this->muted_ || !hand ? DeviceCommand{} : newest, beat, hand.value_or(Hand{}).p_D, this->trust_ };
 }

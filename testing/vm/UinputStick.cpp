@@ -21,7 +21,7 @@ namespace palpate::test
 namespace
 {
 
-using Clock = std::chrono::steady_clock;
+using SteadyClock = std::chrono::steady_clock;
 constexpr auto millisecond = std::chrono::milliseconds(1);
 constexpr auto mostBehind = std::chrono::milliseconds(20);
 constexpr int endOfTravel = 32767;
@@ -90,17 +90,17 @@ void UinputStick::create(std::uint16_t product)
 
 void UinputStick::run()
 {
-  Clock::time_point next = Clock::now() + millisecond;
+  SteadyClock::time_point next = SteadyClock::now() + millisecond;
   while (!this->stop_)
   {
     pollfd waiting{ this->file_, POLLIN, 0 };
-    const auto left = std::max(next - Clock::now(), Clock::duration::zero());
+    const auto left = std::max(next - SteadyClock::now(), SteadyClock::duration::zero());
     const timespec wait{ 0, std::chrono::nanoseconds(left).count() };
     if (::ppoll(&waiting, this->hangs ? 0 : 1, &wait, nullptr) > 0)
     {
       this->answer();
     }
-    if (const Clock::time_point now = Clock::now(); now >= next)
+    if (const SteadyClock::time_point now = SteadyClock::now(); now >= next)
     {
       this->alone([](VirtualDriver& driver) { driver.advance(1); });
       this->showHandle();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tests; with --push SERIAL, --push-evdev PRODUCT or --push-wheel the program that one of them kills: it pushes
-// until it dies.
+// The tests; with --push SERIAL, --push-evdev PRODUCT, --push-wheel or --push-arm ROAD SERIAL the program that one of
+// them kills: it pushes until it dies.
 #include <iostream>
 #include <limits>
 #include <string>
@@ -10,6 +10,7 @@
 #include "testing/vm/EventServo.h"
 #include "testing/vm/Servo.h"
 #include "testing/vm/UinputStick.h"
+#include "testing/vm/arm/ArmServo.h"
 
 namespace
 {
@@ -44,6 +45,11 @@ int main(int argc, char** argv)
   if (argc == 2 && what == "--push-wheel")
   {
     return push(EventServo(0x046D, 0xC24F));
+  }
+  if (argc == 4 && what == "--push-arm")
+  {
+    std::cerr << pushArm(argv[2], argv[3]) << "\n";
+    return 1;
   }
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();

@@ -27,6 +27,8 @@ public:
   [[nodiscard]] virtual std::string unsent() const { return describeFailedWrite(this->error()); }
   /// What receive() returns is one message; else it is a part of a stream.
   [[nodiscard]] virtual bool keepsBorders() const noexcept = 0;
+  /// To look whether something has come takes no time; else it is looked only after an answer that was none.
+  [[nodiscard]] virtual bool looksForFree() const noexcept { return true; }
 };
 
 } // namespace palpate

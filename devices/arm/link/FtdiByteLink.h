@@ -12,7 +12,7 @@ namespace palpate
 {
 
 /// The bytes behind an FTDI chip, without the two that the chip puts before each transfer. A chip that has nothing to
-/// say still answers after its latency, a millisecond.
+/// say still answers after its latency, a millisecond: so long a look takes.
 class FtdiByteLink final : public ByteLink
 {
 public:
@@ -22,6 +22,7 @@ public:
   [[nodiscard]] int receive(std::span<std::uint8_t> bytes, int timeout_ms) noexcept override;
   [[nodiscard]] std::string error() const override { return this->port_->error(); }
   [[nodiscard]] bool keepsBorders() const noexcept override { return false; }
+  [[nodiscard]] bool looksForFree() const noexcept override { return false; }
 
 private:
   std::shared_ptr<FtdiPort> port_;

@@ -64,11 +64,6 @@ bool lessens(const std::array<Condition, 4>& before, const std::array<Condition,
 
 } // namespace
 
-bool asksForForce(const DeviceCommand& command) noexcept
-{
-  return command.wallCount > 0 || command.viscosity_Ns_per_m > 0.0 || command.wrench_D.force != Vec3::Zero();
-}
-
 PidOutput::PidOutput(EffectEngine& engine, const PidOutputOptions& options, const PidKind& kind) noexcept
   : engine_(engine), options_(options), kind_(kind),
     shake_(engine, { options.duration_ms, options.restartEvery_ms, options.wallsEvery_ms }),

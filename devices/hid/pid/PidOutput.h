@@ -31,7 +31,10 @@ struct PidOutputOptions
 };
 
 /// A device may have to push for it.
-[[nodiscard]] bool asksForForce(const DeviceCommand& command) noexcept;
+[[nodiscard]] inline bool asksForForce(const DeviceCommand& command) noexcept
+{
+  return command.wallCount > 0 || command.viscosity_Ns_per_m > 0.0 || command.wrench_D.force != Vec3::Zero();
+}
 
 /// Decides which one report to send next so that a device follows the newest command, at whatever rate its link takes
 /// reports: a start that is due, then walls and viscosity where they changed, then the force axis by axis. The order is

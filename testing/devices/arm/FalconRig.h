@@ -29,6 +29,7 @@ public:
     std::vector<std::uint8_t> loaded;
     std::vector<std::pair<int, int>> controls;
     std::vector<std::size_t> pieces; ///< how many bytes came at once
+    int emptyReads = 0;              ///< that waited for the chip's own bytes alone
   };
 
   FalconChip(std::shared_ptr<FalconModel> model, std::shared_ptr<Loader> loader, ModelTime& time)
@@ -56,6 +57,10 @@ public:
   }
   int read(std::span<std::uint8_t> bytes, int timeout_ms) noexcept override
   {
+    if (!this->model_->present)
+    {
+      return -1;
+    }
     bytes[0] = 0x01;
     bytes[1] = 0x60;
     if (this->slow_ || !this->loader_->runs)
@@ -66,8 +71,9 @@ public:
       this->time_.pass(count == 0 ? perMs_ns : 0);
       return static_cast<int>(count + 2);
     }
-    if (this->model_->said.empty() && this->model_->present)
+    if (this->model_->said.empty())
     {
+      ++this->loader_->emptyReads;
       this->time_.pass(std::min(timeout_ms, 1) * perMs_ns); // it says that it has nothing after its latency
       return 2;
     }

@@ -65,6 +65,30 @@ TEST(Falcon, IsUsedAtOnceWhereItsFirmwareRunsAndGivesNoForceBeforeAllItsMotorsAr
   EXPECT_EQ(falcon.model->force_N().norm(), 0.0) << "a motor that forgets its zero";
 }
 
+// Each look at a chip that has nothing takes a millisecond.
+TEST(Falcon, IsAskedForNothingBesideItsAnswersButAfterOneThatIsMissing)
+{
+  FalconRig falcon;
+  ASSERT_EQ(falcon.rig.device.open(), "");
+  falcon.home();
+  const auto passes = [&falcon](int count)
+  {
+    const int before = falcon.loader->emptyReads;
+    for (int i = 0; i < count; ++i)
+    {
+      falcon.rig.tick();
+      falcon.rig.pass();
+    }
+    return falcon.loader->emptyReads - before;
+  };
+  EXPECT_EQ(passes(100), 0);
+  falcon.model->silentFor = 1;
+  const int waited = passes(1);
+  EXPECT_GT(waited, 0) << "for the answer";
+  EXPECT_EQ(passes(1), 1) << "it may still come";
+  EXPECT_EQ(passes(100), 0);
+}
+
 TEST(Falcon, AppliesTheForceThatIsAskedToAStepOfItsNumbersInItsWorkSpace)
 {
   FalconRig falcon;
@@ -110,6 +134,29 @@ TEST(Falcon, IsLoadedFromTheFileThatAPersonChooses)
   ask(falcon.rig, { 0.0, 1.0, 0.0 });
   EXPECT_EQ(falcon.rig.status, DeviceStatus::Ok);
   EXPECT_NEAR(falcon.model->force_N().y(), 1.0, falcon.model->step_N() + 0.01);
+}
+
+TEST(Falcon, IsLostWhenItIsUnpluggedBeforeItHasItsFirmwareAndWhileItIsLoaded)
+{
+  for (const bool loads : { false, true })
+  {
+    FalconRig falcon;
+    falcon.loader->runs = false;
+    const test::TemporaryFolder folder;
+    writeFirmware(folder.file("firmware.bin"));
+    ASSERT_EQ(falcon.rig.device.open(), "");
+    falcon.rig.run(20);
+    ASSERT_TRUE(falcon.rig.device.step());
+    falcon.model->present = false;
+    if (loads)
+    {
+      falcon.rig.device.stepDone(folder.file("firmware.bin"));
+    }
+    falcon.rig.run(20);
+    EXPECT_EQ(falcon.rig.status, DeviceStatus::Lost) << loads;
+    EXPECT_EQ(falcon.rig.device.linkReport().lostFor, "the cable was unplugged");
+    EXPECT_FALSE(falcon.rig.device.step()) << "nothing can be done with what is not there";
+  }
 }
 
 TEST(Falcon, SetsItsChipAsItsLoaderAndItsPacketsWant)
