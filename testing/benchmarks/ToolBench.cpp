@@ -164,7 +164,7 @@ int main(int argc, char** argv)
   app.add_flag("--large", options.large, "50 k on 1 M triangles too");
   app.add_flag("--assert", options.withAssertions, "fail if an update costs more queries than it may");
   CLI11_PARSE(app, argc, argv);
-  constexpr double mostQueries = 4.0; // twice what is seen
+  constexpr double mostQueries = 4.0; // twice as many as are seen
   const double ratio = benchmark(noisySpheres("noisy spheres", 5000, 100000, options), options);
   benchmark(flatOnFlat(70), options);
   benchmark(nutOnScrew(240), options);
