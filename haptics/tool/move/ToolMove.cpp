@@ -157,10 +157,23 @@ ToolUpdate ToolMove::update(const Pose& device_W, std::uint64_t work)
   done.leadCut = this->leadCut_;
   done.work = granted - budget.left();
   this->behind_ = done.spent;
-  const bool stuck =
-    done.spent && !this->gathering_ && this->pose_W_.p == before_W.p && this->pose_W_.q.coeffs() == before_W.q.coeffs();
-  this->starved_ = stuck ? std::min(this->starved_ + 1, mostDoublings) : 0;
+  const bool stands = this->pose_W_.p == before_W.p && this->pose_W_.q.coeffs() == before_W.q.coeffs();
+  this->learnNeed(done, stands);
   return done;
+}
+
+/// Twice the work next time where it was not enough for a step, and half of that again where it was: a tool that gets
+/// the usual work after each small step would stand still most of the time.
+void ToolMove::learnNeed(const ToolUpdate& done, bool stands)
+{
+  if (!done.spent)
+  {
+    this->starved_ = 0;
+  }
+  else if (!this->gathering_) // which tells nothing of a step
+  {
+    this->starved_ = std::clamp(this->starved_ + (stands ? 1 : -1), 0, mostDoublings);
+  }
 }
 
 /// How far the next list of near pairs will have to reach: as far as the hand usually goes in an update. A tool that is

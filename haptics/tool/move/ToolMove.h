@@ -49,7 +49,8 @@ public:
   [[nodiscard]] std::string place(const Pose& pose_W);
   [[nodiscard]] bool placed() const noexcept { return this->front_.has_value(); }
   /// Moves towards the device with at most so much work (WorkBudget); after an update that this was not enough for to
-  /// prove any step, twice as much, so that it never stays where it is for want of work. Only after place().
+  /// prove any step, with twice as much, and with half of that again after one that moved: so it never stays where it
+  /// is for want of work. Only after place().
   ToolUpdate update(const Pose& device_W, std::uint64_t work);
 
   [[nodiscard]] const Pose& pose_W() const noexcept { return this->pose_W_; }
@@ -74,6 +75,7 @@ private:
     Spent,
   };
   void expect(const Pose& device_W);
+  void learnNeed(const ToolUpdate& done, bool stands);
   struct Lead
   {
     Pose device_W;
@@ -105,7 +107,7 @@ private:
   double usualWay_u_ = 0.0; ///< of the hand in an update
   double margin_u_ = 0.0;   ///< for the next gathering
   int idle_ = 0;            ///< steps on end that brought nothing
-  int starved_ = 0;         ///< updates on end whose work was not enough for a step: the next one gets twice that
+  int starved_ = 0;         ///< doublings of the work of the next update
   bool gathering_ = false;
   bool behind_ = false; ///< the last update did not come to rest
   bool leadCut_ = false;
