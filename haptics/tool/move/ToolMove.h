@@ -48,9 +48,9 @@ public:
   /// Puts the tool at a pose. Refused in words where it would touch or meet the scene there; then nothing has changed.
   [[nodiscard]] std::string place(const Pose& pose_W);
   [[nodiscard]] bool placed() const noexcept { return this->front_.has_value(); }
-  /// Moves towards the device with at most so much work (WorkBudget); after an update that this was not enough for to
-  /// prove any step, with twice as much, and with half of that again after one that moved: so it never stays where it
-  /// is for want of work. Only after place().
+  /// Moves towards the device with so much work (WorkBudget); after an update that this was not enough for to prove any
+  /// step, with twice as much, and with half of that again after one that moved: so it never stays where it is for want
+  /// of work. A step that was begun is ended: the next updates have as much less as it took more. Only after place().
   ToolUpdate update(const Pose& device_W, std::uint64_t work);
 
   [[nodiscard]] const Pose& pose_W() const noexcept { return this->pose_W_; }
@@ -108,6 +108,7 @@ private:
   double margin_u_ = 0.0;   ///< for the next gathering
   int idle_ = 0;            ///< steps on end that brought nothing
   int starved_ = 0;         ///< doublings of the work of the next update
+  std::uint64_t owed_ = 0;  ///< work that was done and not granted: the next updates begin by paying for it
   bool gathering_ = false;
   bool behind_ = false; ///< the last update did not come to rest
   bool leadCut_ = false;

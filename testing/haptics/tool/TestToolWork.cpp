@@ -176,6 +176,26 @@ TEST(ToolWork, ANutThatFindsNoStepWithTheWorkOfAnUpdateGoesOnWithThatOfLaterOnes
   EXPECT_EQ(judged.judge.found(), 0u) << "of " << judged.judge.judged();
 }
 
+TEST(ToolWork, WhatAnUpdateDidBeyondItsWorkIsPaidByThoseAfterIt)
+{
+  const TriangleMesh cube = makeBox(Vec3::Constant(-0.5), Vec3::Constant(0.5));
+  JudgedTool judged(cube, shifted(cube, Vec3(0, 0, 1.01)), 0);
+  ASSERT_EQ(judged.move.place({}), "");
+  const Pose hand_W{ Vec3(0.01, 0.0, 0.1), Quat::Identity() };
+  ASSERT_TRUE(settle(judged.move, hand_W));
+  const std::uint64_t step = judged.move.update(hand_W, plenty).work; // that finds out that it rests
+  ASSERT_GT(step, 8u);
+  ASSERT_EQ(judged.move.update(hand_W, 1).steps, 1);
+  std::uint64_t paid = 1;
+  for (ToolUpdate next = judged.move.update(hand_W, 2); next.steps == 0; next = judged.move.update(hand_W, 2))
+  {
+    ASSERT_TRUE(next.spent);
+    paid += next.work;
+  }
+  EXPECT_GE(paid + 2, step);
+  EXPECT_LE(paid, step);
+}
+
 TEST(ToolWork, AToolOf5ThousandTrianglesOn100ThousandIsRarelyOutOfWork)
 {
   const ToolMesh tool = makeTool(scaled(NoisySphere(5000, 1.0).mesh(), 0.3)).value;
