@@ -31,8 +31,8 @@ GamePlan atRate(GamePlan plan, const GameTick& tick) noexcept
   return plan;
 }
 
-/// The draw goes straight to the start, then beyond it by the missing distance; a hand that stays behind stops the
-/// draw.
+/// The draw goes straight to the start. From then on the draw creeps along the way that the hand still lacks, until the
+/// hand is there. The draw is never further from the hand than the spring takes for its largest force.
 void draw(const GamePlan& plan, const GameTick& tick, GameState& state) noexcept
 {
   const Vec3 way_D = tick.start_D - state.drawn_D, missing_D = tick.start_D - tick.hand_D;

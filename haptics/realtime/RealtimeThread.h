@@ -37,8 +37,9 @@ struct SchedulingReport
 [[nodiscard]] Granted limitRealtimeRuns(std::int64_t longest_us);
 
 /// Tries real-time scheduling for the calling thread within the limits granted to the user, then one broker after the
-/// other, else ordinary scheduling with the least niceness allowed, 1 ns timer slack and a 0.1 ms slice; pre-faults the
-/// stack. Real-time scheduling is asked for only once a runaway would be demoted.
+/// other. Where none grants it the thread keeps ordinary scheduling and asks for a nice value of -11, a timer slack of
+/// 1 ns and a slice of 0.1 ms; the report says which of these were refused. Pre-faults the stack. Real-time scheduling
+/// is asked for only once a runaway would be demoted.
 [[nodiscard]] SchedulingReport acquireScheduling(
   int wantedPriority = 20, std::span<const std::shared_ptr<RealtimeBroker>> brokers = {});
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Palpate.so is linked to no library of ParaView. ParaView says of a plugin whose libraries are not there that there is a problem and no
-// more, so this file looks which ParaView runs before it opens the plugin proper, PalpatePlugin.so beside it.
+// Palpate.so is linked to no library of ParaView. ParaView says of a plugin whose libraries are not there that there is
+// a problem and no more, so this file looks which ParaView runs before it opens the plugin proper, PalpatePlugin.so
+// beside it.
 #include <dlfcn.h>
 #include <link.h>
 
@@ -12,7 +13,8 @@ class vtkPVPlugin;
 
 namespace
 {
-/// The series of the ParaView that runs, as "5.11", from the name of a library that every program of ParaView has; "" where there is none.
+/// The series of the ParaView that runs, as "5.11", from the name of a library that every program of ParaView has; ""
+/// where there is none.
 std::string RunningSeries()
 {
   constexpr auto visit = [](dl_phdr_info* object, std::size_t, void* found)
@@ -54,7 +56,8 @@ std::string PluginBesideThis()
 }
 } // namespace
 
-/// The plugin, for ParaView; null, and the reason said, where the series of ParaView is another.
+/// The plugin, for ParaView. Null where the series of ParaView is another, or where the plugin cannot be opened: the
+/// reason is said.
 extern "C" __attribute__((visibility("default"))) vtkPVPlugin* pv_plugin_instance()
 {
   if (const std::string series = RunningSeries(); series != PALPATE_PARAVIEW)

@@ -8,7 +8,7 @@
 
 A page that is rewritten joins HELD. No page leaves the list. The first two rules hold each text of the product that a user
 can see as well (product_text.py): help, tooltips, messages, documentation of XML and of Python functions. Comments (comment_text.py) have the first
-and the third rule, and some words of the second, everywhere but in OPEN. A place that is rewritten leaves OPEN. No place joins it.
+and the third rule, and some words of the second, everywhere but in OPEN, where their faults may only become fewer.
 """
 
 import math
@@ -179,13 +179,15 @@ PRIVATE = {
 
 PRIVATE_IN_COMMENTS = r"\b(?:g[ai]v(?:es?|ing|en) way|bricks?|rub(?:s|bed|bing)?)\b"
 
-# Places whose comments are not rewritten yet.
-OPEN = (
-    "devices/arm/",
-    "devices/calibration/",
-    "haptics/contact/",
-    "testing/devices/arm/",
-)
+# Places whose comments are not rewritten yet, and how many faults they still have at most. Numbers only ever fall: a place that has
+# fewer faults gets a lower number, and one without any leaves.
+OPEN = {
+    "devices/arm/": 29,
+    "devices/calibration/": 21,
+    "haptics/contact/": 40,
+    "testing/devices/arm/": 20,
+}
+MOST_OPEN = 110  # faults, on the day when the list was closed
 
 # In texts of the product also these. The key `laws` of a scene file is a name: it stands in quotes or before a colon.
 PRIVATE_IN_PRODUCT = {r"(?<!['`\"])laws?(?!['`\":])": "constraint, constitutive model, force field", r"rooms?": "workspace, clearance"}
@@ -239,11 +241,29 @@ def private_in_product(text):
 
 
 def of_comments():
-    """Each comment of the tree outside of OPEN, with its place."""
+    """Each comment of the tree, with its place."""
     for file in files_of(ROOT):
         name = str(file.relative_to(ROOT))
-        if file.suffix in COMMENTED and not name.startswith(OPEN):
+        if file.suffix in COMMENTED:
             yield from ((f"{name}:{line}", text) for line, text in comments(name, file.read_text(encoding="utf-8", errors="replace")))
+
+
+def headless_comment(text):
+    return headless(re.split(r"(?<=[.!?:;])\s", text))
+
+
+def private_comment(text):
+    return re.findall(PRIVATE_IN_COMMENTS, text, re.IGNORECASE)
+
+
+def nameless_comment(text):
+    return re.findall(r"(?<=[.!?]) It \w+", text)
+
+
+def open_faults(found):
+    """How many faults the comments of each place in OPEN have."""
+    faults = [(place, len(headless_comment(text) + private_comment(text) + nameless_comment(text))) for place, text in found]
+    return {start: sum(count for place, count in faults if place.startswith(start)) for start in OPEN}
 
 
 def words_of_nine_in_ten(found):
@@ -294,19 +314,27 @@ class Comments(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.found = list(of_comments())
+        everywhere = list(of_comments())
+        cls.open_faults = open_faults(everywhere)
+        cls.found = [(place, text) for place, text in everywhere if not place.startswith(tuple(OPEN))]
 
     def holds_none(self, fault):
         self.assertEqual([(place, fault(text)[0]) for place, text in self.found if fault(text)], [])
 
     def test_what_stands_in_questions_only(self):
-        self.holds_none(lambda text: headless(re.split(r"(?<=[.!?:;])\s", text)))
+        self.holds_none(headless_comment)
 
     def test_the_terms_are_those_of_the_field(self):
-        self.holds_none(lambda text: re.findall(PRIVATE_IN_COMMENTS, text, re.IGNORECASE))
+        self.holds_none(private_comment)
 
     def test_a_subject_is_named_anew_behind_a_full_stop(self):
-        self.holds_none(lambda text: re.findall(r"(?<=[.!?]) It \w+", text))
+        self.holds_none(nameless_comment)
+
+    def test_the_list_of_open_places_only_shrinks(self):
+        self.assertLessEqual(sum(OPEN.values()), MOST_OPEN, "a place has joined OPEN, or a number of it was raised")
+        for place, faults in self.open_faults.items():
+            self.assertGreater(faults, 0, f"{place} has no fault any more: it leaves OPEN")
+            self.assertLessEqual(faults, OPEN[place], f"{place} has new faults")
 
     def test_every_kind_of_file_has_comments(self):
         for suffix in COMMENTED - {".sh"}:

@@ -16,9 +16,10 @@ class vtkSMSourceProxy;
 /**
  * The touchable data in a render view, and the reasons for the rest.
  *
- * Go by representation, not by prop: a renderer holds about fifteen props per source. The geometry is the input of the
- * active representation's full-resolution mapper, which is exactly the picture that the person sees; it is null before
- * the first render of a representation and empty on the client when a server renders.
+ * Go by representation, not by prop: a renderer holds about fifteen props per source. The geometry of a surface is the
+ * input of the active representation's full-resolution mapper, so there is none before the first render. Shapes of
+ * glyphs and of image slices are made from that input, a curve under its widget is as the widget draws it, and the
+ * surfaces that a server renders are fetched from there.
  */
 struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
 {

@@ -6,7 +6,7 @@
 
 class vtkSMSourceProxy;
 
-/// Whether a source on a server has made other data since the last call; false at first.
+/// Whether a source on a server has made other data since Forget() was called; true at first.
 class vtkHapticSourceWatch
 {
 public:

@@ -126,7 +126,7 @@ public:
   }
 
 private:
-  /// Notes the only other triangle over edge k. False if a triangle before this one has the edge.
+  /// Notes the only other triangle over edge k. True if a triangle before this one has the edge.
   [[nodiscard]] bool meetsAcross(std::uint32_t triangle, std::uint32_t k)
   {
     std::uint32_t& across = this->data_.across[triangle][k];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -21,10 +22,18 @@ public:
     this->left_ = enough ? this->left_ - units : 0;
     return enough;
   }
+  /// For work that is done in any case: the part that there is not enough for is owed.
+  void charge(std::uint64_t units) noexcept
+  {
+    const std::uint64_t paid = std::min(units, this->left_);
+    this->left_ -= paid;
+    this->owed_ += units - paid;
+  }
   [[nodiscard]] std::uint64_t left() const noexcept { return this->left_; }
+  [[nodiscard]] std::uint64_t owed() const noexcept { return this->owed_; }
 
 private:
-  std::uint64_t left_;
+  std::uint64_t left_, owed_ = 0;
 };
 
 /// Measured costs of other operations, in units.

@@ -44,7 +44,7 @@ public:
       return std::move(this->verdict_);
     }
     this->near_.setStep(this->step_, this->task_.way_u);
-    static_cast<void>(this->budget_.spend(this->collect() * work_price::gap)); // each doubtful pair checks the budget
+    this->budget_.charge(this->collect() * work_price::gap);
     for (const DoubtfulPair& doubt : this->verdict_.doubtful)
     {
       if (this->verdict_.share <= 0.0)

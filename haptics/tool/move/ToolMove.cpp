@@ -98,6 +98,8 @@ std::string ToolMove::place(const Pose& pose_W)
   this->pose_W_ = unit_W;
   this->gathering_ = false;
   this->behind_ = false;
+  this->owed_ = 0;
+  this->starved_ = 0;
   this->device_W_ = unit_W;
   this->usualWay_u_ = 0.0;
   this->rows_.findTouching(this->near_, this->pose_W_, this->front_->way_u());
@@ -136,11 +138,13 @@ ToolUpdate ToolMove::update(const Pose& device_W, std::uint64_t work)
     return done;
   }
   const std::uint64_t granted = work << this->starved_;
-  WorkBudget budget(granted);
+  const std::uint64_t paid = std::min(granted, this->owed_);
+  this->owed_ -= paid;
+  WorkBudget budget(granted - paid);
   const Pose before_W = this->pose_W_;
   this->expect(device_W);
   this->idle_ = 0;
-  Advance last = Advance::Moved;
+  Advance last = budget.left() > 0 ? Advance::Moved : Advance::Spent;
   Circle circle(this->pose_W_, this->front_->way_u(), this->tool_.reach_u);
   while (last == Advance::Moved && done.steps < mostSteps)
   {
@@ -156,11 +160,25 @@ ToolUpdate ToolMove::update(const Pose& device_W, std::uint64_t work)
   done.spent = last == Advance::Moved || last == Advance::Spent;
   done.leadCut = this->leadCut_;
   done.work = granted - budget.left();
+  this->owed_ += budget.owed();
   this->behind_ = done.spent;
-  const bool stuck =
-    done.spent && !this->gathering_ && this->pose_W_.p == before_W.p && this->pose_W_.q.coeffs() == before_W.q.coeffs();
-  this->starved_ = stuck ? std::min(this->starved_ + 1, mostDoublings) : 0;
+  const bool stands = this->pose_W_.p == before_W.p && this->pose_W_.q.coeffs() == before_W.q.coeffs();
+  this->learnNeed(done, stands);
   return done;
+}
+
+/// Doubles the work of the next update where it was not enough for a step, and halves that again after one: a tool that
+/// gets the usual work after each small step would stand still most of the time.
+void ToolMove::learnNeed(const ToolUpdate& done, bool stands)
+{
+  if (!done.spent)
+  {
+    this->starved_ = 0;
+  }
+  else if (done.steps > 0 && !this->gathering_) // one that only pays or gathers tells nothing of a step
+  {
+    this->starved_ = std::clamp(this->starved_ + (stands ? 1 : -1), 0, mostDoublings);
+  }
 }
 
 /// Sets how far the next list of near pairs has to reach: as far as the hand usually moves in an update. A tool that is
@@ -184,7 +202,7 @@ ToolMove::ProvenStep ToolMove::planProven(const Vec6& wish, WorkBudget& budget)
   ProvenStep found;
   for (int round = 0; round < mostRounds; ++round)
   {
-    static_cast<void>(budget.spend(work_price::plan + work_price::planOfRow * this->rows_.rows().size()));
+    budget.charge(work_price::plan + work_price::planOfRow * this->rows_.rows().size());
     found.planned = StepPlan(this->rows_.rows(), this->pose_W_, limits).plan(wish);
     const ScrewStep& step = found.planned.step;
     const double way_u = step.displacement_u(this->tool_.reach_u);
@@ -213,7 +231,7 @@ ToolMove::Lead ToolMove::lead(const Pose& device_W, WorkBudget& budget)
   {
     const ToolContacts set = this->contacts();
     const SettledTarget rubbed = settledTarget(set, led.wish, this->friction_);
-    static_cast<void>(budget.spend(rubbed.rounds * std::uint64_t{ set.count })); // the proof checks the budget
+    budget.charge(rubbed.rounds * std::uint64_t{ set.count });
     led.device_W = { this->pose_W_.p + rubbed.wish.head<3>(),
       (turnBy(rubbed.wish.tail<3>() / this->characteristic_u_) * this->pose_W_.q).normalized() };
     bool cut = false;
@@ -229,7 +247,7 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
     return Advance::Spent;
   }
   this->rows_.findTouching(this->near_, this->pose_W_, this->front_->way_u());
-  static_cast<void>(budget.spend(work_price::touching * this->rows_.asked())); // the proof checks the budget
+  budget.charge(work_price::touching * this->rows_.asked());
   const Lead led = this->lead(device_W, budget);
   const ProvenStep found = this->planProven(led.wish, budget);
   if (found.rests)

@@ -48,8 +48,9 @@ public:
   /// Puts the tool at a pose. Refused in words where it would touch or meet the scene there; then nothing has changed.
   [[nodiscard]] std::string place(const Pose& pose_W);
   [[nodiscard]] bool placed() const noexcept { return this->front_.has_value(); }
-  /// Moves towards the device with at most `work` units (WorkBudget); after an update whose work was not enough
-  /// to prove any step, twice as much, so that a lack of work never stops it for good. Only after place().
+  /// Moves towards the device with at most `work` units (WorkBudget). An update whose work was not enough to prove any
+  /// step doubles the work of the next one, and an update that moved halves it, so that a lack of work never stops the
+  /// tool for good. A step that has begun is completed, and the next updates have so much less. Only after place().
   ToolUpdate update(const Pose& device_W, std::uint64_t work);
 
   [[nodiscard]] const Pose& pose_W() const noexcept { return this->pose_W_; }
@@ -74,6 +75,7 @@ private:
     Spent,
   };
   void expect(const Pose& device_W);
+  void learnNeed(const ToolUpdate& done, bool stands);
   struct Lead
   {
     Pose device_W;
@@ -105,7 +107,8 @@ private:
   double usualWay_u_ = 0.0; ///< motion of the hand in an update
   double margin_u_ = 0.0;   ///< for the next gathering
   int idle_ = 0;            ///< consecutive steps without progress
-  int starved_ = 0;         ///< consecutive updates without enough work for a step: the next one gets twice that
+  int starved_ = 0;         ///< doublings of the work of the next update
+  std::uint64_t owed_ = 0;  ///< work that was done beyond the grant: the next updates begin by paying for it
   bool gathering_ = false;
   bool behind_ = false; ///< the last update did not come to rest
   bool leadCut_ = false;

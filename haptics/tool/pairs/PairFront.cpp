@@ -85,7 +85,7 @@ void PairFront::begin(const BoxPose& pose, double margin_u, WorkBudget& budget)
   }
   this->pending_.insert(this->pending_.end(), this->near_.begin(), this->near_.end());
   this->near_.clear();
-  static_cast<void>(budget.spend(asked / work_price::planesPerUnit)); // the next visit checks the budget
+  budget.charge(asked / work_price::planesPerUnit);
 }
 
 bool PairFront::gather(const Pose& pose_W, double margin_u, WorkBudget& budget)
