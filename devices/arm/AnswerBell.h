@@ -39,7 +39,7 @@ public:
     until.tv_sec += at_ns / second_ns;
     until.tv_nsec = at_ns % second_ns;
     sem_clockwait(&this->bell_, CLOCK_MONOTONIC, &until);
-    return this->rung_.exchange(false); // what was written before that ring is seen from here on
+    return this->rung_.exchange(false); // writes before that ring are visible from here on
   }
 
 private:

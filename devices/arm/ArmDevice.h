@@ -62,7 +62,7 @@ private:
   double heardAt_s_ = 0.0;    ///< servo's
 };
 
-/// What is known of such an arm before it is opened.
+/// Properties of such an arm before it is opened.
 [[nodiscard]] DeviceInfo armInfo(const std::string& name, const HidEntry& entry, const ArmSetup& setup);
 
 } // namespace palpate

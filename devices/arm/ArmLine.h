@@ -38,10 +38,10 @@ public:
   virtual void letGo() noexcept = 0;
   /// The cause of the last answer that was none, for a person.
   [[nodiscard]] virtual std::string error() const = 0;
-  /// What is to be done before the first exchange; none: nothing.
+  /// The step that is due before the first exchange; none: no step.
   [[nodiscard]] virtual std::optional<DeviceStep> step() const { return std::nullopt; }
   virtual void stepDone(const std::string& /*file*/) {}
-  /// Does what the person asked for by that. Exchange thread.
+  /// Carries out the step that the person asked for. Exchange thread.
   virtual void proceed() {}
 };
 
@@ -50,9 +50,9 @@ public:
 class ArmBus : public DeviceListing
 {
 public:
-  using Opened = Outcome<std::unique_ptr<ArmLine>>; ///< or why it cannot be opened and what to do
+  using Opened = Outcome<std::unique_ptr<ArmLine>>; ///< or the reason why it cannot be opened, and the remedy
   [[nodiscard]] virtual Opened open(const HidEntry& entry) = 0;
-  /// Empty, or why it could not be opened now and what to do. Tells the device nothing.
+  /// Empty, or the reason why it could not be opened now, and the remedy. Tells the device nothing.
   [[nodiscard]] virtual std::string refusal(const HidEntry& entry) = 0;
 };
 

@@ -48,7 +48,7 @@ std::string ArmLink::prepare(const FoundDevice& found)
   device->good_ns = this->clock_.now_ns();
   device->counted = this->setup_.pose.empty();
   this->search_.found(*this->bus_, *found.entry);
-  this->exchange_.mute(); // what was asked of the one before
+  this->exchange_.mute(); // requests to the arm before
   this->exchange_.tell(std::nullopt);
   this->held_.hold(std::move(device), [this] { this->exchange_.presence.found(); });
   return {};

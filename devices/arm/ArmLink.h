@@ -50,7 +50,7 @@ public:
 
   /// The largest force from now on. Any thread.
   void limit(double force_N) noexcept { this->limit_N_ = force_N; }
-  /// What a person has to do next. Any thread but the servo's.
+  /// The step that a person has to do next. Any thread but the servo's.
   [[nodiscard]] std::optional<DeviceStep> step() const;
   void stepDone(const std::string& file);
   [[nodiscard]] LinkReport report() const;

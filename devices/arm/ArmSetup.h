@@ -13,11 +13,11 @@
 namespace palpate
 {
 
-/// What the program has to know of one kind of arm, beside its wire.
+/// Properties of one kind of arm, beside its wire.
 struct ArmSetup
 {
   std::string what;                       ///< for a person: "Novint Falcon"
-  std::string problem;                    ///< why such an arm cannot be used here and what to do; empty: it can
+  std::string problem;                    ///< reason why such an arm cannot be used here, and the remedy; empty: it can
   std::optional<ArmPlan> plan;            ///< none: the wire knows the hand
   bool tellsAngles = false;               ///< the wire has degrees, not counts
   bool grips = false;                     ///< it can tell whether it is gripped

@@ -40,8 +40,8 @@ private:
   std::shared_ptr<FtdiPort> port_;
   std::unique_ptr<WireLine> line_;
   std::atomic<bool> running_ = false;
-  std::atomic<bool> gone_ = false; ///< noticed before it ran
-  mutable std::mutex mutex_;       ///< of what follows
+  std::atomic<bool> gone_ = false; ///< it vanished before it ran
+  mutable std::mutex mutex_;       ///< of the members below
   std::optional<std::string> chosen_;
   std::string failed_; ///< the last loading, as a phrase
 };

@@ -36,7 +36,7 @@ private:
   WireBytes request_;
   WireBytes came_;
   std::size_t cameBytes_ = 0;
-  bool mayHoldMore_ = true; ///< the link, of what belongs to no request yet to come
+  bool mayHoldMore_ = true; ///< the link may hold bytes that belong to no later request
   std::string error_;
 };
 

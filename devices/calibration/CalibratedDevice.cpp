@@ -104,7 +104,7 @@ CalibratedDevice::CalibratedDevice(std::unique_ptr<HapticDevice> device, const C
 std::string CalibratedDevice::open()
 {
   std::string problem = this->device_->open();
-  // Some devices know what they can do only once they are open.
+  // Some devices know their abilities only once they are open.
   this->info_ = calibratedInfo(this->device_->info(), this->calibration_);
   return problem;
 }

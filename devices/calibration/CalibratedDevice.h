@@ -14,7 +14,7 @@ namespace palpate
 /// felt are left to the device; those of a simulated one need no proof. A device with one axis is a wheel.
 [[nodiscard]] DeviceInfo calibratedInfo(DeviceInfo info, const Calibration& calibration);
 
-/// A stick of which only x is there: some wheels call themselves sticks. An arm stays what it is.
+/// A stick of which only x is there: some wheels call themselves sticks. An arm keeps its class.
 [[nodiscard]] DeviceInfo asWheel(DeviceInfo info);
 
 /// Of such a device of which nobody knows more. `date`: YYYY-MM-DD.

@@ -134,7 +134,7 @@ KeptCalibration loadCalibration(const std::string& folder, const std::string& de
   {
     return newest;
   }
-  // What the damaged one said of walls may have been less.
+  // The damaged file may have allowed less stiff walls.
   older.value->held = HeldProof::Unfelt;
   return { std::move(older.value), newest.problem + "; the previous calibration is used" };
 }

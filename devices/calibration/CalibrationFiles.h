@@ -19,7 +19,7 @@ namespace palpate
 /// The date here and now, YYYY-MM-DD.
 [[nodiscard]] std::string today();
 
-/// What is known of a device. The problem names a file that cannot be used and why; empty too where there is none.
+/// The calibration of a device. The problem names a file that cannot be used and why; empty too where there is none.
 using KeptCalibration = Outcome<std::optional<Calibration>>;
 
 /// The calibration of a device. Where its file is damaged, the previous file is used, except for its statements

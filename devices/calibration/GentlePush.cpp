@@ -90,7 +90,7 @@ void PushRecord::findMost(int axis, PushAnswer& answer) const noexcept
   {
     if (answer.most_m != 0.0 && this->way(bin, axis) / answer.most_m >= nearly)
     {
-      answer.reached_s = (static_cast<double>(bin) + 0.5) * bin_s; // the first one is what stays
+      answer.reached_s = (static_cast<double>(bin) + 0.5) * bin_s; // the first push is the one that stays
     }
   }
 }

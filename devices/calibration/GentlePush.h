@@ -9,8 +9,8 @@
 namespace palpate
 {
 
-/// A force that rises, stays for a moment and goes, half a second in all: harmless, and slow enough for a hand to give
-/// way like a spring.
+/// A force that rises, stays for a moment and goes, half a second in all: harmless, and slow enough for a hand to yield
+/// like a spring.
 namespace push
 {
 constexpr double rise_s = 0.40;

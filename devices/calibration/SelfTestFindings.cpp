@@ -35,7 +35,7 @@ bool isAlike(double up_m, double down_m, double least_m)
   return (up_m > 0.0) != (down_m > 0.0) && smaller_m >= least_m && larger_m <= alike * smaller_m;
 }
 
-/// What one pair of pushes shows.
+/// Findings of one pair of pushes.
 MotorMotion motionOf(const SelfTestPlan& plan, const PushPair& answers, int axis, double least_m)
 {
   constexpr double aside = 0.5, before = 0.25;
@@ -231,7 +231,7 @@ std::optional<bool> endedByItself(const SelfTestPlan& plan, const SelfTestState&
     return std::nullopt;
   }
   const PushAnswer& lapse = state.motors[static_cast<std::size_t>(motor)].lapse[static_cast<std::size_t>(found.sensor)];
-  // What friction holds comes back neither way.
+  // An axis that friction holds returns neither way.
   const double before_m = std::fabs(lapse.most_m - lapse.last_m), after_m = std::fabs(lapse.last_m - lapse.rested_m);
   if (std::max(before_m, after_m) < leastMotion_m(plan, state))
   {
@@ -265,7 +265,7 @@ SelfTestReason reasonOf(MotorMotion motion)
   return SelfTestReason::None;
 }
 
-/// What hides what comes after it in the list.
+/// Findings that hide those after them in the list.
 SelfTestReason graver(SelfTestReason a, SelfTestReason b)
 {
   constexpr std::array<SelfTestReason, 12> order{ SelfTestReason::PushUnclear, SelfTestReason::BothAxes,
@@ -276,8 +276,8 @@ SelfTestReason graver(SelfTestReason a, SelfTestReason b)
   return rank(a) < rank(b) ? a : b;
 }
 
-/// Of a wheel one motor must answer along its axis; another one may be behind the same axis, or not be there. Who says
-/// that it is a wheel does not care what others do.
+/// Of a wheel one motor must answer along its axis; another one may be behind the same axis, or not be there. A person
+/// who declares a wheel does not mind the other motors.
 SelfTestReason judgeOneAxis(const SelfTestPlan& plan, const SelfTestState& state)
 {
   const int sensor = findAxis(plan, state, 0).sensor;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the pushes into the device's own walls and against its viscosity show.
+// Findings of the pushes into the device's own walls and against its viscosity.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,8 +11,9 @@ namespace palpate
 namespace
 {
 
-/// A hand of stiffness K gives way by 1 / K per N that is asked for, and by 1 / (K + k) into a wall k: the stiffness
-/// of the wall as a share of what was asked for. A way of a few steps of the encoder says how stiff it is at least.
+/// A hand of stiffness K yields by 1 / K per N of a push, and by 1 / (K + k) into a wall k. The ratio gives the
+/// stiffness of the wall as a share of the one asked for. A displacement of a few encoder steps gives a lower bound of
+/// it.
 struct WallSize
 {
   double share = 0.0;
@@ -74,8 +75,9 @@ HeldProof judgeCorridor(const SelfTestPlan& plan, const MotorAnswers& answers, d
   return shares[0] > half && shares[1] < half ? HeldProof::Felt : HeldProof::Misplaced;
 }
 
-/// What a wall takes of a push makes the way shorter by as much, whatever friction takes. A limited wall takes a
-/// quarter of what an unlimited one takes, more of what friction leaves. A firmware that ignores the limit takes all.
+/// The force that a wall takes of a push shortens the displacement by as much, whatever the friction. A limited wall
+/// takes a quarter of the force of an unlimited one, and more of the rest after friction. A firmware without limits
+/// takes all.
 HeldProof judgeLimits(const MotorAnswers& answers, int sensor)
 {
   constexpr double most = 0.75;
@@ -92,7 +94,7 @@ HeldProof judgeLimits(const MotorAnswers& answers, int sensor)
   return HeldProof::Felt;
 }
 
-/// What endangers a hand comes before what is only missing.
+/// Findings that endanger a hand come before missing abilities.
 HeldProof worse(HeldProof a, HeldProof b)
 {
   constexpr std::array<HeldProof, 10> order{ HeldProof::WrongWay, HeldProof::Drives, HeldProof::WrongSize,

@@ -15,8 +15,8 @@ namespace
 constexpr double settled_s = 0.25; // a hand that was still so long may be pushed
 constexpr double brace_s = 0.5;    // by then a device's walls may push with a tenth of its force
 constexpr double shake_s = 0.3;
-constexpr double brakedFor_s = 0.05; // what viscosity makes a resting hand lag by
-constexpr int firstCompared = 4;     // rounds of a motor, after which it is known what it moves
+constexpr double brakedFor_s = 0.05; // lag of a resting hand by viscosity
+constexpr int firstCompared = 4;     // rounds of a motor, after which its axis is known
 
 const PushRound& roundOf(const SelfTestState& state) noexcept
 {
@@ -72,7 +72,7 @@ void finish(const SelfTestPlan& plan, SelfTestState& state) noexcept
     reason);
 }
 
-/// The next push that there is something to learn from. What does not answer as it should is pushed no more.
+/// The next push that there is something to learn from. An axis that answers wrongly is pushed no more.
 void nextRound(const SelfTestPlan& plan, SelfTestState& state) noexcept
 {
   constexpr auto all = static_cast<int>(pushRounds.size());
@@ -144,7 +144,8 @@ void endShake(const SelfTestPlan& plan, SelfTestState& state) noexcept
   finish(plan, state);
 }
 
-/// No wall pushes harder than the push. A limited one does with a quarter of what it would take of the push.
+/// No wall pushes harder than the push. A limited one pushes with a quarter of the force that it would take of the
+/// push.
 double largestOfWall_N(const SelfTestPlan& plan, const SelfTestState& state, double wall_N_per_m) noexcept
 {
   constexpr double quarter = 0.25;

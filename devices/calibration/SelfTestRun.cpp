@@ -85,7 +85,7 @@ std::string SelfTestRun::start(std::unique_ptr<HapticDevice> device, const SelfT
   {
     return problem;
   }
-  // Some devices know what they can do only once they are open.
+  // Some devices know their abilities only once they are open.
   this->device_ = device->info();
   if (const auto* linked = dynamic_cast<const LinkedDevice*>(device.get()))
   {

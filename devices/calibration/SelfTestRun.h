@@ -43,7 +43,7 @@ public:
   /// Virtual time: computes up to that many ticks now.
   void step(int ticks);
 
-  /// What the person has to do before the device can be pushed; none: nothing.
+  /// The step that a person has to do before the device can be pushed; none: no step.
   [[nodiscard]] std::optional<DeviceStep> need() const;
   /// The person has done it.
   void needDone(const std::string& file);

@@ -168,7 +168,7 @@ std::string heldLine(const SelfTestPlan& plan, const SelfTestState& state)
                                   : std::string("\nThe program renders the walls: ") + whyNotHeld(proof) + ".";
 }
 
-/// Of what ends by itself, and of what shakes.
+/// Sentences on effects that end by themselves, and on vibration.
 std::string otherLines(const SelfTestPlan& plan, const SelfTestState& state)
 {
   std::string lines;

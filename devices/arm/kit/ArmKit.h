@@ -12,13 +12,13 @@
 namespace palpate
 {
 
-/// One kind of arm that is looked for: where, and what is known of it.
+/// One kind of arm to look for: the places to look in, and its properties.
 struct ArmKit
 {
   std::string road; ///< first word of the names of its devices
   std::shared_ptr<ArmBus> bus;
   ArmSetup setup;
-  std::function<bool()> isPlugged = {}; ///< what is listed may not be attached, and this tells it; null: it is
+  std::function<bool()> isPlugged = {}; ///< tells whether a listed arm is attached; null: every listed one is
 };
 
 /// An arm that is attached, as far as is known, usable or not.
@@ -27,7 +27,7 @@ struct FoundArm
   std::string name; ///< for the factory: the same as long as the same devices are plugged in
   HidEntry entry;
   const ArmKit* kit = nullptr;
-  std::string problem;    ///< empty, or why it cannot be used and what to do
+  std::string problem;    ///< empty, or the reason why it cannot be used, and the remedy
   bool hasTwin = false;   ///< another one is attached that neither kind nor serial number tells apart
   bool isAssumed = false; ///< nothing shows that it is attached
 };

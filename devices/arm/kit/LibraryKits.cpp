@@ -13,7 +13,7 @@ namespace palpate
 namespace
 {
 
-/// What the library sees; without it what is plugged in, so that its absence is said.
+/// Arms that the library sees; without the library the plugs, so that its absence is reported.
 std::vector<HidEntry> listDhd(const DhdFunctions& dhd, const UsbIds& plugs)
 {
   std::vector<HidEntry> all = usbPlugs(plugs);

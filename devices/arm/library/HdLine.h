@@ -69,7 +69,7 @@ private:
   std::uint64_t scheduled_ = 0;
   bool begun_ = false;
 
-  mutable std::mutex mutex_; ///< of what follows: the vendor's thread and the exchange
+  mutable std::mutex mutex_; ///< of the members below: the vendor's thread and the exchange
   std::condition_variable done_;
   WireOrder order_;
   std::chrono::steady_clock::time_point ordered_; ///< when that was

@@ -9,7 +9,7 @@ namespace palpate
 int FtdiByteLink::receive(std::span<std::uint8_t> bytes, int timeout_ms) noexcept
 {
   constexpr int ownBytes = 2;
-  constexpr int shortest_ms = 3; // longer than the chip is silent: a transfer that is given up may lose what it had
+  constexpr int shortest_ms = 3; // longer than the chip is silent: a transfer that is given up may lose its bytes
   std::array<std::uint8_t, 64> transfer; // as long as a packet: each packet has bytes of the chip's own
   for (int left_ms = timeout_ms; left_ms >= 0; --left_ms)
   {

@@ -49,8 +49,8 @@ std::string hexOf(std::span<const std::uint8_t> bytes)
   return hex;
 }
 
-/// What the guard is started with: descriptors of its own and no other, its own session, so that no terminal ends it,
-/// and the signals blocked that end a crowd of programs politely.
+/// Conditions of the start of the guard: descriptors of its own and no other, its own session, so that no terminal ends
+/// it, and the signals blocked that end a crowd of programs politely.
 class SpawnPlan
 {
 public:

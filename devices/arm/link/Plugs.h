@@ -19,7 +19,7 @@ using UsbIds = std::vector<std::pair<std::uint16_t, std::uint16_t>>; ///< maker 
 /// Serial lines of USB devices with these numbers; a path is a file of /dev.
 [[nodiscard]] std::vector<HidEntry> serialPlugs(const UsbIds& ids, const std::string& sys = "/sys");
 
-/// Why the system would not open this file now and what to do; empty: it would.
+/// The reason why the system would not open this file now, and the remedy; empty: it would.
 [[nodiscard]] std::string fileRefusal(const std::string& path);
 
 } // namespace palpate

@@ -51,7 +51,7 @@ class WebSocketLink final : public ByteLink
 {
 public:
   WebSocketLink() : socket_(context_) {}
-  /// What is still under way ends with the socket, before what it writes to does.
+  /// Pending operations end with the socket, before the buffers to which they write.
   ~WebSocketLink() override
   {
     error_code ignored;
@@ -172,7 +172,7 @@ Outcome<std::string> askLoopback(std::uint16_t port, const std::string& target, 
   error_code ignored;
   socket.close(ignored);
   context.restart();
-  context.run_for(std::chrono::milliseconds(socketWrite_ms)); // what is under way still has its data here
+  context.run_for(std::chrono::milliseconds(socketWrite_ms)); // pending operations still have their data here
   if (!heard || *heard)
   {
     return { {}, heard ? heard->message() : "it does not answer" };

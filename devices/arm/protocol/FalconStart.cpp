@@ -39,7 +39,7 @@ bool tell(FtdiPort& port, const std::array<Control, N>& all) noexcept
     all.begin(), all.end(), [&port](const Control& one) { return port.control(one.request, one.value); });
 }
 
-/// What comes until it is so long or nothing comes any more.
+/// Reads until there are so many bytes or no more come.
 std::vector<std::uint8_t> heard(FtdiPort& port, std::size_t length, int longest_ms)
 {
   constexpr int ownBytes = 2, most = 64;

@@ -12,7 +12,7 @@ namespace
 
 constexpr std::uint8_t begin = '<', end = '>', zero = 0x41;
 constexpr std::uint8_t home = 1, green = 2;
-constexpr std::size_t lights = 13, nibbles = 4; ///< the place of the lights, and of what the buttons say
+constexpr std::size_t lights = 13, nibbles = 4; ///< the place of the lights, and of the buttons
 
 } // namespace
 

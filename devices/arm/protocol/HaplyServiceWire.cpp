@@ -81,7 +81,7 @@ bool isIdentity(const Json& transform)
          (*scale - Vec3::Ones()).norm() < nearly;
 }
 
-/// What of a hand's grip is told; grips differ in how they say it.
+/// Buttons and rotation of a grip, whose messages differ by kind.
 void addGrip(const Json& json, WireReading& reading)
 {
   for (const char* const kind : { "wireless_verse_grip", "verse_grip" })

@@ -49,7 +49,7 @@ struct HaplyDevice
 /// version.
 [[nodiscard]] std::optional<bool> haplyHasVector(std::string_view versionAnswer);
 
-/// What a message of the channel of events stops the device for; empty: nothing.
+/// The reason for which a message of the channel of events stops the device; empty: none.
 [[nodiscard]] std::string haplySafetyEvent(std::string_view message);
 
 } // namespace palpate

@@ -13,7 +13,7 @@
 namespace palpate
 {
 
-/// The whole number nearest to a value within limits; 0 for what is no number.
+/// The whole number nearest to a value within limits; 0 for NaN.
 [[nodiscard]] inline std::int16_t nearest16(double value, double largest) noexcept
 {
   return std::isfinite(value) ? static_cast<std::int16_t>(std::lround(std::clamp(value, -largest, largest)))

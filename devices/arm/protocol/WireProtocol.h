@@ -16,7 +16,7 @@ namespace palpate
 
 using WireBytes = std::vector<std::uint8_t>;
 
-/// What an arm is told in one message. A wire sends torques of joints, torques of motors or the force, as it knows
+/// The content of one message to an arm. A wire sends torques of joints, torques of motors or the force, as it knows
 /// them.
 struct WireOrder
 {
@@ -28,7 +28,7 @@ struct WireOrder
   std::optional<std::array<std::int16_t, 6>> counters; ///< set them so; without force
 };
 
-/// What an arm says in one message.
+/// The content of one message from an arm.
 struct WireReading
 {
   static constexpr std::size_t encoders = 6;
@@ -64,7 +64,7 @@ public:
   }
   /// None: this is no answer.
   [[nodiscard]] virtual std::optional<WireReading> decode(std::span<const std::uint8_t> answer) const = 0;
-  /// What must be said once before the first request, without an answer; empty: nothing.
+  /// The message that is sent once before the first request and has no answer; empty: none.
   [[nodiscard]] virtual WireBytes greeting() const { return {}; }
   /// A guard's bytes: they end the torque also where the link's last message was cut short.
   [[nodiscard]] virtual WireBytes farewell() const

@@ -11,15 +11,15 @@
 namespace palpate::test
 {
 
-/// An arm behind a link of bytes: its mechanics, its motors and its firmware. Also what can be wrong with it.
+/// An arm behind a link of bytes: its mechanics, its motors and its firmware. Its members switch faults on.
 class BoardModel : public LedArm
 {
 public:
   /// Bytes of the host, in pieces of any length.
   virtual void take(std::span<const std::uint8_t> bytes) = 0;
-  /// What the motors give the hand now [N].
+  /// Force of the motors on the hand now [N].
   [[nodiscard]] virtual Vec3 force_N() const = 0;
-  /// What one step of its numbers can make of it at most [N].
+  /// The largest change of that force by one step of its numbers [N].
   [[nodiscard]] virtual double step_N() const = 0;
 
   std::deque<std::uint8_t> said;

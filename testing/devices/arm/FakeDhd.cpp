@@ -71,7 +71,7 @@ extern "C"
     }
     return 0;
   }
-  // What a test asks and says.
+  // Requests and settings of a test.
   double fakeForce(int axis)
   {
     return force[axis];

@@ -112,7 +112,7 @@ extern "C"
   {
     return { failure, 0, 5 };
   }
-  // What a test asks and says.
+  // Requests and settings of a test.
   double fakeForce(int axis)
   {
     return force[axis];

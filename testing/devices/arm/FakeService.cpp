@@ -44,7 +44,7 @@ struct FakeService::Parts
   asio::io_context context;
   tcp::acceptor states{ context, { asio::ip::address_v4::loopback(), 0 } };
   tcp::acceptor events{ context, { asio::ip::address_v4::loopback(), 0 } };
-  mutable std::mutex mutex; ///< of what follows
+  mutable std::mutex mutex; ///< of the members below
   Says says;
   Vec3 force_N = Vec3::Zero();
   bool identity = false;

@@ -15,11 +15,12 @@ namespace palpate::test
 {
 
 /// A service like that of Haply's arms on a port of this computer, with one arm: an inventory on connecting, then a
-/// state for each message; commands are applied once. It understands a force by one key alone, that of its version.
+/// state for each message; commands are applied once. The service understands a force by one key alone, that of its
+/// version.
 class FakeService
 {
 public:
-  /// What it is, and what is wrong with it.
+  /// Its kind and its faults.
   struct Says
   {
     std::string version = "3.5.2";

@@ -19,13 +19,13 @@ namespace palpate::test
 class FalconChip final : public FtdiPort
 {
 public:
-  /// What the loader has seen, and what is wrong with it.
+  /// Bytes that the loader has seen, and its faults.
   struct Loader
   {
     bool runs = true; ///< the firmware does
     bool greets = true;
     std::size_t wrongEchoAt = static_cast<std::size_t>(-1);
-    bool takesAnything = true; ///< else what was loaded does not run
+    bool takesAnything = true; ///< else the loaded firmware does not run
     std::vector<std::uint8_t> loaded;
     std::vector<std::pair<int, int>> controls;
     std::vector<std::size_t> pieces; ///< how many bytes came at once

@@ -21,7 +21,7 @@ public:
   bool lead(const Vec3& tip_m);
   [[nodiscard]] const Vec3& joints_rad() const noexcept { return this->joints_rad_; }
   [[nodiscard]] Vec3 tip_m() const { return this->tipOf(this->joints_rad_); }
-  /// What the hand feels of torques of the joints, by virtual work [N].
+  /// Force on the hand for torques of the joints, by virtual work [N].
   [[nodiscard]] Vec3 forceOf(const Vec3& torque_Nm) const;
   /// Columns: the tip's way over each joint [m/rad].
   [[nodiscard]] Mat3 ways() const;

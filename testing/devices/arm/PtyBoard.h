@@ -35,7 +35,7 @@ public:
   [[nodiscard]] const std::string& path() const noexcept { return this->path_; }
   [[nodiscard]] int file() const noexcept { return this->master_; }
 
-  /// Hears what comes within that time and answers.
+  /// Receives the bytes that come within that time, and answers.
   void serve(int timeout_ms)
   {
     pollfd input{ this->master_, POLLIN, 0 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds for an arm whatever its line is, against a line that does what a test says.
+// Properties of every arm, against a line whose behaviour a test sets.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -23,7 +23,7 @@ namespace palpate
 namespace
 {
 
-/// What a line does, and the order that it had last.
+/// The behaviour of a line, and its last order.
 struct Script
 {
   test::ModelTime* time = nullptr; ///< null: the line answers at once

@@ -30,7 +30,7 @@ Vec3 ledTo(double time_s, bool inPlane)
   return out_m * Vec3(std::cos(turn) * std::cos(tilt), std::sin(turn) * std::cos(tilt), std::sin(tilt));
 }
 
-/// An arm whose exchange belongs to the tick, and what it has to judge it by.
+/// An arm whose exchange belongs to the tick, and the means to judge it.
 struct ExchangedArm
 {
   ArmDevice& device;
@@ -41,7 +41,7 @@ struct ExchangedArm
   bool inPlane = false;
 };
 
-/// What was seen of the forces.
+/// Observations of the forces.
 struct Seen
 {
   int ticks = 0, pushing = 0, beyond = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can happen to a link of bytes to an arm: no force within 20 ms, and one sentence.
+// Faults of a link of bytes to an arm: no force within 20 ms, and one sentence.
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -61,7 +61,7 @@ public:
     EXPECT_GT(this->diy_.model->force_N().norm(), 0.9);
   }
   test::BoardRig& rig() override { return this->diy_.rig; }
-  /// Every direction gets what the motors can give in their worst one: along the way of a joint.
+  /// Every direction gets the force of the motors in their worst one: along the way of a joint.
   double largest_N() override
   {
     constexpr double largest_Nm = 0.123;

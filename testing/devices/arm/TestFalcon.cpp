@@ -17,7 +17,8 @@ namespace
 
 using test::FalconRig;
 
-/// What a count shows of the tip at most: 0.036 degrees of an arm of 60 mm, and the farthest that legs stretch it.
+/// The largest displacement of the tip for one count: 0.036 degrees of an arm of 60 mm, and the farthest that legs
+/// stretch it.
 constexpr double falconCount_m = 2e-4;
 
 constexpr double largestOff_rad = 2e-7; ///< the library that the table was printed by computes in floats
@@ -175,7 +176,7 @@ TEST(Falcon, SetsItsChipAsItsLoaderAndItsPacketsWant)
   EXPECT_EQ(falcon.loader->controls, expected);
 }
 
-/// Wrong firmware and wrong loaders, and what is said of them.
+/// Wrong firmware and wrong loaders, and their messages.
 struct WrongLoad
 {
   const char* name;

@@ -20,7 +20,7 @@ namespace
 
 using test::WoodenHapticsRig;
 
-/// What a counter shows of the tip, at most, from where it is: half a count in each of three joints.
+/// The largest distance between the tip and the position by its counters: half a count in each of three joints.
 constexpr double oneCount_m = 3e-4;
 
 TEST(WoodenHaptics, IsFoundWithItsOwnersFileAndRefusedByNameWithout)

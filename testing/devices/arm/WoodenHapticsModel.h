@@ -30,7 +30,7 @@ public:
   void advance(int duration_ms) override;
   [[nodiscard]] Vec3 tipOf(const Vec3& joints_rad) const override;
 
-  /// What the motors give the hand now [N].
+  /// Force of the motors on the hand now [N].
   [[nodiscard]] Vec3 force_N() const;
   /// The same for a current of 0.5 mA, half a step, in each motor at once, whatever their signs, at most [N].
   [[nodiscard]] double halfStep_N() const;
@@ -52,7 +52,7 @@ private:
   [[nodiscard]] std::array<std::int16_t, 6> counters() const;
   void say();
 
-  std::array<double, 6> offset_{}; ///< what was set less what was counted
+  std::array<double, 6> offset_{}; ///< counter that was set, less the count at that time
   std::deque<std::vector<std::uint8_t>> waiting_;
   int silence_ms_ = 0;
 };
