@@ -191,21 +191,23 @@ function (palpate_add_server_gui_test)
 endfunction ()
 
 # palpate_add_fuzz_target(NAME fuzz-clean SOURCES FuzzClean.cpp ../../haptics/geometry/mesh/TriangleMesh.cpp CORPUS folder
-#   [OPTIONS flags...] [LIBRARIES flags...])
+#   [OPTIONS flags...] [LIBRARIES flags...] [FULL_RUNS count])
 # A libFuzzer program built by clang++ with its own instrumented copies of SOURCES (the rest of the build may be GCC),
-# compiled at once as their headers take longest, and a ctest that runs it for 8 s, in ./dev test --full for 120 s, from the
-# seeds in CORPUS, which it does not change. Label: fuzz.
+# compiled at once as their headers take longest, and a ctest that runs it for 8 s, in ./dev test --full for 120 s or
+# FULL_RUNS inputs, from the seeds in CORPUS, which it does not change. Label: fuzz.
 function (palpate_add_fuzz_target)
-  _palpate_parse(fuzz "CORPUS" "SOURCES;OPTIONS;LIBRARIES")
+  _palpate_parse(fuzz "CORPUS;FULL_RUNS" "SOURCES;OPTIONS;LIBRARIES")
   set(arg_GROUP palpate_fuzzers)
   find_program(PALPATE_CLANG clang++)
   if (NOT PALPATE_CLANG)
     message(STATUS "Fuzz target ${arg_NAME}: left out, clang++ is not installed")
     return ()
   endif ()
-  set(seconds 8)
-  if (PALPATE_TIMEOUT_FACTOR)
-    set(seconds 120)
+  set(extent -max_total_time=8)
+  if (PALPATE_TIMEOUT_FACTOR AND arg_FULL_RUNS)
+    set(extent "-runs=${arg_FULL_RUNS}")
+  elseif (PALPATE_TIMEOUT_FACTOR)
+    set(extent -max_total_time=120)
   endif ()
   list(TRANSFORM arg_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" REGEX "^[^/]")
   set(program "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${arg_NAME}")
@@ -225,7 +227,7 @@ function (palpate_add_fuzz_target)
   set(found "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}-found")
   file(MAKE_DIRECTORY "${found}")
   add_test(NAME "fuzz.${arg_NAME}"
-    COMMAND "${program}" -max_total_time=${seconds} -rss_limit_mb=2048 -timeout=20 -print_final_stats=1
+    COMMAND "${program}" ${extent} -rss_limit_mb=2048 -timeout=20 -print_final_stats=1
       "-artifact_prefix=${found}/" "${found}" "${CMAKE_CURRENT_SOURCE_DIR}/${arg_CORPUS}")
   _palpate_set_properties("fuzz.${arg_NAME}")
 endfunction ()

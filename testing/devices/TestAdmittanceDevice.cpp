@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "devices/DeviceFactory.h"
-#include "devices/simulated/AdmittanceDevice.h"
+#include "testing/support/Admittance.h"
 #include "testing/support/AllocationGuard.h"
 
 namespace palpate
@@ -13,41 +13,8 @@ namespace palpate
 namespace
 {
 
-/// The command of a host without anything to touch: to go where the virtual mass is.
-DeviceCommand inAir(const DeviceSample& sample)
-{
-  DeviceCommand command;
-  command.target.pose_D = sample.pose_D;
-  return command;
-}
-
-/// Along x by 1 mm, then still.
-HandPath nudge()
-{
-  HandPath path;
-  path.points_D = { Vec3::Zero(), Vec3(1e-3, 0.0, 0.0) };
-  path.loops = false;
-  return path;
-}
-
-/// Does a hand that is a spring alone make the device shake?
-bool shakes(const AdmittancePlan& plan, double stiffness_N_per_m)
-{
-  AdmittanceDevice device(plan, HandModel{ "spring", stiffness_N_per_m, 0.0, 0.0 }, nudge());
-  EXPECT_EQ(device.open(), "");
-  DeviceSample sample;
-  double early = 0.0, late = 0.0;
-  constexpr int ticks = 8000, window = 1000;
-  for (int tick = 0; tick < ticks; ++tick)
-  {
-    EXPECT_EQ(device.read(tick * plan.period_s, sample), DeviceStatus::Ok);
-    device.write(inAir(sample));
-    const double away = std::fabs(device.handle_D().x() - 1e-3);
-    early = tick >= window && tick < 2 * window ? std::max(early, away) : early;
-    late = tick >= ticks - window ? std::max(late, away) : late;
-  }
-  return late > early;
-}
+using test::inAir;
+using test::nudge;
 
 TEST(AdmittanceDevice, ShakesAgainstAThingAsStiffAsTheFormulaSays)
 {
@@ -57,14 +24,9 @@ TEST(AdmittanceDevice, ShakesAgainstAThingAsStiffAsTheFormulaSays)
     AdmittancePlan plan;
     plan.lag_s = lag_s;
     EXPECT_NEAR(stiffestHold(plan), formula, 0.5);
-    double low = 0.5 * formula, high = 2.0 * formula;
-    for (int halving = 0; halving < 12; ++halving)
-    {
-      const double middle = 0.5 * (low + high);
-      (shakes(plan, middle) ? high : low) = middle;
-    }
-    EXPECT_NEAR(low, formula, 0.03 * formula);
-    EXPECT_NEAR(low, exact, 0.005 * exact);
+    const double found = test::stiffestHoldFound(plan, formula);
+    EXPECT_NEAR(found, formula, 0.03 * formula);
+    EXPECT_NEAR(found, exact, 0.005 * exact);
   }
 }
 

@@ -10,7 +10,7 @@ import argparse
 import pathlib
 import sys
 
-from charting import costs, mechanisms, old_joystick, plane_worlds, soft, speed_accuracy, stability, tools
+from charting import arms, costs, mechanisms, old_joystick, plane_worlds, soft, speed_accuracy, stability, tools
 from charting.page import page
 from charting.style import pyplot
 from charting.tables import Problem, read_folder
@@ -112,6 +112,12 @@ CHARTS = [
      "edge; dashed: 0.5 N). Middle: the largest step when a face is met, and the largest error beside an update in every tick. Right: how "
      "stiff a spring may hold a turn; wide dashed lines are exact eigenvalues.",
      ["tool-drag", "turning-stability"], lambda t: tools.draw_between(t["tool-drag"], t["turning-stability"])),
+    ("arms", "A serial and a parallel arm of the same links and motors",
+     "Two links of 150 mm in a row and a five-bar of 150 mm links, with motors of 10 N m (triangles) and, for the stiffness, springs of "
+     "10 N m/rad in the joints: light is good. Coloured is where the condition of the Jacobian is below 5. The serial arm has more room and "
+     "carries its second motor; the five-bar is lighter and, at a place, more even between directions. From place to place its stiffness "
+     "and force differ more.",
+     ["arms"], lambda t: arms.draw(t["arms"])),
 ]
 
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "testing/support/Arms.h"
 
+#include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "haptics/arm/ArmMeasures.h"
@@ -119,6 +121,28 @@ ArmPlan sixJoints()
     joint.high_rad = 1.2;
   }
   return plan;
+}
+
+std::vector<UsablePlace> usablePlaces(const Arm& arm, double step_m)
+{
+  constexpr double reach_m = 0.3; // of the two arms
+  const int steps = static_cast<int>(std::lround(reach_m / step_m));
+  std::vector<UsablePlace> places;
+  for (int x = -steps; x <= steps; ++x)
+  {
+    for (int y = 1; y <= steps; ++y)
+    {
+      const Vec3 tip(step_m * x, step_m * y, 0.0);
+      const std::optional<JointVector> q = arm.inverse(tip);
+      const bool closes = q && (arm.forward(*q)->p - tip).norm() < 1e-9;
+      const ArmMeasures at = closes ? measure(arm, *q) : ArmMeasures{};
+      if (closes && at.condition < largestUsable)
+      {
+        places.push_back({ x, y, at });
+      }
+    }
+  }
+  return places;
 }
 
 std::vector<ArmPlan> allArms()

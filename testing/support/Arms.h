@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/arm/Arm.h"
+#include <vector>
+
+#include "haptics/arm/ArmMeasures.h"
 #include "testing/support/Random.h"
 
 namespace palpate::test
@@ -17,6 +19,16 @@ namespace palpate::test
 [[nodiscard]] ArmPlan hangingDelta();
 /// The chain of a stylus arm with six joints, all with motors.
 [[nodiscard]] ArmPlan sixJoints();
+
+/// A place of the half plane above an arm's base, with the condition below `largestUsable`.
+struct UsablePlace
+{
+  int x = 0, y = 0; ///< steps from the base
+  ArmMeasures at;
+};
+inline constexpr double largestUsable = 5.0;
+/// Of all places of a grid of `step_m`.
+[[nodiscard]] std::vector<UsablePlace> usablePlaces(const Arm& arm, double step_m);
 
 /// All of these and those that are built in.
 [[nodiscard]] std::vector<ArmPlan> allArms();

@@ -127,17 +127,8 @@ Eigen::Vector2d tipStiffness(const ArmMeasures& at, double joint_Nm_per_rad)
 /// Area of the half plane above the base in which the condition number is below 5, by squares of 5 mm [cm2].
 double usable_cm2(const Arm& arm)
 {
-  int squares = 0;
-  for (int x = -60; x <= 60; ++x)
-  {
-    for (int y = 1; y <= 60; ++y)
-    {
-      const std::optional<JointVector> q = arm.inverse(Vec3(0.005 * x, 0.005 * y, 0.0));
-      const bool closes = q && (arm.forward(*q)->p - Vec3(0.005 * x, 0.005 * y, 0.0)).norm() < 1e-9;
-      squares += closes && measure(arm, *q).condition < 5.0 ? 1 : 0;
-    }
-  }
-  return 0.25 * squares;
+  constexpr double step_m = 0.005;
+  return 1e4 * step_m * step_m * static_cast<double>(test::usablePlaces(arm, step_m).size());
 }
 
 TEST(KnownArms, TwoLinksAreStifferToOneSideAndHaveMoreRoomThanAFiveBarThatIsLighterAndMoreEven)

@@ -1,65 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Row 86: an admittance in a stiff grip and in air, an impedance beside it: each is bad where the other is good.
-#include <algorithm>
-#include <cmath>
 #include <string>
 
-#include "devices/simulated/AdmittanceDevice.h"
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/force/StabilityLimits.h"
 #include "testing/lab/Experiments.h"
+#include "testing/support/Admittance.h"
 
 namespace palpate::lab
 {
 namespace admittance_experiment
 {
 
-/// Runs `ticks` in air, and calls look(tick) after each.
-template<class Look>
-void runInAir(HapticDevice& device, int ticks, double period_s, const Look& look)
-{
-  DeviceSample sample;
-  for (int tick = 0; tick < ticks; ++tick)
-  {
-    static_cast<void>(device.read(tick * period_s, sample));
-    DeviceCommand command;
-    command.target.pose_D = sample.pose_D;
-    device.write(command);
-    look(tick);
-  }
-}
-
-bool shakes(const AdmittancePlan& plan, double stiffness_N_per_m)
-{
-  HandPath nudge;
-  nudge.points_D = { Vec3::Zero(), Vec3(1e-3, 0.0, 0.0) };
-  nudge.loops = false;
-  AdmittanceDevice device(plan, HandModel{ "spring", stiffness_N_per_m, 0.0, 0.0 }, nudge);
-  static_cast<void>(device.open());
-  const int ticks = static_cast<int>(8.0 / plan.period_s), window = ticks / 8;
-  double early = 0.0, late = 0.0;
-  runInAir(device, ticks, plan.period_s,
-    [&](int tick)
-    {
-      const double away = std::fabs(device.handle_D().x() - 1e-3);
-      early = tick >= window && tick < 2 * window ? std::max(early, away) : early;
-      late = tick >= ticks - window ? std::max(late, away) : late;
-    });
-  return late > early;
-}
+using test::runInAir;
 
 void judgeGrip(const AdmittancePlan& plan, Table& table)
 {
   const double formula = stiffestHold(plan);
-  double low = 0.5 * formula, high = 2.0 * formula;
-  for (int halving = 0; halving < 10; ++halving)
-  {
-    const double middle = 0.5 * (low + high);
-    (shakes(plan, middle) ? high : low) = middle;
-  }
   const std::string name = caseName({ { "mass", plan.mass_kg }, { "damping", plan.damping_Ns_per_m },
     { "lag_ms", 1e3 * plan.lag_s }, { "rate", 1.0 / plan.period_s } });
-  table.within({ name, "admittance", "stiffest grip", "N/m" }, low, formula, 0.03 * formula);
+  table.within(
+    { name, "admittance", "stiffest grip", "N/m" }, test::stiffestHoldFound(plan, formula), formula, 0.03 * formula);
 }
 
 /// Force that a hand needs at .1 m/s.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Row 87: forces and masses that an arm's links make of its motors and masses: maps of two arms of the same links
 // beside each other, the stiffest wall of the simulated arms, and a Jacobian that is wrong.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <Eigen/LU>
 
@@ -13,7 +16,6 @@
 #include "haptics/force/SampledWall.h"
 #include "testing/lab/Experiments.h"
 #include "testing/support/Arms.h"
-#include "testing/support/CostSample.h"
 
 namespace palpate::lab
 {
@@ -49,36 +51,68 @@ void judgePlaneArm(const Named& arm, Table& table)
   table.within({ at, arm.name, "most apparent mass", "kg" }, here.mostMass_kg, arm.mostMass_kg, 1e-4 * half);
 }
 
-/// The half plane above the base by squares of `step_m`: a row a place for the map, and the share that can be used.
-void mapPlaneArm(const Named& arm, int coarser, Table& table)
+struct Quality
 {
-  const Arm made(arm.plan);
-  constexpr double step_m = 0.005;
-  int usable = 0;
-  for (int x = -60; x <= 60; ++x)
+  const char* name;
+  const char* unit;
+  double (*of)(const ArmMeasures& at);
+};
+
+/// With springs of 10 N m/rad and motors of 10 N m in the joints.
+constexpr std::array<Quality, 4> qualities{ { { "condition", "", [](const ArmMeasures& at) { return at.condition; } },
+  { "softest stiffness", "N/m", [](const ArmMeasures& at) { return 10.0 / std::pow(at.singular[0], 2); } },
+  { "largest force in the worst direction", "N", [](const ArmMeasures& at) { return at.leastForce_N; } },
+  { "apparent mass in the heaviest direction", "kg", [](const ArmMeasures& at) { return at.mostMass_kg; } } } };
+
+/// Between the directions at one place.
+constexpr Quality massEvenness{ "heaviest over lightest direction", "",
+  [](const ArmMeasures& at) { return at.mostMass_kg / at.leastMass_kg; } };
+
+double medianOf(const Quality& quality, const std::vector<test::UsablePlace>& places)
+{
+  std::vector<double> values;
+  for (const test::UsablePlace& place : places)
   {
-    for (int y = 1; y <= 60; ++y)
+    values.push_back(quality.of(place.at));
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// By squares of 5 mm: the area that can be used, and a row for each quality of a place.
+std::vector<test::UsablePlace> mapPlaneArm(const Named& arm, int coarser, Table& table)
+{
+  constexpr double step_m = 0.005;
+  const std::vector<test::UsablePlace> places = test::usablePlaces(Arm(arm.plan), step_m);
+  for (const test::UsablePlace& place : places)
+  {
+    const std::string at = caseName({ { "x_mm", 5.0 * place.x }, { "y_mm", 5.0 * place.y } });
+    for (const Quality& quality : qualities)
     {
-      const std::optional<JointVector> q = made.inverse(Vec3(step_m * x, step_m * y, 0.0));
-      const ArmMeasures here = q ? measure(made, *q) : ArmMeasures{};
-      if (!q || !(here.condition < 5.0))
+      if (place.x % coarser == 0 && place.y % coarser == 0)
       {
-        continue;
-      }
-      ++usable;
-      if (x % coarser == 0 && y % coarser == 0)
-      {
-        const std::string at = caseName({ { "x_mm", 5.0 * x }, { "y_mm", 5.0 * y } });
-        table.info({ at, arm.name, "condition" }, here.condition);
-        table.info({ at, arm.name, "map: softest stiffness", "N/m" }, 10.0 / std::pow(here.singular[0], 2));
-        table.info({ at, arm.name, "map: largest force, worst direction", "N" }, here.leastForce_N);
-        table.info({ at, arm.name, "map: most apparent mass", "kg" }, here.mostMass_kg);
+        table.info({ at, arm.name, std::string("map: ") + quality.name, quality.unit }, quality.of(place.at));
       }
     }
   }
-  const double area_cm2 = 1e4 * step_m * step_m * usable;
+  const double area_cm2 = 1e4 * step_m * step_m * static_cast<double>(places.size());
   table.within(
     { "half plane", arm.name, "usable, condition below 5", "cm2" }, area_cm2, arm.usable_cm2, 0.01 * arm.usable_cm2);
+  return places;
+}
+
+/// The claims of textbooks: parallel is lighter and, at a place, more even; serial has more room.
+void compareArms(
+  const std::vector<test::UsablePlace>& serial, const std::vector<test::UsablePlace>& parallel, Table& table)
+{
+  table.atLeast({ "half plane", "serial over five-bar", "usable area" },
+    static_cast<double>(serial.size()) / static_cast<double>(parallel.size()), 1.0);
+  for (const Quality& quality : { qualities[0], qualities[3], massEvenness })
+  {
+    table.atMost({ "half plane", "five-bar over serial", std::string(quality.name) + ", median" },
+      medianOf(quality, parallel) / medianOf(quality, serial), 1.0);
+  }
 }
 
 /// Linear: without friction, steps, limits and weight.
@@ -169,13 +203,35 @@ Mat3 librarysSpeeds(const DeltaGeometry& delta, const JointVector& q, const Vec3
   return wrong;
 }
 
-/// A host with that matrix gives torques by its inverse transposed; a hand gets their force by the true one.
+/// The force that a host with a wrong matrix adds to one of 1 N, across it, in the worst direction: from a random start
+/// uphill by ever smaller steps.
+double largestAcross_N(const Mat3& feltOfAsked, test::Random& random)
+{
+  const auto across_N = [&](const Vec3& n)
+  {
+    const Vec3 felt = feltOfAsked * n;
+    return (felt - felt.dot(n) * n).norm();
+  };
+  double most_N = 0.0;
+  Vec3 worst = Vec3::UnitX();
+  double step = 1.0;
+  for (int tried = 0; tried < 2000; ++tried, step *= 0.994)
+  {
+    const Vec3 n = (worst + step * random.direction()).normalized();
+    worst = across_N(n) > most_N ? n : worst;
+    most_N = std::max(most_N, across_N(n));
+  }
+  return most_N;
+}
+
+/// A host with that matrix gives torques by its inverse transposed; a hand gets their force by the true one. On a
+/// circle of 35 mm, in planes from 80 to 170 mm.
 void judgeWrongJacobian(Table& table)
 {
   const ArmPlan plan = knownArm("falcon").value;
   const auto& delta = std::get<DeltaGeometry>(plan.geometry);
   const Arm arm(plan);
-  double across = 0.0, rightAcross = 0.0;
+  double across_N = 0.0, rightAcross_N = 0.0;
   test::Random random(3);
   for (int i = 0; i < 10 * 8; ++i)
   {
@@ -186,42 +242,15 @@ void judgeWrongJacobian(Table& table)
     {
       continue;
     }
-    const Mat3 J = arm.jacobian(*q).topRows<3>();
-    const Mat3 right = J.inverse();
+    const Mat3 J = arm.jacobian(*q).topRows<3>(), right = J.inverse();
     const Mat3 wrong = librarysSpeeds(delta, *q, p, right);
-    for (int direction = 0; direction < 200; ++direction)
-    {
-      const Vec3 F = random.direction();
-      const auto pulled = [&](const Mat3& speeds)
-      {
-        const Vec3 torque = speeds.inverse().transpose() * F; // of the joints, as a host with that matrix gives it
-        const Vec3 felt = right.transpose() * torque;
-        return (felt - felt.dot(F) * F).norm();
-      };
-      across = std::max(across, pulled(wrong));
-      rightAcross = std::max(rightAcross, pulled(right));
-    }
+    across_N = std::max(across_N, largestAcross_N(right.transpose() * wrong.inverse().transpose(), random));
+    rightAcross_N = std::max(rightAcross_N, largestAcross_N(right.transpose() * J.transpose(), random));
   }
-  table.atMost({ "1 N asked for", "J^T F", "force across", "N" }, rightAcross, 1e-12);
-  table.within({ "1 N asked for", "sin(theta2) twice", "force across, at most", "N" }, across, 0.31, 0.02);
-}
-
-/// Cost of the kinematics in a tick.
-void judgeCost(Table& table)
-{
-  for (const ArmPlan& plan : test::allArms())
-  {
-    const Arm arm(plan);
-    test::Random random(5);
-    const JointVector q = test::randomJoints(arm, random);
-    test::CostSample sample(2000);
-    double sum = 0.0;
-    for (int i = 0; i < 2000; ++i)
-    {
-      sample.time([&] { sum += arm.torqueOf(q, { Vec3(1, 2, i), Vec3::Zero() }).sum(); });
-    }
-    table.info({ "posture, Jacobian and torque", plan.name, "sum", "N m" }, sum).cost = Cost::of(sample);
-  }
+  table.atMost({ "1 N asked for", "J^T F", "force across", "N" }, rightAcross_N, 1e-12);
+  // By differences of the inverse kinematics of libnifalcon/libnifalcon alone, with its third factor replaced: 0.29747
+  // on these places. At the edge of the work space, 40 mm from its axis, it is above 0.31.
+  table.within({ "1 N asked for", "sin(theta2) twice", "force across, at most", "N" }, across_N, 0.29747, 1e-4);
 }
 
 } // namespace arms_experiment
@@ -229,11 +258,13 @@ void judgeCost(Table& table)
 void runArms(const Conditions& conditions, Table& table)
 {
   using namespace arms_experiment;
+  std::vector<std::vector<test::UsablePlace>> places;
   for (const Named& arm : planeArms())
   {
     judgePlaneArm(arm, table);
-    mapPlaneArm(arm, conditions.pick(8, 4, 2), table);
+    places.push_back(mapPlaneArm(arm, conditions.pick(8, 2, 1), table));
   }
+  compareArms(places[0], places[1], table);
   conditions.progress(0.3);
   for (const char* name : { "falcon", "woodenhaptics-2015", "pantograph" })
   {
@@ -242,7 +273,6 @@ void runArms(const Conditions& conditions, Table& table)
   }
   conditions.progress(0.9);
   judgeWrongJacobian(table);
-  judgeCost(table);
 }
 
 } // namespace palpate::lab

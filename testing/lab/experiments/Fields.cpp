@@ -12,6 +12,7 @@
 #include "haptics/field/proxy/FieldProxy.h"
 #include "haptics/tick/ForceRenderer.h"
 #include "testing/lab/Experiments.h"
+#include "testing/lab/Felt.h"
 #include "testing/lab/backends/MeshContour.h"
 #include "testing/lab/simulation/ExactLoops.h"
 #include "testing/support/Fields.h"
@@ -22,7 +23,6 @@ namespace palpate::lab
 namespace fields_experiment
 {
 
-constexpr double noticed = 0.07; ///< of a force
 constexpr int points = 64;
 constexpr double radius = 20.0;
 const Vec3 middle = Vec3::Constant(0.5 * (points - 1) + 0.123);
@@ -147,7 +147,7 @@ void judge(const Play& play, const char* name, const Method& method, const Limit
       {
         call([&] { force = anew(p); });
         const Vec3 truth = play.truth(p);
-        error = truth.norm() > 0.0 ? std::max(error, (force - truth).norm() / (noticed * truth.norm())) : error;
+        error = truth.norm() > 0.0 ? std::max(error, (force - truth).norm() / (forceJnd * truth.norm())) : error;
       }
     });
   const bool gone = force.dot(play.truth(play.way.back())) <= 0.0;
@@ -364,7 +364,7 @@ void runFields(const Conditions& conditions, Table& table)
   // its creases, of h / R, let the proxy slip by as much of the depth.
   judgeSurface(
     ballPlay(ticks), [](const Vec3& i) { return (i - middle).norm(); }, radius,
-    (1.0 / (4.0 * radius * 1.5) + 1.0 / radius) / noticed, {}, {}, table);
+    (1.0 / (4.0 * radius * 1.5) + 1.0 / radius) / forceJnd, {}, {}, table);
   judgeSurface(sheetPlay("thin sheet", -0.5, ticks), layer, -0.5, 1e-6, { {}, felt }, {}, table);
   // A fiftieth of a voxel thick: between two steps of half a cell.
   judgeSurface(sheetPlay("thinner sheet", -0.99, ticks), layer, -0.99, 1e-6, { {}, felt }, { {}, felt }, table);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "testing/lab/Experiments.h"
+#include "testing/lab/Felt.h"
 #include "testing/lab/backends/ImageContour.h"
 
 namespace palpate::lab
@@ -117,7 +118,7 @@ void judgeContour(ImageContour contour, double radius, int places, Table& table)
 /// As coarse as a hand does not feel: the least force over the stiffness, in pixels of a quarter millimetre.
 void judgeSimplified(ImageContour contour, double radius, int places, Table& table)
 {
-  constexpr double leastForce_N = 0.07, stiffness_N_per_m = 500.0, pixel_m = 0.25e-3;
+  constexpr double stiffness_N_per_m = 500.0, pixel_m = 0.25e-3;
   const double tolerance_u = leastForce_N / stiffness_N_per_m / pixel_m;
   const std::string name = caseName({ { "radius", radius }, { "tolerance", tolerance_u } });
   const Errors whole = worst(radius, places, [&](const Circle& c) { return contour(c.size(), squares(c), 0.0); });

@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "testing/lab/Experiments.h"
-#include "testing/lab/simulation/LeverRig.h"
-#include "testing/support/MechanismRig.h"
+#include "testing/support/LeverRig.h"
 
 namespace palpate::lab
 {
@@ -14,13 +13,14 @@ namespace mechanism_experiment
 {
 
 using test::kc;
+using Lever = test::NeedleLever;
 using Two = Lever::Two;
 
 constexpr double hand_m = 5e-3; ///< so far the hand goes across the needle
 
 Two forceByMechanism_N(const Lever& lever)
 {
-  LeverRig rig(lever);
+  test::LeverRig rig(lever);
   return rig.force_N(hand_m);
 }
 

@@ -10,13 +10,15 @@
 #include <vector>
 
 #include "testing/lab/Experiments.h"
-#include "testing/lab/simulation/LeverRig.h"
+#include "testing/lab/Felt.h"
+#include "testing/support/LeverRig.h"
 
 namespace palpate::lab
 {
 namespace mechanism_methods_experiment
 {
 
+using Lever = test::NeedleLever;
 using Two = Lever::Two;
 
 /// The force on a hand that has gone so far across [N], one call a tick.
@@ -24,7 +26,7 @@ using Method = std::function<double(double hand_m)>;
 
 Method whole(const Lever& lever)
 {
-  return [rig = std::make_shared<LeverRig>(lever)](double hand_m) { return rig->force_N(hand_m).sum(); };
+  return [rig = std::make_shared<test::LeverRig>(lever)](double hand_m) { return rig->force_N(hand_m).sum(); };
 }
 
 Method spotBySpot(const Lever& lever)
@@ -89,7 +91,6 @@ Sway swayOf(const Lever& lever, double reach_m, int ticks)
 void judge(
   const std::string& name, const char* method, const std::function<Method()>& make, const Sway& sway, Table& table)
 {
-  constexpr double felt = 0.07;
   double worst_N = 0.0;
   const test::LeastCosts cost(costRuns,
     [&](auto call)
@@ -102,7 +103,7 @@ void judge(
         worst_N = std::max(worst_N, std::abs(force_N - sway.truth_N[i]));
       }
     });
-  const double error_JND = worst_N / (felt * sway.most_N);
+  const double error_JND = worst_N / (forceJnd * sway.most_N);
   const Subject error{ name, method, "error", "JND" }, outcome{ name, method, "outcome", outcomeUnit };
   const bool ours = std::string(method).starts_with("ours");
   (ours ? table.atMost(error, error_JND, 1e-4) : table.info(error, error_JND)).cost = Cost::of(cost);

@@ -8,6 +8,7 @@
 #include "haptics/force/SampledWall.h"
 #include "testing/haptics/compliance/SoftLoop.h"
 #include "testing/lab/Experiments.h"
+#include "testing/lab/Felt.h"
 #include "testing/lab/simulation/ExactLoops.h"
 #include "testing/support/CostSample.h"
 #include "testing/support/Random.h"
@@ -267,9 +268,6 @@ Trace traceOf(const Press& press, Feel feel, int period_ticks)
   trace.cost = Cost::of(cost);
   return trace;
 }
-
-/// The least felt change of a force, as a share of it.
-constexpr double forceJnd = 0.07;
 
 std::string pressName(int period_ticks)
 {

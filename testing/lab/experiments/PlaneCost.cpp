@@ -10,6 +10,7 @@
 #include "haptics/geometry/curves/CurveSet.h"
 #include "haptics/geometry/curves/MultiresolutionCurve.h"
 #include "testing/lab/Experiments.h"
+#include "testing/lab/Felt.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Polylines.h"
 #include "testing/support/Probe.h"
@@ -258,12 +259,12 @@ void judgeFollowing(const MultiresolutionCurve& curve, double limit_u, std::size
 /// at once.
 void judgeLevels(const Conditions& conditions, Table& table)
 {
-  constexpr double stiffness_N_per_u = 500.0 / 40.0, felt_N = 0.07; // 500 N/m where the world is 10 cm wide
+  constexpr double stiffness_N_per_u = 500.0 / 40.0; // 500 N/m where the world is 10 cm wide
   const std::size_t points = conditions.pick<std::size_t>(100000, 300000, 1000000);
   const std::size_t ticks = conditions.pick<std::size_t>(1500, 5000, 50000);
   const MultiresolutionCurve curve(test::wavyLine(conditions.seed, points, true));
   CurveDetail detail;
-  detail.limit_u = 0.5 * felt_N / stiffness_N_per_u; // two choices differ by at most twice that
+  detail.limit_u = 0.5 * leastForce_N / stiffness_N_per_u; // two choices differ by at most twice that
   const std::vector<Vec3> coarse_W = test::pick(curve.points_W(), curve.choose(detail));
   const std::string all = caseName({ { "points", static_cast<double>(points) } });
   const std::string kept =
@@ -281,7 +282,7 @@ void judgeLevels(const Conditions& conditions, Table& table)
     away_u = std::max(away_u, test::distanceToPolyline(curve.points_W()[i], coarse_W));
   }
   table.atMost(
-    { kept, "within what is felt", "force of a change of level", "N" }, 2 * stiffness_N_per_u * away_u, felt_N);
+    { kept, "within what is felt", "force of a change of level", "N" }, 2 * stiffness_N_per_u * away_u, leastForce_N);
 }
 
 } // namespace plane_cost_experiment

@@ -8,6 +8,7 @@
 #include "devices/common/Condition.h"
 #include "haptics/force/DeviceWalls.h"
 #include "testing/lab/Experiments.h"
+#include "testing/lab/Felt.h"
 
 namespace palpate::lab
 {
@@ -111,10 +112,10 @@ void runSlantedWall(const Conditions&, Table& table)
   }
   // A fast slide as a share of the motors' largest force: the rate of the original is felt, the rate of a USB joystick
   // not.
-  constexpr double noticed = 0.07, fast = 0.2, deep_m = 0.02;
+  constexpr double fast = 0.2, deep_m = 0.02;
   const auto share = [](double rate_Hz) { return slideAlong({ fast, 1 / rate_Hz, deep_m }, 1.0).mean_N / maxForce_N; };
-  table.atLeast({ "speed=0.2 host=20", "original rate", "mean drag over largest force" }, share(20.0), noticed);
-  table.atMost({ "speed=0.2 host=125", "two held walls", "mean drag over largest force" }, share(125.0), noticed);
+  table.atLeast({ "speed=0.2 host=20", "original rate", "mean drag over largest force" }, share(20.0), forceJnd);
+  table.atMost({ "speed=0.2 host=125", "two held walls", "mean drag over largest force" }, share(125.0), forceJnd);
 }
 
 } // namespace palpate::lab

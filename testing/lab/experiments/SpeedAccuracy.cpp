@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "testing/lab/Experiments.h"
+#include "testing/lab/Felt.h"
 #include "testing/lab/methods/ContactMethod.h"
 #include "testing/lab/methods/TouchScenes.h"
 
@@ -15,7 +16,7 @@ namespace palpate::lab
 namespace speed_accuracy_experiment
 {
 
-constexpr double felt = 0.07, felt_rad = 18 * std::numbers::pi / 180, unbounded_JND = 1e6;
+constexpr double unbounded_JND = 1e6;
 
 struct Way
 {
@@ -48,12 +49,12 @@ public:
       return;
     }
     const bool shouldTouch = truth_u.norm() > 1e-9 * this->depth_u_;
-    const bool touches = force_u.norm() > felt * (shouldTouch ? truth_u.norm() : this->depth_u_);
+    const bool touches = force_u.norm() > forceJnd * (shouldTouch ? truth_u.norm() : this->depth_u_);
     this->lost_ = shouldTouch && !touches ? this->lost_ + 1 : 0;
     this->stuck_ = !shouldTouch && touches ? this->stuck_ + 1 : 0;
     this->longestLost_ = std::max(this->longestLost_, this->lost_);
     this->longestStuck_ = std::max(this->longestStuck_, this->stuck_);
-    const double error = shouldTouch ? this->inContact(force_u, truth_u) : force_u.norm() / (felt * this->depth_u_);
+    const double error = shouldTouch ? this->inContact(force_u, truth_u) : force_u.norm() / (forceJnd * this->depth_u_);
     this->worst_JND_ = std::max(this->worst_JND_, std::min(error, unbounded_JND));
   }
 
@@ -81,7 +82,7 @@ private:
   [[nodiscard]] double inContact(const Vec3& force_u, const Vec3& truth_u) const
   {
     const double angle_rad = std::atan2(force_u.cross(truth_u).norm(), force_u.dot(truth_u));
-    return std::max((force_u - truth_u).norm() / (felt * truth_u.norm()), angle_rad / felt_rad);
+    return std::max((force_u - truth_u).norm() / (forceJnd * truth_u.norm()), angle_rad / directionJnd_rad);
   }
 
   double depth_u_;

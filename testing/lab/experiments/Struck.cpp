@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "testing/lab/Experiments.h"
+#include "testing/lab/Felt.h"
 
 namespace palpate::lab
 {
@@ -135,7 +136,7 @@ void judgeImpacts(Table& table)
     table.within(
       { name, "shared compliance", "speed it leaves with", "m/s" }, found.leaves_m_per_s, leaves_m_per_s, 1e-3);
     const Subject low{ name, "shared compliance", "too little force by" };
-    rate_Hz < 500.0 ? table.atLeast(low, 1.0 - found.most_N / truth_N, 0.07)
+    rate_Hz < 500.0 ? table.atLeast(low, 1.0 - found.most_N / truth_N, forceJnd)
                     : table.atMost(low, 1.0 - found.most_N / truth_N, 0.08);
     table.info({ name, "formula", "speed it leaves with", "m/s" }, leaves);
   }

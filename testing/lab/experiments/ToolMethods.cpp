@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "testing/lab/Experiments.h"
+#include "testing/lab/Felt.h"
 #include "testing/lab/tools/ToolMethod.h"
 
 namespace palpate::lab
@@ -50,8 +51,8 @@ double deepest_mm(const ToolScene& scene, const Pose& at_W)
 /// drawn by that: where nothing is to be felt the error is the force itself.
 double errorOf_JND(const ToolScene& scene, const Pose& hand_W, double error_mm)
 {
-  constexpr double felt = 0.07, least_mm = 1.0;
-  return error_mm / (felt * std::max(least_mm, farthest_mm(scene, hand_W)));
+  constexpr double least_mm = 1.0;
+  return error_mm / (forceJnd * std::max(least_mm, farthest_mm(scene, hand_W)));
 }
 
 /// Results of a tool that no hand takes for the right one.
