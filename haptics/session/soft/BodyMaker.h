@@ -62,9 +62,10 @@ public:
   /// What the last snapshot was made of; it lives as long as this.
   [[nodiscard]] BodySight sight() const;
   [[nodiscard]] BodyShape shape() const;
-  /// Whether the body has passed through itself below a contact, in any of the snapshots after which this was asked.
-  [[nodiscard]] bool wentThroughItself() const noexcept { return this->wentThroughItself_; }
-  void lookThrough();
+  /// Whether the body has passed through itself below a contact, in the last snapshot or in any of those after which
+  /// lookThrough() was called. Takes as long as a shape.
+  [[nodiscard]] bool wentThroughItself() const;
+  void lookThrough() { this->wentThroughItself_ = this->wentThroughItself(); }
   [[nodiscard]] const CheckedTetras& checked() const noexcept { return this->checked_; }
 
   /// One step leaves up to 30 % of the force at 10 Hz, three leave 3 %.
