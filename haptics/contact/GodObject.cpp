@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/contact/GodObject.h"
 
+#include <utility>
+
 #include "haptics/contact/feel/FrictionMove.h"
 #include "haptics/contact/feel/ShadedMove.h"
 #include "haptics/contact/feel/SurfaceResponse.h"
@@ -42,7 +44,8 @@ ContactResult move(
   const Vec3 before_W = state.x_W;
   ContactResult result =
     plan.shading ? moveShaded(scene, plan, p_W, state, sink) : moveUnshaded(scene, plan, p_W, state, sink);
-  if (isCheap(result))
+  const bool skips = std::exchange(state.around.skips, false);
+  if (isCheap(result) && !skips)
   {
     renewKept(scene, plan.radius_u, before_W, state);
   }

@@ -74,6 +74,14 @@ SoftBody::SoftBody(StrainPoints points, ElasticModel model, const std::vector<bo
 {
 }
 
+std::size_t SoftBody::bytes() const
+{
+  const bool keepsSingle = this->stiffnessChanges() && this->factoring_ == Factoring::WhenOld;
+  const std::size_t half = this->stiffness_.values.size() * sizeof(double);
+  const std::size_t halves = this->points_.points.size() > mostAlone ? 2 * half : 0;
+  return this->factorBytes() + (keepsSingle ? this->factorBytes() / 2 : 0) + halves;
+}
+
 Eigen::VectorXd SoftBody::gather(const Eigen::VectorXd& ofNodes) const
 {
   Eigen::VectorXd ofFree(this->pattern_.order());
@@ -412,8 +420,8 @@ SoftBodyResult makeSoftBody(const SoftBodyInput& input, const std::stop_token& s
   }
   auto body = std::make_unique<SoftBody>(std::move(points), input.model, fixed);
   // Without bytes there is no factor: its numbers are more than CHOLMOD counts.
-  const std::size_t bytes = body->factorBytes();
-  result.refusal = refuseBytes(bytes > 0 ? bytes : mostCounted + 1, std::min(input.mostBytes, mostCounted));
+  const std::size_t bytes = body->factorBytes() > 0 ? body->bytes() : mostCounted + 1;
+  result.refusal = refuseBytes(bytes, std::min(input.mostBytes, mostCounted));
   if (!result.refusal.empty())
   {
     return result;

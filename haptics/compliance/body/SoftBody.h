@@ -30,7 +30,7 @@ struct SoftBodyInput
   double density_kg_per_m3 = 1000.0; ///< as water; only determines how fast the body can follow a hand
   ElementKind element = ElementKind::EdgeSmoothed;
   ElasticModel model = ElasticModel::NeoHookean;
-  std::size_t mostBytes = std::size_t{ 2 } << 30; ///< of the factor; checked before it is computed
+  std::size_t mostBytes = std::size_t{ 2 } << 30; ///< of SoftBody::bytes(); checked before the factor is computed
 };
 
 /// Distance of a state from equilibrium, and the size of its strain.
@@ -55,6 +55,9 @@ public:
   [[nodiscard]] const Eigen::VectorXd& atRest() const { return this->atRest_; }
   [[nodiscard]] bool isHeld(std::size_t node) const { return this->pattern_.numbers()[node] < 0; }
   [[nodiscard]] std::size_t factorBytes() const { return this->factor_.bytes(); }
+  /// Of the factor; of the same in single precision, where steps go on with an old one; and of the halves in which the
+  /// stiffness of a large body is added up.
+  [[nodiscard]] std::size_t bytes() const;
 
   /// Factors the stiffness of the present state. False if it is not positive definite.
   [[nodiscard]] bool refactor();

@@ -199,13 +199,14 @@ public:
   SoftMove(const AnyScene& scene, const ContactPlan& plan, std::span<const SoftSurfaceRef> soft, const Vec3& p_W,
     SoftState& state, SoftScratch& room) noexcept
     : scene_(scene), plan_(plan), soft_(soft), drawn_W_(p_W - state.offset_W), state_(state), room_(room),
-      start_(state.core), slipStart_(state), soften_(givesWay(state))
+      opens_(state.core.around.content != sceneOf(scene).contentHash() || state.core.around.skips), start_(state.core),
+      slipStart_(state), soften_(givesWay(state))
   {
   }
 
   [[nodiscard]] SoftResult run() noexcept
   {
-    const SoftState before = this->state_;
+    SoftState before = this->state_;
     bool agrees = this->takeTurns(usualLoops - 1);
     const Way way = this->wayFrom(before);
     if (way.pressed && !this->result_.overBudget && (!agrees || this->steps(way)))
@@ -256,8 +257,9 @@ private:
 
   /// Iterations extrapolate, and may come over an edge to a face that the ball never reaches. Along the path in short
   /// parts each equilibrium is beside the one before: a step that remains is a step of the contact law itself.
-  [[nodiscard]] bool goInParts(const SoftState& before, const Way& way) noexcept
+  [[nodiscard]] bool goInParts(SoftState& before, const Way& way) noexcept
   {
+    before.core.around = this->state_.core.around; // faces are where they are, wherever the ball goes on from
     this->state_ = before;
     this->soften_ = givesWay(before);
     this->force_N_ = way.force_N;
@@ -311,7 +313,8 @@ private:
     ContactPlan plan = this->plan_;
     plan.friction = this->soften_ ? FrictionPlan{} : plan.friction;
     plan.workBudget -= std::min(plan.workBudget, this->result_.work);
-    this->state_.core = this->start_;
+    static_cast<TouchingBall&>(this->state_.core) = this->start_;
+    this->state_.core.around.skips = this->opens_ || this->result_.loops > 1; // turns of one tick make one list
     this->result_.core = moveGodObject(
       this->scene_, plan, this->drawn_W_ - this->state_.yielded_W + this->state_.lead_W, this->state_.core);
     this->result_.work += this->result_.core.work;
@@ -378,7 +381,8 @@ private:
   Vec3 drawn_W_;
   SoftState& state_;
   SoftScratch& room_;
-  GodObjectState start_;
+  bool opens_;         ///< this tick is the first one of its scene
+  TouchingBall start_; ///< of a turn
   SlipStart slipStart_;
   bool soften_; ///< the core is moved by displaced surfaces
   TurnSteps steps_;

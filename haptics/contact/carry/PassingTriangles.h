@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -86,15 +85,15 @@ public:
     NearFilter filter(still, list.frame());
     for (int quad = 0; quad < list.quads(); ++quad)
     {
-      int lanes = filter.near(list.discs(quad)) & ((1 << std::min(4, list.count() - quad * 4)) - 1);
-      for (; lanes != 0; lanes &= lanes - 1)
-      {
-        const FaceList::Face& face = list.face(quad * 4 + __builtin_ctz(static_cast<unsigned>(lanes)));
-        if (face.surface == surface)
+      forEachLane(filter.near(list.discs(quad)) & list.lanesOf(quad),
+        [&](std::uint32_t lane) noexcept
         {
-          this->visitTriangle(face.triangle);
-        }
-      }
+          const FaceList::Face& face = list.face(quad * 4 + static_cast<int>(lane));
+          if (face.surface == surface)
+          {
+            this->visitTriangle(face.triangle);
+          }
+        });
       constexpr double shorter = 0.81; // of squares: from then on a new filter is worth its making
       if (this->best2_ < shorter * still.r * still.r)
       {

@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 #include <span>
+#include <tuple>
 
 #include "haptics/contact/planes/Projection.h"
 #include "haptics/contact/sweep/KeptFaces.h"
@@ -117,7 +118,8 @@ Nearest nearestWithin(const AnyScene& scene, const Vec3& x_W, double reach, cons
       const Vec3 foot_W = nearestOnTriangle(x_W, a, b, c);
       const double coat = dataOf(surface).coat_u;
       const double clearance = (x_W - foot_W).norm() - coat;
-      if (clearance < nearest.clearance)
+      // Of triangles that are as near the one of the lowest number counts, in whatever order they come.
+      if (std::tie(clearance, s, t) < std::tie(nearest.clearance, nearest.surface, nearest.triangle))
       {
         nearest = { clearance, coat, foot_W, s, t };
       }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include <emmintrin.h>
 
@@ -15,6 +16,16 @@ struct FourVectors
 {
   __m128 x, y, z;
 };
+
+/// Calls visit(k) for each lane k whose bit is set, from the lowest on.
+template<class Visit>
+void forEachLane(int lanes, Visit visit) noexcept
+{
+  for (auto left = static_cast<unsigned>(lanes); left != 0; left &= left - 1)
+  {
+    visit(static_cast<std::uint32_t>(__builtin_ctz(left)));
+  }
+}
 
 /// The same vector four times.
 [[nodiscard]] inline FourVectors fourOf(const Vec3& v) noexcept

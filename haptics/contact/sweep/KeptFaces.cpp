@@ -106,9 +106,7 @@ bool mayKeep(const Scene&) noexcept
 }
 bool mayKeep(const MovingScene& moving) noexcept
 {
-  const auto& surfaces = moving.scene().surfaces();
-  return moving.share() >= 1.0 ||
-         std::none_of(surfaces.begin(), surfaces.end(), [](const Surface& s) { return s.motion.moves(); });
+  return moving.share() >= 1.0 || !moving.scene().changesPoses();
 }
 
 } // namespace
@@ -169,11 +167,10 @@ void renewKept(const AnyScene& scene, double radius_u, const Vec3& from_W, GodOb
 {
   FacesAround& around = state.around;
   const double share = shareOf(scene);
-  const bool isNew = std::exchange(around.isNew, false);
   const Vec3 way_W = state.x_W - from_W;
   const SweepQuery next = straightQuery(state.x_W, state.x_W + way_W, radius_u);
   const Reach needed = reachFor(sweptBallOf(next));
-  if (isNew || !mayKeep(scene))
+  if (!mayKeep(scene))
   {
     return;
   }
@@ -188,7 +185,7 @@ void renewKept(const AnyScene& scene, double radius_u, const Vec3& from_W, GodOb
     return;
   }
   constexpr int worthwhile = 3; // ticks
-  const bool served = around.far.count() == 0 || around.served >= worthwhile;
+  const bool served = !around.isOwed || around.served >= worthwhile;
   // A ball sweeps often in a tick, and a long list costs less than gathering again; a point mostly once or twice.
   const int most = radius_u > 0.0 ? 400 : 40;
   constexpr std::uint32_t mostNodes = 2000;
@@ -199,6 +196,7 @@ void renewKept(const AnyScene& scene, double radius_u, const Vec3& from_W, GodOb
   around.since = share;
   learnRoom(fits, most, around);
   waitAfter(fits && served, around);
+  around.isOwed = fits && around.far.count() > 0;
   around.served = 0;
 }
 

@@ -12,7 +12,8 @@
 namespace palpate
 {
 
-/// Opens the faces that are kept around the ball for a scene as it is now: those of another moment are dropped.
+/// Opens the faces that are kept around the ball for a scene as it is now. Those of other content are dropped, and of
+/// another moment those that hold for one moment only.
 template<SceneView AnyScene>
 void openKept(const AnyScene& scene, FacesAround& around) noexcept;
 
@@ -21,8 +22,9 @@ template<SceneView AnyScene>
 [[nodiscard]] const FaceList* keptFor(
   const AnyScene& scene, const SweptBall& m, FacesAround& around, std::uint32_t& work) noexcept;
 
-/// Picks the faces around a ball while surfaces bend, as they are now, for all that a tick asks of them. What is kept
-/// must be open for the scene. Nothing is done where there is nothing to pick from.
+/// Picks the faces around a ball while surfaces bend, as they are now, for the questions of a tick that are near
+/// enough. What is kept must be open for the scene. Nothing is done for a point, nor where there is nothing to pick
+/// from.
 template<SceneView AnyScene>
 void pickAround(const AnyScene& scene, const Vec3& x_W, double radius_u, FacesAround& around) noexcept;
 
@@ -32,7 +34,8 @@ template<SceneView AnyScene>
 
 /// Gathers the faces around a ball that went on from a place in this tick, for the ticks that follow, unless they are
 /// there. Of surfaces that bend, all the rest of their way counts; nothing is gathered where one moves as a whole.
-/// Bounded on its own account: the work of a tick is not charged.
+/// Bounded on its own account: the work of a tick is not charged. Not for a tick that opened them, which is dear
+/// enough, nor for a second time in a tick.
 template<SceneView AnyScene>
 void renewKept(const AnyScene& scene, double radius_u, const Vec3& from_W, GodObjectState& state) noexcept;
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-
 #include "haptics/contact/sweep/FourVectors.h"
 #include "haptics/contact/view/FaceList.h"
 #include "haptics/contact/view/SweptBall.h"
@@ -58,11 +56,8 @@ void forEachNear(const FaceList& list, const NearFilter& filter, const Visit& vi
 {
   for (int quad = 0; quad < list.quads(); ++quad)
   {
-    int lanes = filter.near(list.discs(quad)) & ((1 << std::min(4, list.count() - quad * 4)) - 1);
-    for (; lanes != 0; lanes &= lanes - 1)
-    {
-      visit(quad * 4 + __builtin_ctz(static_cast<unsigned>(lanes)));
-    }
+    forEachLane(filter.near(list.discs(quad)) & list.lanesOf(quad),
+      [&](std::uint32_t lane) { visit(quad * 4 + static_cast<int>(lane)); });
   }
 }
 

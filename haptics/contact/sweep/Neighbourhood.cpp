@@ -37,11 +37,12 @@ PlacedDisc discIn(const SurfaceData& data, std::uint32_t leaf, std::uint32_t lan
     unit_u };
 }
 
-/// Radii are laid down in single precision, which loses 1e-7: a millionth more holds the triangle all the same.
+/// A list keeps radii in single precision, which takes up to 6e-8 of them away: one that is larger by a millionth still
+/// holds its face.
 constexpr double wider = 1.000001;
 
-/// The disc of a face that is on its way, where the face is now: the tree has only a ball there. The disc is round the
-/// centroid, which is quick to find, and not the least one.
+/// A disc that holds a face where it is now: around the centroid, which is quick to find, so not the least one. Of a
+/// face that is on its way the tree has no disc but a ball.
 PlacedDisc discOn(const std::array<Vec3, 3>& corners) noexcept
 {
   const auto& [a, b, c] = corners;
@@ -171,11 +172,10 @@ private:
     {
       return false;
     }
-    for (; lanes != 0; lanes &= lanes - 1)
-    {
-      const auto lane = static_cast<std::uint32_t>(__builtin_ctz(static_cast<unsigned>(lanes)));
-      this->list_.add(placed(view, discIn(shape, index, lane)), { surface, leaf.first + lane });
-    }
+    forEachLane(lanes,
+      [&](std::uint32_t lane) noexcept {
+        this->list_.add(placed(view, discIn(shape, index, lane)), { surface, leaf.first + lane });
+      });
     return true;
   }
 

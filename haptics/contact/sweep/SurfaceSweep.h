@@ -77,10 +77,7 @@ public:
       lanes |= filter.touched(discsOf(this->shape_, 2 * index + 1)) << 4;
     }
     lanes &= (1 << leaf.count) - 1;
-    for (; lanes != 0; lanes &= lanes - 1)
-    {
-      this->testTriangle(leaf.first + static_cast<std::uint32_t>(__builtin_ctz(static_cast<unsigned>(lanes))));
-    }
+    forEachLane(lanes, [&](std::uint32_t lane) noexcept { this->testTriangle(leaf.first + lane); });
   }
 
   void testTriangle(std::uint32_t triangle) noexcept

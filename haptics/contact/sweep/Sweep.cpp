@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/contact/sweep/Sweep.h"
 
-#include <algorithm>
 #include <type_traits>
 
 #include "haptics/contact/sweep/DiscFilter.h"
@@ -38,19 +37,17 @@ public:
   template<class Ask>
   void ask(std::uint32_t surface, Ask ask) noexcept
   {
-    const auto& view = this->surfaces_.of(this->scene_, surface);
     if constexpr (std::is_same_v<AnyScene, MovingScene>)
     {
-      if (surface != this->number_)
-      {
-        this->inSurface_ = askTree(view, this->m_, [](const SweptBall& m) noexcept { return m; });
-        this->number_ = surface;
-      }
+      const auto& view = this->surfaces_.of(this->scene_, surface,
+        [this](const PosedSurface& placed) noexcept
+        { this->inSurface_ = askTree(placed, this->m_, [](const SweptBall& m) noexcept { return m; }); });
       askShape(view, [&](const auto& shape) noexcept { ask(shape, this->inSurface_); });
     }
     else
     {
-      askTree(view, this->m_, [&](const SweptBall& m) noexcept { ask(view, m); });
+      const SurfaceData& data = surfaceOf(this->scene_, surface);
+      askTree(data, this->m_, [&](const SweptBall& m) noexcept { ask(data, m); });
     }
   }
 
@@ -59,7 +56,6 @@ private:
   const SweptBall& m_;
   OneSurface<AnyScene> surfaces_;
   SweptBall inSurface_;
-  std::uint32_t number_ = SurfaceData::none;
 };
 
 /// What was hit beyond what is proven free may not be the first.
@@ -101,17 +97,18 @@ SweepHit sweepListed(
       break;
     }
     best.work += static_cast<std::uint32_t>(quad % 2); // eight discs are a leaf's
-    int lanes = near.near(list.discs(quad)) & ((1 << std::min(4, list.count() - quad * 4)) - 1);
+    int lanes = near.near(list.discs(quad)) & list.lanesOf(quad);
     if (lanes != 0)
     {
       lanes &= filter.touched(list.discs(quad));
     }
-    for (; lanes != 0; lanes &= lanes - 1)
-    {
-      const FaceList::Face& face = list.face(quad * 4 + __builtin_ctz(static_cast<unsigned>(lanes)));
-      motion.ask(face.surface, [&](const auto& shape, const SweptBall& inSurface) noexcept
-        { SurfaceSweep(shape, face.surface, query, inSurface, best).testTriangle(face.triangle); });
-    }
+    forEachLane(lanes,
+      [&](std::uint32_t lane) noexcept
+      {
+        const FaceList::Face& face = list.face(quad * 4 + static_cast<int>(lane));
+        motion.ask(face.surface, [&](const auto& shape, const SweptBall& inSurface) noexcept
+          { SurfaceSweep(shape, face.surface, query, inSurface, best).testTriangle(face.triangle); });
+      });
     if (best.t < 0.5 * looked)
     {
       looked = best.t;

@@ -24,7 +24,7 @@ struct Reach
   }
 };
 
-/// A face's disc where the surface is now.
+/// A disc in W that holds a face now, or, without a normal, a ball that may hold it for longer.
 struct PlacedDisc
 {
   Vec3 origin_W, centre_W, normal_W;
@@ -72,6 +72,9 @@ public:
   [[nodiscard]] const Face& face(int i) const noexcept { return this->faces_[static_cast<std::size_t>(i)]; }
   /// Discs of faces 4 quad .. 4 quad + 3.
   [[nodiscard]] const DiscQuad& discs(int quad) const noexcept { return this->discs_[static_cast<std::size_t>(quad)]; }
+
+  /// Which of these four are faces: bit k for face 4 quad + k.
+  [[nodiscard]] int lanesOf(int quad) const noexcept { return (1 << std::min(4, this->count_ - 4 * quad)) - 1; }
 
   void clear() noexcept
   {
@@ -139,14 +142,15 @@ struct FacesAround
   std::uint64_t content = 0; ///< Scene::contentHash(); 0: nothing is kept
   double share = 1.0;        ///< of the way of its surfaces, where `near` is
   double since = 1.0;        ///< from this share on `far` holds
-  bool isNew = true;         ///< opened in this tick: it is not yet known whether another tick follows
+  bool skips = true;         ///< no list is made in this tick, which pays for new content or has made one
   double room_u = 0.0;       ///< how much further `far` reaches than the next tick needs
   double mostRoom_u = std::numeric_limits<double>::infinity(); ///< for which the faces are few enough
-  int served = 0;                                              ///< ticks for which `far` had all that was needed
-  int useless = 0; ///< lists that did not fit or served too few ticks, one after the other
-  int pause = 0;   ///< so many ticks go by before the next try
-  FaceList far;    ///< within reach of the ticks to come
-  FaceList near;   ///< of the last sweeps, mostly a part of `far`
+  bool isOwed = false; ///< a list was made that has to prove its use, whether `far` still has it or not
+  int served = 0;      ///< ticks for which that list had all that was needed
+  int useless = 0;     ///< lists that did not fit or served too few ticks, one after the other
+  int pause = 0;       ///< so many ticks go by before the next try
+  FaceList far;        ///< within reach of the ticks to come
+  FaceList near;       ///< of the last sweeps, mostly a part of `far`
 
   /// True if discs are balls, which hold wherever the faces are on their way.
   [[nodiscard]] bool bends() const noexcept { return this->since < 1.0; }
@@ -162,7 +166,7 @@ struct FacesAround
     {
       this->near.clear();
     }
-    this->isNew = this->isNew || !sameContent;
+    this->skips = this->skips || !sameContent;
     this->content = other;
     this->share = otherShare;
   }

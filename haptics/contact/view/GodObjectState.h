@@ -39,8 +39,8 @@ enum class FrictionState : std::uint8_t
   Slips,  ///< it trails the frictionless one
 };
 
-/// All that a god-object remembers between ticks.
-struct GodObjectState
+/// A ball and what it touches: all that has an effect on where a god-object goes.
+struct TouchingBall
 {
   /// Three features hold a ball, the others are candidates. To try all sets of up to three of 20 planes takes 4 to
   /// 8 us. Where more than these are touched, the one with the widest gap makes room.
@@ -53,7 +53,12 @@ struct GodObjectState
   std::array<ActiveFeature, maxFeatures> features{};
   Vec3 device_W = Vec3::Zero(); ///< of the last tick
   double texture = -1.0;        ///< share of it that is felt, see SurfaceResponse; below 0: nothing is held
-  FacesAround around;           ///< has an effect on the cost alone, and on where a tick over budget ends
+};
+
+/// All that a god-object remembers between ticks.
+struct GodObjectState : TouchingBall
+{
+  FacesAround around; ///< has an effect on the cost alone, and on where a tick over budget ends
 };
 
 /// A plane that holds the ball, and how deep the device is pressed along it.

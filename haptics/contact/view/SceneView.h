@@ -56,12 +56,19 @@ class OneSurface
 public:
   [[nodiscard]] const auto& of(const AnyScene& scene, std::uint32_t i) noexcept
   {
+    return this->of(scene, i, [](const auto&) noexcept {});
+  }
+  /// Calls onPlaced(surface) where another one is placed.
+  template<class OnPlaced>
+  [[nodiscard]] const auto& of(const AnyScene& scene, std::uint32_t i, OnPlaced onPlaced) noexcept
+  {
     if constexpr (std::is_same_v<AnyScene, MovingScene>)
     {
       if (i != this->number_ || !this->placed_)
       {
         this->placed_.emplace(surfaceOf(scene, i));
         this->number_ = i;
+        onPlaced(*this->placed_);
       }
       return *this->placed_;
     }

@@ -158,6 +158,8 @@ Scene::Scene(std::uint64_t revision, std::vector<Surface> surfaces, double motio
     bends_(std::any_of(surfaces_.begin(), surfaces_.end(), [](const Surface& s) { return s.from != nullptr; }))
 {
   this->moves_ = this->bends_ || anyPosed(this->surfaces_);
+  this->changesPoses_ =
+    std::any_of(this->surfaces_.begin(), this->surfaces_.end(), [](const Surface& s) { return s.motion.moves(); });
   this->hasMaterials_ = std::any_of(this->surfaces_.begin(), this->surfaces_.end(),
     [](const Surface& s) { return s.fields != nullptr || !s.material.isPlain(); });
   for (const Surface& surface : this->surfaces_)

@@ -62,6 +62,8 @@ public:
   [[nodiscard]] const std::vector<Surface>& surfaces() const noexcept { return this->surfaces_; }
   /// True if any surface is posed or moves: then its vertices alone do not say where it is.
   [[nodiscard]] bool moves() const noexcept { return this->moves_; }
+  /// True if any surface goes from one pose to another.
+  [[nodiscard]] bool changesPoses() const noexcept { return this->changesPoses_; }
   /// True if the vertices of any surface come from elsewhere.
   [[nodiscard]] bool bends() const noexcept { return this->bends_; }
   /// True if any surface is anything else than a plain wall.
@@ -97,6 +99,7 @@ private:
   double mostCoat_u_ = 0.0;
   double leastCoat_u_ = 0.0;
   bool moves_ = false;
+  bool changesPoses_ = false;
   bool bends_ = false;
   bool hasMaterials_ = false;
 };

@@ -247,31 +247,28 @@ SceneBuilder::Kept SceneBuilder::buildAnew(const SurfaceInput& input, unsigned t
 }
 
 /// The others would wait for a surface with half of all triangles or more.
-unsigned SceneBuilder::threadsFor(const SurfaceInput& input, const std::vector<SurfaceInput>& all) const
+unsigned SceneBuilder::threadsFor(const SurfaceInput& input, std::size_t allTriangles) const
 {
-  std::size_t triangles = 0;
-  for (const SurfaceInput& other : all)
-  {
-    triangles += trianglesOf(other);
-  }
-  return 2 * trianglesOf(input) >= triangles ? std::min(this->workers_, std::thread::hardware_concurrency()) : 1;
+  return 2 * trianglesOf(input) >= allTriangles ? std::min(this->workers_, std::thread::hardware_concurrency()) : 1;
 }
 
 SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs, const Scene* felt, BuildWatch* watch)
 {
   BuildWatch nobody;
   BuildWatch& told = watch != nullptr ? *watch : nobody;
+  std::size_t triangles = 0;
   for (const SurfaceInput& input : inputs)
   {
-    told.expect(2 * trianglesOf(input)); // cleaned, then made a tree
+    triangles += trianglesOf(input);
   }
+  told.expect(2 * triangles); // cleaned, then made a tree
   std::vector<Kept> built = this->takeKnown(inputs);
   std::atomic<std::size_t> next = 0;
   const auto work = [&]
   {
     for (std::size_t i = next.fetch_add(1); i < inputs.size(); i = next.fetch_add(1))
     {
-      bringUpToDate(inputs[i], felt, felt == nullptr ? this->threadsFor(inputs[i], inputs) : 1, built[i], told);
+      bringUpToDate(inputs[i], felt, felt == nullptr ? this->threadsFor(inputs[i], triangles) : 1, built[i], told);
       told.advance(trianglesOf(inputs[i]));
     }
   };

@@ -88,7 +88,7 @@ private:
     SurfaceReport report;
   };
   [[nodiscard]] std::vector<Kept> takeKnown(const std::vector<SurfaceInput>& inputs);
-  [[nodiscard]] unsigned threadsFor(const SurfaceInput& input, const std::vector<SurfaceInput>& all) const;
+  [[nodiscard]] unsigned threadsFor(const SurfaceInput& input, std::size_t allTriangles) const;
   static void bringUpToDate(
     const SurfaceInput& input, const Scene* felt, unsigned threads, Kept& kept, BuildWatch& watch);
   [[nodiscard]] SceneBuildResult assemble(const std::vector<SurfaceInput>& inputs);

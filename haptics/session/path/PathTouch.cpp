@@ -115,7 +115,6 @@ TickOutput PathTouch::computeAtRest()
   {
     this->bodyHand_.tick = this->input_.tick;
     const auto body = this->maker_->press(this->bodyHand_, 0.0, stepsToRest);
-    this->maker_->lookThrough();
     this->atRest_ = body ? body : this->atRest_;
     this->state_ = start;
     this->input_.scene = before ? before->scene.get() : nullptr;
@@ -129,6 +128,7 @@ TickOutput PathTouch::computeAtRest()
       break;
     }
   }
+  this->maker_->lookThrough(); // turns that come before the rest are not felt
   return output;
 }
 

@@ -141,10 +141,14 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
   return pressed;
 }
 
-void BodyMaker::lookThrough()
+bool BodyMaker::wentThroughItself() const
 {
+  if (this->wentThroughItself_ || !this->last_)
+  {
+    return this->wentThroughItself_;
+  }
   const BodySight sight = this->sight();
-  this->wentThroughItself_ = this->wentThroughItself_ || throughItself_u(sight, displacementOf(sight)) > 0.0;
+  return throughItself_u(sight, displacementOf(sight)) > 0.0;
 }
 
 BodySight BodyMaker::sight() const

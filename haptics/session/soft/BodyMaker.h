@@ -62,9 +62,10 @@ public:
   /// Data of the last snapshot, from which the shape is computed; valid as long as this maker.
   [[nodiscard]] BodySight sight() const;
   [[nodiscard]] BodyShape shape() const;
-  /// True if the body passed through itself below a contact in any snapshot that was followed by lookThrough().
-  [[nodiscard]] bool wentThroughItself() const noexcept { return this->wentThroughItself_; }
-  void lookThrough();
+  /// True if the body passed through itself below a contact, in the last snapshot or in any of those after which
+  /// lookThrough() was called. Takes as long as a shape.
+  [[nodiscard]] bool wentThroughItself() const;
+  void lookThrough() { this->wentThroughItself_ = this->wentThroughItself(); }
   [[nodiscard]] const CheckedTetras& checked() const noexcept { return this->checked_; }
 
   /// One step leaves up to 30 % of the force at 10 Hz, three leave 3 %.

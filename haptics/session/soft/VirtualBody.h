@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
+
 #include "haptics/session/soft/BodyMaker.h"
 
 namespace palpate
@@ -20,11 +22,12 @@ public:
   [[nodiscard]] const std::shared_ptr<const PressedBody>& now() const noexcept { return this->now_; }
 
 private:
-  [[nodiscard]] std::shared_ptr<const PressedBody> press(const BodyHand& hand);
+  [[nodiscard]] std::shared_ptr<const PressedBody> press(double time_s, const BodyHand& hand);
 
   BodyMaker& maker_;
   double period_s_;
   double due_s_ = 0.0; ///< arrival time of the pending snapshot
+  double nextLook_s_ = std::numeric_limits<double>::lowest();
   std::shared_ptr<const PressedBody> before_, now_, underWay_;
 };
 

@@ -199,6 +199,22 @@ TEST(SoftBody, ABarSwingsWithThePeriodOfItsFirstBendingMode)
   }
 }
 
+TEST(SoftBody, TheLimitOfBytesCountsTheFactorInSinglePrecisionThatALargeBodyKeeps)
+{
+  SoftBodyInput input = pad(16); // 2,601 nodes: its steps go on with an old factor
+  input.element = ElementKind::Linear;
+  input.model = ElasticModel::Linear;
+  const SoftBodyResult linear = makeSoftBody(input);
+  ASSERT_TRUE(linear.body) << linear.refusal;
+  ASSERT_LT(linear.body->bytes(), linear.body->factorBytes() * 5 / 4);
+  input.mostBytes = linear.body->factorBytes() * 5 / 4;
+  EXPECT_TRUE(makeSoftBody(input).body);
+  input.model = ElasticModel::NeoHookean;
+  EXPECT_THAT(makeSoftBody(input).refusal, HasSubstr("mesh it coarser"));
+  input.mostBytes = linear.body->factorBytes() * 7 / 4;
+  EXPECT_TRUE(makeSoftBody(input).body);
+}
+
 TEST(SoftBody, WhatCannotBeComputedIsRefusedInWords)
 {
   const auto refusal = [](const std::function<void(SoftBodyInput&)>& change)

@@ -99,6 +99,32 @@ Certificate certify(const SoftScene& s, const SoftResult& tick, const Vec3& p_W,
   return found;
 }
 
+TEST(SoftTick, TheTurnsOfATickKeepTheListOfFacesThatTheFirstOneMade)
+{
+  SoftScene s(bumpyPad());
+  Vec3 p_W(0.032, 0.046, 0.056);
+  SoftState before;
+  for (SoftResult tick = s.move(p_W); tick.force_N.isZero(); tick = s.move(p_W))
+  {
+    before = s.state;
+    p_W.z() -= 2e-4;
+  }
+  // The tick that first touches, where no list is kept: its first turn is the rigid tick, as nothing has yielded yet.
+  s.state = before;
+  s.state.core.around.far.clear();
+  GodObjectState rigid = s.state.core;
+  (void)moveGodObject(s.scene, s.plan, p_W, rigid);
+  ASSERT_GT(rigid.around.far.count(), 0);
+  ASSERT_GE(s.move(p_W).loops, 2);
+  EXPECT_EQ(s.state.core.around.far.reach().centre_W, rigid.around.far.reach().centre_W);
+  EXPECT_EQ(s.state.core.around.far.reach().reach_u, rigid.around.far.reach().reach_u);
+
+  s.state = before;
+  s.state.core.around = FacesAround{};
+  ASSERT_GE(s.move(p_W).loops, 2);
+  EXPECT_EQ(s.state.core.around.far.count(), 0) << "the tick that opens a scene makes a list in a later turn";
+}
+
 TEST(SoftTick, WithoutComplianceItIsTheRigidTickBitForBit)
 {
   for (const double friction : { 0.0, 0.3 })

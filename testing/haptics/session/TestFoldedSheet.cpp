@@ -88,6 +88,7 @@ int ticksPushedOutward(ElasticModel model, double young_Pa, double radius_u, dou
     const HapticState state = touch.next(sheetTick_s * i, { hand, Quat::Identity() });
     if (touch.body()->shape().throughItself_u > 0.0)
     {
+      EXPECT_TRUE(touch.body()->wentThroughItself());
       return below;
     }
     if (hand.z() < topOfSheet_m + radius_u - below_m)
