@@ -86,7 +86,8 @@ public:
     {
       return 0.0;
     }
-    // A larger ball that rests in the same place holds all of the smaller one: what is too much stays so.
+    // A larger ball that rests in the same place holds all of the smaller one: a radius that is too large for it stays
+    // too large.
     double low = std::log(least_u), high = std::log(limit_u);
     for (int i = 0; i < halvings && low < high; ++i)
     {

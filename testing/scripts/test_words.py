@@ -8,7 +8,7 @@
 
 A page that is rewritten joins HELD. No page leaves the list. The first two rules hold each text of the product that a user
 can see as well (product_text.py): help, tooltips, messages, documentation of XML and of Python functions. Comments (comment_text.py) have the first
-and the third rule, and some words of the second, everywhere but in OPEN, where their faults may only become fewer.
+and the third rule, and some words of the second.
 """
 
 import math
@@ -179,13 +179,6 @@ PRIVATE = {
 
 PRIVATE_IN_COMMENTS = r"\b(?:g[ai]v(?:es?|ing|en) way|bricks?|rub(?:s|bed|bing)?)\b"
 
-# Places whose comments are not rewritten yet, and how many faults they still have at most. Numbers only ever fall: a place that has
-# fewer faults gets a lower number, and one without any leaves.
-OPEN = {
-    "haptics/contact/": 40,
-}
-MOST_OPEN = 40  # faults, on the day when the list was closed
-
 # In texts of the product also these. The key `laws` of a scene file is a name: it stands in quotes or before a colon.
 PRIVATE_IN_PRODUCT = {r"(?<!['`\"])laws?(?!['`\":])": "constraint, constitutive model, force field", r"rooms?": "workspace, clearance"}
 # Arrays have names that scripts use; a name that is a private word stands here.
@@ -257,12 +250,6 @@ def nameless_comment(text):
     return re.findall(r"(?<=[.!?]) It \w+", text)
 
 
-def open_faults(found):
-    """How many faults the comments of each place in OPEN have."""
-    faults = [(place, len(headless_comment(text) + private_comment(text) + nameless_comment(text))) for place, text in found]
-    return {start: sum(count for place, count in faults if place.startswith(start)) for start in OPEN}
-
-
 def words_of_nine_in_ten(found):
     lengths = sorted(len(re.findall(r"\w[\w'.-]*", sentence)) for sentence in found)
     return lengths[math.ceil(0.9 * len(lengths)) - 1]
@@ -307,13 +294,11 @@ class Product(unittest.TestCase):
 
 
 class Comments(unittest.TestCase):
-    """The comments of the tree, but for those in OPEN."""
+    """The comments of the tree."""
 
     @classmethod
     def setUpClass(cls):
-        everywhere = list(of_comments())
-        cls.open_faults = open_faults(everywhere)
-        cls.found = [(place, text) for place, text in everywhere if not place.startswith(tuple(OPEN))]
+        cls.found = list(of_comments())
 
     def holds_none(self, fault):
         self.assertEqual([(place, fault(text)[0]) for place, text in self.found if fault(text)], [])
@@ -326,12 +311,6 @@ class Comments(unittest.TestCase):
 
     def test_a_subject_is_named_anew_behind_a_full_stop(self):
         self.holds_none(nameless_comment)
-
-    def test_the_list_of_open_places_only_shrinks(self):
-        self.assertLessEqual(sum(OPEN.values()), MOST_OPEN, "a place has joined OPEN, or a number of it was raised")
-        for place, faults in self.open_faults.items():
-            self.assertGreater(faults, 0, f"{place} has no fault any more: it leaves OPEN")
-            self.assertLessEqual(faults, OPEN[place], f"{place} has new faults")
 
     def test_every_kind_of_file_has_comments(self):
         for suffix in COMMENTED - {".sh"}:

@@ -19,7 +19,7 @@ namespace
 {
 
 /// Each attempt adds the first surface that is met. Three planes hold a ball, so eight surfaces that come at a ball in
-/// one tick are more than it can give way to; after them the last resort decides.
+/// one tick are more than it can evade; after them the last resort decides.
 constexpr int attempts = 8;
 
 /// A feature that holds the ball while the surfaces move, and where the ball would be had it stayed with its surface.
@@ -160,8 +160,8 @@ private:
     {
       contacts.include(this->holders_[static_cast<std::size_t>(i)].feature);
     }
-    // What holds the ball from all sides may have come nearer than its size: the ball is pinned with what is left of
-    // it.
+    // Surfaces on all sides may have come nearer than the size of the ball: the ball is pinned with the radius that
+    // is left.
     for (const double share : { 1.0, 0.5, 0.25, 0.0 })
     {
       std::array<PlaneRow, GodObjectState::maxFeatures> rows;

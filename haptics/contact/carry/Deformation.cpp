@@ -57,7 +57,7 @@ Vec3 weightsAt(const FaceRecord& face, const Vec3& x_W) noexcept
   const Vec3 foot_W = nearestOnTriangle(x_W, a, b, c), &n = face.normal_W;
   Vec3 weights(n.dot((c - b).cross(foot_W - b)), n.dot((a - c).cross(foot_W - c)), n.dot((b - a).cross(foot_W - a)));
   const double all = n.dot((b - a).cross(c - a));
-  constexpr double zero = 1e-12; // far above what a product of lengths is rounded by, far below any share that moves
+  constexpr double zero = 1e-12; // far above the rounding of a product of lengths, far below any share that moves
   weights = weights.unaryExpr([all](double w) { return w > zero * all ? w : 0.0; });
   return weights / weights.sum();
 }
@@ -104,8 +104,8 @@ Vec3 turnedAlong(const Vec3& from, const Vec3& to, const Vec3& v) noexcept
   return cosine < opposite ? Vec3(v.norm() * to) : Vec3(v + axis.cross(v) + axis.cross(axis.cross(v)) / (1.0 + cosine));
 }
 
-/// The triangle nearest to a ball among those of a surface that may have come over it, from what is kept around the
-/// ball where that is enough.
+/// The triangle nearest to a ball among those of a surface that may have come over it, from the list that is kept
+/// around the ball where that suffices.
 template<SceneView AnyScene, class View>
 std::optional<std::uint32_t> nearestPassing(const AnyScene& from, const View& before, const View& now,
   std::uint32_t surface, const Vec3& x_W, double reach, const ContactPlan& plan, const FacesAround& around) noexcept
@@ -227,7 +227,7 @@ private:
         old += n.dot(this->apart_W_) * n;
         fresh += n.dot(this->apart_W_) * this->now_.face(t).normal_W;
       });
-    constexpr double told = 1e-6; // a shorter sum of normals is what rounding has left of opposite ones
+    constexpr double told = 1e-6; // a shorter sum of normals is the rounding of opposite ones
     const bool decided = old.norm() > told * distance && fresh.norm() > told * distance;
     return decided ? turnedAlong(old.normalized(), fresh.normalized(), this->apart_W_)
                    : Vec3(this->side_ * distance * face.normal_W);
@@ -239,7 +239,7 @@ private:
     constexpr double inward = 1e-4; // of the triangle: off its border, and no way to speak of
     const Vec3 inside_W = pointOf(face, (1.0 - inward) * this->at_.weights + Vec3::Constant(inward / 3.0));
     Vec3 above_W = inside_W;
-    constexpr int doublings = 20; // a million times what coordinates are rounded by
+    constexpr int doublings = 20; // a million times the rounding of coordinates
     double lift = this->resolution_.del();
     for (int i = 0; i < doublings && sideOf(this->now_, this->at_.triangle, above_W) != this->side_; ++i, lift *= 2)
     {
@@ -373,8 +373,8 @@ Vec3 stopBefore(const AnyScene& scene, const ContactPlan& plan, double radius_u,
   {
     return free_W + hit.freeUntil * (to_W - free_W);
   }
-  // A point must stop short of what it hits, and the way to where it stops be free exactly.
-  // Of the way: from what rounding of a way may need, in few steps, to none of it.
+  // A point must stop short of its obstacle, and the path to where it stops be free exactly.
+  // Shares of the path: from the rounding of a path, in few steps, to the whole of it.
   for (double shortOf = 1e-9; shortOf < 1.0; shortOf *= 8)
   {
     const Vec3 stop_W = free_W + std::max(0.0, hit.t - shortOf) * (to_W - free_W);

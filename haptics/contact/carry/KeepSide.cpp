@@ -196,9 +196,10 @@ private:
   std::array<Exchange, mostNear> near_;
   std::size_t count_ = 0;
   double way_u_ = 0.0;
-  double tolerance_u_ = 0.0; ///< so far from the coarser surface a place is out of what is between the two
-  bool slides_ = false;      ///< round what is in the way
-  double best_u_ = 0.0;      ///< how clear of them all the best place is
+  double tolerance_u_ =
+    0.0;                ///< at that distance from the coarser surface a place lies beyond the space between the two
+  bool slides_ = false; ///< round an obstacle
+  double best_u_ = 0.0; ///< how clear of them all the best place is
   Vec3 best_W_;
 };
 

@@ -21,7 +21,7 @@ template<SceneView AnyScene>
 [[nodiscard]] FrictionReach reachOf(const AnyScene& scene, const ContactPlan& plan, ContactSet<AnyScene>& contacts,
   const ProjectionResult& held) noexcept;
 
-/// False where nothing rubs: no friction in the plan, and no surface that has one of its own.
+/// False without friction: none in the plan, and no surface that has one of its own.
 template<SceneView AnyScene>
 [[nodiscard]] bool frictionMatters(const AnyScene& scene, const ContactPlan& plan) noexcept
 {
@@ -54,10 +54,10 @@ struct FrictionVerdict
 ///
 /// From its place x0 the frictionless god-object would go to xf under the touched planes, with multipliers l_i
 /// (depths [u] along the normals). Static friction keeps the ball at x0 as long as |x0 - xf| <= sum mu_s l_i. Then the
-/// ball trails xf by sum mu_k l_i in the direction it came from, until the device no longer draws it on. It is pulled
-/// to p + (x - xf): this shift lies in the touched planes, so their depths stay, and every way is swept as without
-/// friction. Exact on faces and in corners; over round features exact in the limit of small ticks. Re-linearises the
-/// features of `state`; real-time safe.
+/// ball trails xf by sum mu_k l_i in the direction it came from, until the device no longer draws it on. The ball is
+/// pulled to p + (x - xf): this shift lies in the touched planes, so their depths stay, and every way is swept as
+/// without friction. Exact on faces and in corners; over round features exact in the limit of small ticks.
+/// Re-linearises the features of `state`; real-time safe.
 template<SceneView AnyScene>
 [[nodiscard]] FrictionVerdict judgeFriction(
   const AnyScene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept;

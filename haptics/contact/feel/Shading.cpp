@@ -51,7 +51,8 @@ Vec3 weighted(const View& s, const Step& step, std::uint32_t v) noexcept
   return step.side * e.cross(f).norm() / (e.squaredNorm() * f.squaredNorm()) * face.normal_W;
 }
 
-/// Walks round v, first over the edge to `over`; adds what it passes. True if it came round to where it began.
+/// Walks round v, first over the edge to `over`; adds each face that it passes. True if it came round to where it
+/// began.
 template<class View>
 bool walkRound(
   const View& s, std::uint32_t triangle, std::uint32_t v, std::uint32_t over, Vec3& sum, int& faces) noexcept

@@ -42,7 +42,7 @@ struct Sums
   }
 };
 
-/// What holds the ball, and where the hand is.
+/// The planes that hold the ball, and the position of the hand.
 struct Touch
 {
   struct Held
@@ -55,7 +55,7 @@ struct Touch
   int count = 0;
   Vec3 stretch_W = Vec3::Zero();
 
-  /// What the finest of the textures allows.
+  /// The share that the finest of the textures allows.
   [[nodiscard]] double share(const Vec3& step_W) const noexcept
   {
     double least = 1.0;

@@ -16,9 +16,9 @@ struct Response
 };
 
 /// Over the planes that hold the ball the coupling is a spring. Its stiffness is the share s(x) that a wall of that
-/// material leaves of the coupling's. It is stretched by the depth d less the hollow of the texture, c(x) = largest
-/// height - height. Along the surface friction pulls with the mean share. Share and hollow are fields over the surface,
-/// so the force of the energy K s max(0, d - c)^2 / 2 has a part along the surface,
+/// material leaves of the coupling's. The spring is stretched by the depth d less the hollow of the texture, c(x) =
+/// largest height - height. Along the surface friction pulls with the mean share. Share and hollow are fields over the
+/// surface, so the force of the energy K s max(0, d - c)^2 / 2 has a part along the surface,
 ///
 ///     F = K s (d - c) (n + grad c) - K (d - c)^2 / 2 grad s,
 ///

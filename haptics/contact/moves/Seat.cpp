@@ -83,7 +83,7 @@ void forEachNear(const AnyScene& scene, const Vec3& x_W, double reach, const Fac
   static_cast<void>(walkWithin(sceneOf(scene).surfaceTree().nodes, test, unbounded, nodes, visitSurface));
 }
 
-/// What the ball at x comes nearest to.
+/// The feature that is nearest to the ball at x.
 struct Nearest
 {
   double clearance = std::numeric_limits<double>::infinity(); ///< from the centre to the surface, or to its coat
@@ -159,7 +159,8 @@ private:
   int count_ = 0;
 };
 
-/// Only what is nearest pushes: a flat patch seen from close by pushes straight out, not sideways off each triangle.
+/// Only the nearest feature pushes: a flat patch seen from close by pushes straight out, not sideways off each
+/// triangle.
 template<SceneView AnyScene>
 bool seatRound(
   const AnyScene& scene, const ContactPlan& plan, const Vec3& p_W, Vec3& x_W, const FacesAround* around) noexcept
@@ -168,7 +169,7 @@ bool seatRound(
   Resolution resolution;
   resolution.include(p_W);
   resolution.include(Vec3::Constant(r + sceneOf(scene).mostCoat_u()));
-  double furthest = r; // how far the ball may be moved: out of what it lies in
+  double furthest = r; // how far the ball may be moved: out of the surface in which it lies
   const double tol = resolution.tol();
   SeatPlanes planes;
   Vec3 y = Vec3::Zero();
@@ -203,7 +204,7 @@ bool offEveryTriangle(const AnyScene& scene, const Vec3& x_W, SweepHit& hit) noe
   SweepQuery query;
   query.from_W = query.to_W = x_W;
   query.resolution.include(x_W);
-  constexpr std::uint32_t unbounded = 1u << 20; // a point is in few boxes; what stacks more has no free place either
+  constexpr std::uint32_t unbounded = 1u << 20; // a point is in few boxes; a stack of more has no free place either
   hit = sweepBall(scene, query, unbounded);
   return !hit.hit && hit.freeUntil >= 1.0;
 }
@@ -220,7 +221,7 @@ bool seatPoint(const AnyScene& scene, const Vec3& p_W, Vec3& x_W) noexcept
   Resolution resolution;
   resolution.include(p_W);
   const Vec3 n = surfaceOf(scene, hit.feature.surface).face(hit.feature.a).normal_W;
-  // Doubled from the least that can differ, so that the lift is at most twice what is needed; 24 doublings bound it.
+  // Doubled from the least that can differ, so that the lift is at most twice the necessary one; 24 doublings bound it.
   for (double lift = resolution.del(); lift < 1e6 * resolution.tol(); lift *= 2)
   {
     for (const double side : { 1.0, -1.0 })

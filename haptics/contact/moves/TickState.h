@@ -66,8 +66,8 @@ struct TickState
     const double ways_u = std::max(way_u, this->lastWay_u);
     return way_u <= this->tol() || (ways_u <= this->contacts.resolution().mostError() && ways_u <= this->blur_u());
   }
-  /// Error that rounding makes of the place where the planes meet that hold the ball [u]. It is 0 while the ball still
-  /// has a way along the line in which two planes meet: that way is not an error of theirs.
+  /// Error that rounding makes of the place where the planes meet that hold the ball [u]. The error is 0 while the
+  /// ball still has to move along the line in which two planes meet: that distance is no error of theirs.
   [[nodiscard]] double blur_u() const noexcept;
 
   /// The first contact on the way. A long way of a ball is looked at in two parts: most ways end soon, and the first

@@ -9,7 +9,7 @@ namespace palpate
 namespace
 {
 
-/// A roll asks for at most 27 rows (what is touched, and three planes as they will be), seating for at most 32; the
+/// A roll asks for at most 27 rows (the touched planes, and three as they will be), seating for at most 32; the
 /// rest is room.
 constexpr int maxRows = 48;
 /// |sin|^2 below which two planes act as one. Unit normals are rounded by 1e-16, so a sine of 1e-13 is known to a

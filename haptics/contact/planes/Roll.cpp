@@ -56,7 +56,7 @@ ConeLimit coneLimit(const View& s, const ActiveFeature& f, const RollPivot& pivo
   return limit;
 }
 
-/// The normal the ball is to have after the roll: towards what pulls it if that lies nearer than `within`, else
+/// The normal the ball is to have after the roll: towards the target if that lies nearer than `within`, else
 /// as far as the cone of the incident faces and the planner's largest turn allow.
 Vec3 targetNormal(const RollPivot& pivot, const Vec3& pull_W, double within) noexcept
 {
@@ -190,7 +190,7 @@ Vec3 RollPlanner<AnyScene>::axisOf(const ActiveFeature& f) const noexcept
   return f.kind == FeatureKind::Edge ? edgeLine(this->contacts_.surface(f), f.a, f.b).unit : Vec3(Vec3::Zero());
 }
 
-/// The round contacts that turn, and the normals they are to have; aim is cut to what their cones allow.
+/// The round contacts that turn, and the normals they are to have; aim is cut to the limits of their cones.
 template<SceneView AnyScene>
 void RollPlanner<AnyScene>::chooseTargets(Vec3& aim) noexcept
 {

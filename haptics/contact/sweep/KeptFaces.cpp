@@ -50,8 +50,8 @@ void pick(const AnyScene& scene, const Reach& reach, FacesAround& around) noexce
   }
 }
 
-/// What a motion needs of a list that is kept. The reach of a point's motion is small: with a share of the list's room
-/// the faces that are picked serve some ticks.
+/// The reach that a motion needs of a kept list. The reach of a point's motion is small: with a share of the list's
+/// room the faces that are picked serve some ticks.
 Reach pickedReach(const SweptBall& m, const FacesAround& around) noexcept
 {
   constexpr double share = 0.4; // found by trying, as room in reachFor()

@@ -17,13 +17,13 @@ namespace palpate
 template<SceneView AnyScene>
 void openKept(const AnyScene& scene, FacesAround& around) noexcept;
 
-/// The list that is kept of the faces around a motion, or null; `work` grows by what it takes to pick them.
+/// The list that is kept of the faces around a motion, or null; `work` grows by the cost of picking them.
 template<SceneView AnyScene>
 [[nodiscard]] const FaceList* keptFor(
   const AnyScene& scene, const SweptBall& m, FacesAround& around, std::uint32_t& work) noexcept;
 
 /// Picks the faces around a ball while surfaces bend, as they are now, for the questions of a tick that are near
-/// enough. What is kept must be open for the scene. Nothing is done for a point, nor where there is nothing to pick
+/// enough. The kept list must be open for the scene. Nothing is done for a point, nor where there is nothing to pick
 /// from.
 template<SceneView AnyScene>
 void pickAround(const AnyScene& scene, const Vec3& x_W, double radius_u, FacesAround& around) noexcept;

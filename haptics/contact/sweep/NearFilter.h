@@ -10,8 +10,8 @@ namespace palpate
 {
 
 /// Four discs of a list against the ball around the whole way in single precision; bit k is set where lane k may be
-/// near. Takes a third of what DiscFilter does, as there is no division and no root, and lets few more lanes pass where
-/// the way is short.
+/// near. Takes a third of the time of DiscFilter, as there is no division and no root, and lets few more lanes pass
+/// where the way is short.
 class NearFilter
 {
 public:

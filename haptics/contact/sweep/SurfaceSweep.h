@@ -222,7 +222,7 @@ private:
   /// answer for most edges beside the ball, without a division by their length. All is multiplied by length2.
   [[nodiscard]] bool keepsFromLine(const Vec3& away, const Vec3& e, double length2) const noexcept
   {
-    constexpr double sure = 1e-9; // of what is added: a million times what rounding takes from it
+    constexpr double sure = 1e-9; // share of a summand: a million times its rounding
     const SweptBall& m = this->m_;
     const double along = away.dot(e), rate = m.d.dot(e), away2 = away.squaredNorm();
     const double towards = away.dot(m.d) * length2 - along * rate;

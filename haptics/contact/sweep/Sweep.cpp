@@ -58,7 +58,7 @@ private:
   SweptBall inSurface_;
 };
 
-/// What was hit beyond what is proven free may not be the first.
+/// A hit beyond the part that is proven free may not be the first.
 SweepHit settled(SweepHit best) noexcept
 {
   best.hit = best.hit && (best.freeUntil >= 1.0 || best.t <= best.freeUntil);

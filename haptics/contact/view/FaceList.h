@@ -32,7 +32,7 @@ struct PlacedDisc
 };
 
 /// All faces within reach of a centre with their discs. Sweeps within that reach look at the list instead of the tree,
-/// which never changes a result, only the cost. Fixed memory, no allocation; a copy takes what is in the list.
+/// which never changes a result, only the cost. Fixed memory, no allocation; a copy copies the used part alone.
 class FaceList
 {
 public:
@@ -154,7 +154,7 @@ struct FacesAround
 
   /// True if discs are balls, which hold wherever the faces are on their way.
   [[nodiscard]] bool bends() const noexcept { return this->since < 1.0; }
-  /// Drops what is of another content or place.
+  /// Drops lists of another content or place.
   void openFor(std::uint64_t other, double otherShare) noexcept
   {
     const bool sameContent = this->content == other;

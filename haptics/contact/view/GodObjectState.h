@@ -39,7 +39,7 @@ enum class FrictionState : std::uint8_t
   Slips,  ///< it trails the frictionless one
 };
 
-/// A ball and what it touches: all that has an effect on where a god-object goes.
+/// A ball and the features that it touches: all that has an effect on where a god-object goes.
 struct TouchingBall
 {
   /// Three features hold a ball, the others are candidates. To try all sets of up to three of 20 planes takes 4 to

@@ -19,10 +19,10 @@ struct Resolution
 
   /// Rounding of one computed coordinate [u]: a few operations at half an ulp each.
   [[nodiscard]] double del() const noexcept { return 4 * std::numeric_limits<double>::epsilon() * this->magnitude; }
-  /// Lengths below this count as zero [u]. Sixteen del: distances are sums of products of rounded coordinates, and what
-  /// counts as touching must be more than any of them is rounded. A projection leaves a plane violated by a quarter of
-  /// tol at most, so that what it rests on still touches. A move below 4 tol is no progress: each end is known to tol
-  /// only.
+  /// Lengths below this count as zero [u]. Sixteen del: distances are sums of products of rounded coordinates, and the
+  /// tolerance of touching must exceed the rounding of each of them. A projection leaves a plane violated by a quarter
+  /// of tol at most, so that the planes on which the ball rests still touch. A move below 4 tol is no progress: each
+  /// end is known to tol only.
   [[nodiscard]] double tol() const noexcept { return 64 * std::numeric_limits<double>::epsilon() * this->magnitude; }
   /// Largest violation of a plane after a projection [u].
   [[nodiscard]] double slack() const noexcept { return 0.25 * this->tol(); }

@@ -35,7 +35,7 @@ DiscQuad discsOf(const RestOfWay& rest, std::size_t quad) noexcept
   x += dx;
   y += dy;
   z += dz;
-  // What single precision loses here, the filter of discs allows for.
+  // The filter of discs allows for the rounding in single precision here.
   radius = radius.max(EndLanes(end.radius.data())) + (dx * dx + dy * dy + dz * dz).sqrt();
   return balls;
 }
