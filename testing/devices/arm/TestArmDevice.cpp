@@ -12,6 +12,8 @@
 
 #include "devices/arm/ArmDevice.h"
 #include "devices/arm/ListedArmBus.h"
+#include "devices/arm/WireLine.h"
+#include "devices/arm/protocol/FalconWire.h"
 #include "devices/calibration/CalibratedDevice.h"
 #include "devices/calibration/SelfTestRun.h"
 #include "testing/devices/arm/ServoSide.h"
@@ -168,6 +170,32 @@ TEST(AnswerBell, WakesAThreadThatWaits)
   bell.ring();
   servo.join();
   EXPECT_TRUE(heard);
+}
+
+/// A link whose other end has let go of it.
+class LeftLink final : public ByteLink
+{
+public:
+  explicit LeftLink(bool sends) : sends_(sends) {}
+  bool send(std::span<const std::uint8_t> /*bytes*/) noexcept override { return this->sends_; }
+  int receive(std::span<std::uint8_t> /*bytes*/, int /*timeout_ms*/) noexcept override { return -1; }
+  std::string error() const override { return "Broken pipe"; }
+  std::string gone() const override { return "the other end left"; }
+  std::string unsent() const override { return "the other end took nothing"; }
+  bool keepsBorders() const noexcept override { return true; }
+
+private:
+  bool sends_;
+};
+
+TEST(WireLine, SaysOfAFailureWhatItsLinkSays)
+{
+  WireLine left(std::make_unique<LeftLink>(true), std::make_shared<FalconWire>());
+  EXPECT_EQ(left.exchange({}, 1).said, ArmLine::Said::Gone);
+  EXPECT_EQ(left.error(), "the other end left");
+  WireLine full(std::make_unique<LeftLink>(false), std::make_shared<FalconWire>());
+  EXPECT_EQ(full.exchange({}, 1).said, ArmLine::Said::Gone);
+  EXPECT_EQ(full.error(), "the other end took nothing");
 }
 
 TEST(ArmDevice, GivesNoForceAfterAnAnswerThatCameTooLateAndForceAgainAfterOneInTime)

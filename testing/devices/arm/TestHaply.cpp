@@ -8,6 +8,7 @@
 
 #include "devices/arm/ArmDevice.h"
 #include "devices/arm/kit/Kits.h"
+#include "devices/arm/link/WebSocketLink.h"
 #include "devices/arm/protocol/HaplyServiceWire.h"
 #include "testing/devices/arm/FakeService.h"
 #include "testing/devices/arm/ServoSide.h"
@@ -234,6 +235,24 @@ TEST(HaplyService, ThatSaysSomethingElseIsLostWithinTwentyMillisecondsAndIsToldN
     EXPECT_TRUE(answer != Answers::Closes || why.find("does not hold the connection") != std::string::npos) << why;
     EXPECT_TRUE(answer == Answers::Closes || rig.service.force_N().norm() == 0.0) << static_cast<int>(answer);
   }
+}
+
+TEST(WebSocketLink, SaysThatTheProgramAtTheOtherEndHasLetGo)
+{
+  FakeService service;
+  const LoopbackSocket socket = openLoopbackSocket(service.port(), 1000);
+  ASSERT_NE(socket.link, nullptr) << socket.problem;
+  WireBytes bytes(65536);
+  ASSERT_GT(socket.link->receive(bytes, 10000), 0) << "the inventory";
+  FakeService::Says says;
+  says.answer = Answers::Closes;
+  service.say(says);
+  const std::string order = "{\"inverse3\":[{\"commands\":{}}]}";
+  ASSERT_TRUE(socket.link->send({ reinterpret_cast<const std::uint8_t*>(order.data()), order.size() }));
+  EXPECT_EQ(socket.link->receive(bytes, 10000), -1);
+  EXPECT_THAT(socket.link->gone(), testing::HasSubstr("does not hold the connection"));
+  EXPECT_FALSE(socket.link->send({ bytes.data(), 1 }));
+  EXPECT_THAT(socket.link->unsent(), testing::HasSubstr("does not hold the connection"));
 }
 
 TEST(HaplyServiceWire, TellsTheVersionWhateverStandsAroundIt)

@@ -140,6 +140,18 @@ TEST(ForceDimension, WhoseCallBlocksLosesTheDeviceForTheServoWithoutWaiting)
   device.close();
 }
 
+/// A force is asked for until the vendor's library has had it: on a busy machine its calls come too late at times.
+bool pushesOnce(LibraryRig& rig, const Vec3& force_N)
+{
+  const auto push = fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeLastPush");
+  return test::eventually(
+    [&]
+    {
+      ask(rig, force_N, 5);
+      return Vec3(push(0), push(1), push(2)) == force_N;
+    });
+}
+
 class OpenHapticsRates : public testing::TestWithParam<int>
 {
 };
@@ -151,18 +163,22 @@ TEST_P(OpenHapticsRates, ExchangesInTheVendorsCallsAtTheirRate)
   LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
   EXPECT_EQ(rig.device.info().pacing, Pacing::Callback);
   ASSERT_EQ(rig.device.open(), "");
-  ask(rig, { 1.0, -2.0, 0.5 }, 5);
-  rig.run(3);
-  const auto push = fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeLastPush");
-  EXPECT_EQ(Vec3(push(0), push(1), push(2)), Vec3(1.0, -2.0, 0.5));
+  const Vec3 force_N(1.0, -2.0, 1e-4 * GetParam());
+  EXPECT_TRUE(pushesOnce(rig, force_N));
   EXPECT_LT((rig.sample.pose_D.p - Vec3(0.01, 0.02, -0.03)).norm(), 1e-15);
   EXPECT_LT((rig.sample.pose_D.q * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-12);
   EXPECT_NEAR(rig.sample.velocity_D.linear.x(), 0.1, 1e-15);
   EXPECT_EQ(rig.sample.buttons, 2U);
   const auto calls = fakeFunction<int()>(PALPATE_FAKE_HD, "fakeCalls");
   const int before = calls();
-  rig.run(20);
-  EXPECT_GE(calls() - before, 18) << "each exchange waits for a call";
+  const std::uint64_t answers = rig.device.link().answers() + 20;
+  EXPECT_TRUE(test::eventually(
+    [&]
+    {
+      rig.run(1);
+      return rig.device.link().answers() >= answers;
+    }));
+  EXPECT_GE(calls() - before, 19) << "each answer waits for a call, of which the last may not be counted yet";
   rig.device.close();
   EXPECT_EQ(fakeFunction<int()>(PALPATE_FAKE_HD, "fakeOutput")(), 0);
   rate(1000);
@@ -174,11 +190,9 @@ TEST(OpenHaptics, EndsAForceThatNobodyAsksForAgainAlthoughTheVendorsSchedulerGoe
 {
   LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
   ASSERT_EQ(rig.device.open(), "");
-  ask(rig, { 0.0, 0.0, 2.5 }, 5);
+  EXPECT_TRUE(pushesOnce(rig, { 0.0, 0.0, 2.5 }));
   const auto force = fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeForce");
-  const auto push = fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeLastPush");
   const auto calls = fakeFunction<int()>(PALPATE_FAKE_HD, "fakeCalls");
-  EXPECT_TRUE(test::eventually([&] { return push(2) == 2.5; }));
   const int before = calls();
   EXPECT_TRUE(test::eventually([&] { return force(2) == 0.0; })) << "the exchange hangs";
   EXPECT_TRUE(test::eventually([&] { return calls() > before; }));
@@ -219,11 +233,15 @@ TEST(OpenHaptics, WhoseSchedulerStopsOrReportsAnErrorIsLost)
   ask(rig, { 1.0, 0.0, 0.0 }, 5);
   fail(0x0201);
   rig.run(5);
-  EXPECT_EQ(rig.lostTicks, 0) << "a force that the device cut is none";
+  EXPECT_THAT(rig.device.linkReport().lostFor, testing::Not(testing::HasSubstr("the force was beyond the largest")));
   fail(0x0302);
-  rig.run(5);
+  EXPECT_TRUE(test::eventually(
+    [&]
+    {
+      rig.run(5);
+      return rig.device.linkReport().lostFor == "the vendor's library reports: the link to the device is lost";
+    }));
   EXPECT_GE(rig.lostTicks, 1);
-  EXPECT_EQ(rig.device.linkReport().lostFor, "the vendor's library reports: the link to the device is lost");
   fail(0);
 }
 
