@@ -96,12 +96,18 @@ def tidy(source, flags, header_filter="^$"):
     return FINDING.findall(result.stdout + result.stderr)
 
 
+def sources_in(path):
+    """The sources of the project that are compiled with a file: itself, or those that a file of several sources includes."""
+    together = path.is_relative_to(BUILD) and path.parent.name == "Unity"
+    named = re.findall(r'^#include "(.+)"$', path.read_text(encoding="utf-8"), re.MULTILINE) if together else [str(path)]
+    return [Path(name) for name in named if Path(name).is_relative_to(ROOT) and not Path(name).is_relative_to(BUILD)]
+
+
 def compile_flags():
     """Flags of each compiled source of the project, by its path relative to the root; only those that clang-tidy needs."""
     flags = {}
     for entry in json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8")):
-        path = Path(entry["file"])
-        if path.is_relative_to(ROOT) and not path.is_relative_to(BUILD):
+        for path in sources_in(Path(entry["file"])):
             words = shlex.split(entry["command"])
             kept, following = ["-x", "c++"], False
             for word in words:
@@ -134,6 +140,9 @@ class Tree(unittest.TestCase):
         # A small program of its own that includes nothing of the project says nothing of headers.
         by_place = {place_of(source): flags[source] for source in flags if place_of(source) and f"-I{ROOT}" in flags[source]}
         self.assertIn("haptics", by_place, "no source of haptics in compile_commands.json")
+        with_headers = {place_of(relative) for _, relative, _ in rules.code_files(ROOT) if relative.suffix == ".h"} - {None}
+        compiled = {place_of(source) for source in flags if place_of(source) in with_headers}
+        self.assertEqual(compiled - set(by_place), set(), "places whose headers no flags find, though their sources are compiled")
         print("places:", ", ".join(by_place), file=sys.stderr)
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             jobs = [pool.submit(self.tidy_headers, place, by_place[place]) for place in by_place]
