@@ -68,7 +68,8 @@ bool SerialPort::send(std::span<const std::uint8_t> bytes) noexcept
     return false;
   }
   const ssize_t written = ::write(this->file_, bytes.data(), bytes.size());
-  this->failed_ = written < 0 ? errno : EIO;
+  const int refused = errno == EIO ? ENODEV : errno; // so a system refuses a line that was hung up
+  this->failed_ = written < 0 ? refused : EIO;
   return written == static_cast<ssize_t>(bytes.size());
 }
 

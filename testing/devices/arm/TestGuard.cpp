@@ -164,6 +164,8 @@ TEST(SerialPort, IsGoneWhenTheOtherEndIs)
   }
   std::array<std::uint8_t, 8> bytes{};
   EXPECT_LT(port.value->receive(bytes, 5), 0);
+  EXPECT_FALSE(port.value->send(bytes));
+  EXPECT_EQ(port.value->error(), "No such device") << "which is said as an unplugged cable";
 }
 
 } // namespace
