@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/mechanism/Mechanism.h"
 
+#include <algorithm>
 #include <array>
 
 namespace palpate
@@ -35,6 +36,18 @@ const char* nameOf(MechanismBodyKind kind) noexcept
 int mostRowsOf(ConstraintKind kind) noexcept
 {
   return kinds[static_cast<std::size_t>(kind)].rows;
+}
+
+int roomForFound(const Mechanism& mechanism) noexcept
+{
+  int rows = Mechanism::mostRows;
+  for (const MechanismConstraint& law : mechanism.laws)
+  {
+    rows -= mostRowsOf(law.kind);
+  }
+  const int each = mostRowsOf(mechanism.foundFriction > 0.0 ? ConstraintKind::Friction : ConstraintKind::Contact);
+  const int free = static_cast<int>(Mechanism::mostConstraints) - static_cast<int>(mechanism.laws.size());
+  return std::max(0, std::min(rows / each, free));
 }
 
 } // namespace palpate

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,13 @@
 namespace palpate
 {
 
+struct SidedSurface;
+
 /// Kind of a body of a mechanism.
 enum class MechanismBodyKind : std::uint8_t
 {
   Held,  ///< rigid and in the hand: its frame is the hand's, turned by pose_W.q; its rod runs from the origin along +z
-         ///< to its tip
+         ///< to its tip, or its mesh is given in that frame
   Rigid, ///< rests on others, or is joined to them; its frame has its centre as origin
   Soft,  ///< a soft body of the session, by its name; its frame is W, in which it is at rest
   World, ///< does not move; its frame is W
@@ -25,11 +28,12 @@ struct MechanismBody
 {
   std::string name;
   MechanismBodyKind kind = MechanismBodyKind::World;
-  double length_u = 0.0;          ///< of a held rod
-  double diameter_u = 0.0;        ///< likewise
-  Vec3 halfSize_u = Vec3::Zero(); ///< of a rigid box, along its own axes
-  Pose pose_W;                    ///< where a rigid one is at first; how a held one is turned in the hand
-  Vec3 load_W = Vec3::Zero();     ///< on a rigid one's centre, its weight say [N]
+  double length_u = 0.0;                    ///< of a held rod
+  double diameter_u = 0.0;                  ///< likewise
+  std::shared_ptr<const SidedSurface> mesh; ///< of a held body in place of a rod; null: it is a rod
+  Vec3 halfSize_u = Vec3::Zero();           ///< of a rigid box, along its own axes
+  Pose pose_W;                              ///< where a rigid one is at first; how a held one is turned in the hand
+  Vec3 load_W = Vec3::Zero();               ///< on a rigid one's centre, its weight say [N]
 };
 
 /// How two bodies are joined (docs/theory.md, "Constraints between bodies"). A's motion is counted against B's.
@@ -82,6 +86,8 @@ struct Mechanism
 
   std::vector<MechanismBody> bodies;
   std::vector<MechanismConstraint> laws;
+  bool findsContacts = false; ///< of the held mesh with soft bodies, wherever they meet
+  double foundFriction = 0.0; ///< Coulomb's coefficient there
 };
 
 /// The word for a kind in scene files and tables: "contact", "attachment", ... "insertion".
@@ -90,6 +96,9 @@ struct Mechanism
 [[nodiscard]] const char* nameOf(MechanismBodyKind kind) noexcept;
 /// How many rows a constraint has where it has most.
 [[nodiscard]] int mostRowsOf(ConstraintKind kind) noexcept;
+
+/// How many contacts may be found beside the constraints of a mechanism: the tick has so much room.
+[[nodiscard]] int roomForFound(const Mechanism& mechanism) noexcept;
 
 /// How the hand holds the held body: with a spring, whose compliance is in series with all others.
 struct MechanismGrip

@@ -121,6 +121,9 @@ struct MechanismNow
   double age_s = 0.0;      ///< of the oldest snapshot of a soft body that is pressed
   double residual_u = 0.0; ///< largest of the constraints'
   bool capped = false;     ///< the solver goes on in the next tick
+  int touching = 0;        ///< contacts that were found, and press
+  int leftOut = 0;         ///< places that touch, for which the tick has no room
+  bool ahead = false;      ///< the hand is ahead of the held mesh, whose contacts were looked for no further
 };
 
 /// Result of a tick for view, panel and recording.

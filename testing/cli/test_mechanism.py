@@ -171,6 +171,56 @@ class Mechanism(CommandLineTest):
         self.assertAlmostEqual(last["stops_fx"], -stop * (drawer - most), delta=1e-3 * -last["stops_fx"])
         self.assertAlmostEqual(last["force_x"], last["felt_fx"] + last["stops_fx"], delta=1e-6)
 
+    def spatula(self, change=lambda scene: None):
+        shutil.copy(SCENES / "spatula.obj", self.folder)
+        scene = json.loads((SCENES / "spatula.json").read_text())
+        change(scene)
+        self.write("scene.json", json.dumps(scene))
+        return "scene.json"
+
+    def test_a_spatula_presses_a_liver_where_they_meet_and_rubs_it_by_its_friction(self):
+        gap, deep, friction = 1.0, 4.0, 0.3  # mm from the blade to the liver
+        down = [(0, -0.01 * i, 0) for i in range(int(100 * (gap + deep)))]
+        aside = [(0.02 * i, -gap - deep, 0) for i in range(600)]
+        options = ("--stiffness", 5000, "--scale", 1000, "--torque-stiffness", 20)
+        rows, said = self.touch(self.spatula(), down + aside, *options)
+        before = [row for row in rows[: int(100 * gap)]]
+        self.assertTrue(all(row["force_y"] == 0 and row["contacts"] == 0 for row in before), "nothing is met yet")
+        pressed = rows[len(down) - 1]
+        self.assertGreater(pressed["force_y"], 0.5)
+        self.assertGreaterEqual(pressed["contacts"], 4)
+        self.assertLess(abs(pressed["force_x"]), 0.02 * pressed["force_y"])
+        last = rows[-1]  # 12 mm aside, it slips
+        self.assertAlmostEqual(-last["force_x"] / last["force_y"], friction, delta=0.02)
+        self.assertNotIn("ticks", said)
+        self.assertNotIn("in one another", said)
+        _, said = self.touch(self.spatula(), [(0, -gap - deep, 0)] * 3, *options)
+        self.assertIn('the path begins with bodies "spatula" and "liver" in one another', said)
+
+    def test_a_check_says_how_many_contacts_may_be_found_and_which_are_not(self):
+        self.assertIn("contacts are found, at most 16 at once", self.succeed("check", self.spatula()).stdout)
+        ground = {"name": "ground", "kind": "soft", "box": [80, 10, 80], "at": [0, -48, 125], "fixed": "ymin", "young_Pa": 1e5}
+        said = self.succeed("check", self.spatula(lambda scene: scene["bodies"].append(ground))).stdout
+        self.assertIn('found between "spatula" and soft bodies only', said)
+
+    def test_a_mesh_that_cannot_be_held_is_refused_in_words(self):
+        self.write_path([(0, 0, 0, 0)])
+        self.write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+
+        def held(**values):
+            return lambda scene: scene["bodies"][0].update(values)
+
+        cases = ((held(file="none.obj"), ("none.obj",)), (held(file="open.obj"), ("open.obj", "open: 3")),
+                 (held(length=10, diameter=1), ("spatula", "one of the two")),
+                 (lambda scene: scene.update(contacts="all"), ("contacts", '"found"')),
+                 (lambda scene: scene.pop("contacts"), ("friction", '"contacts": "found"')),
+                 (lambda scene: (scene.pop("contacts"), scene.pop("friction"), scene.update(laws=[])), ("spatula", "meet nothing")),
+                 (lambda scene: scene.update(friction=-1), ("friction",)))
+        for change, words in cases:
+            scene = self.spatula(change)
+            self.refused("check", scene, saying=words)
+            self.refused("touch", scene, "--path", "path.csv", "--csv", "out.csv", saying=words)
+
     def test_what_cannot_be_felt_is_refused_in_words(self):
         lever = json.loads((SCENES / "lever.json").read_text())
         self.write_path([(0, 0, 0, 0)])

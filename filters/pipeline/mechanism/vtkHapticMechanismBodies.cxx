@@ -6,8 +6,11 @@
 
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkHapticBodyFile.h"
+#include "vtkHapticConversion.h"
+#include "vtkHapticReaders.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
 
 namespace
 {
@@ -66,5 +69,24 @@ vtkHapticDescribedSoft vtkHapticMakeSoft(const vtkHapticSoftDescription& descrip
     made.Input = described.Input;
     made.Problem = described.Problem;
   }
+  return made;
+}
+
+palpate::Outcome<std::shared_ptr<const palpate::SidedSurface>> vtkHapticReadHeldMesh(
+  const std::string& file, const std::string& folder)
+{
+  const std::string path = (std::filesystem::path(folder) / file).string();
+  const vtkHapticReadResult read = vtkHapticReadSurface(path, {});
+  if (!read.Surface)
+  {
+    return { nullptr, read.Problem };
+  }
+  const vtkHapticConversionResult converted = vtkHapticToMesh(read.Surface);
+  if (!converted.Mesh)
+  {
+    return { nullptr, path + ": " + converted.Problem };
+  }
+  auto made = palpate::makeHeldMesh(*converted.Mesh);
+  made.problem = made.ok() ? "" : path + ": " + made.problem;
   return made;
 }

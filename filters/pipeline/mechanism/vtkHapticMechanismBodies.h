@@ -6,6 +6,7 @@
 #include <string>
 
 #include "haptics/core/Types.h"
+#include "haptics/mechanism/found/SidedSurface.h"
 #include "vtkHapticSoftBodyData.h"
 
 /// A soft body as a scene file describes it: a file, or a box of cells.
@@ -30,5 +31,9 @@ struct vtkHapticDescribedSoft
 /// Reads or makes the body; a relative file is looked for in `folder`.
 [[nodiscard]] vtkHapticDescribedSoft vtkHapticMakeSoft(
   const vtkHapticSoftDescription& description, const std::string& folder);
+
+/// A surface in the hand, read from a file; a relative one is looked for in `folder`.
+[[nodiscard]] palpate::Outcome<std::shared_ptr<const palpate::SidedSurface>> vtkHapticReadHeldMesh(
+  const std::string& file, const std::string& folder);
 
 #endif

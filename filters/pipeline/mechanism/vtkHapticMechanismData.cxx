@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "haptics/mechanism/found/SidedSurface.h"
 #include "vtkAppendPolyData.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
@@ -14,6 +15,7 @@
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkHapticConversion.h"
 #include "vtkHapticNeedle.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
@@ -127,6 +129,10 @@ void Describe(vtkPolyData& shape, int body)
 /// The held rod runs along +z, the needle of a source hangs below its origin.
 vtkSmartPointer<vtkPolyData> vtkHapticHeldShape(const palpate::MechanismBody& body)
 {
+  if (body.mesh)
+  {
+    return vtkHapticToPolyData(body.mesh->rightHanded());
+  }
   vtkNew<vtkHapticNeedle> needle;
   needle->SetLength(body.length_u);
   needle->SetDiameter(body.diameter_u);
@@ -221,10 +227,15 @@ std::vector<std::string> vtkHapticMechanismText(
   const palpate::MechanismInputs& inputs, const palpate::MechanismCheck& check)
 {
   std::ostringstream numbers;
-  numbers << inputs.mechanism.bodies.size() << " bodies, " << inputs.mechanism.laws.size() << " constraints: " << check.rows
-          << " rows of rank " << check.rank << ", " << check.freeTurns << " free rotations, condition "
-          << check.condition;
+  numbers << inputs.mechanism.bodies.size() << " bodies, " << inputs.mechanism.laws.size()
+          << " constraints: " << check.rows << " rows of rank " << check.rank << ", " << check.freeTurns
+          << " free rotations, condition " << check.condition;
   std::vector<std::string> lines{ numbers.str() };
+  if (inputs.mechanism.findsContacts)
+  {
+    lines.push_back(
+      "contacts are found, at most " + std::to_string(palpate::roomForFound(inputs.mechanism)) + " at once");
+  }
   lines.insert(lines.end(), check.remarks.begin(), check.remarks.end());
   return lines;
 }

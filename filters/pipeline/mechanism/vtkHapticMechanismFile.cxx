@@ -63,7 +63,7 @@ vtkHapticSoftDescription SoftOf(const Node& node, double unit_m)
   return soft;
 }
 
-palpate::MechanismBody BodyOf(const Node& node)
+palpate::MechanismBody BodyOf(const Node& node, const std::string& folder)
 {
   using enum palpate::MechanismBodyKind;
   palpate::MechanismBody body;
@@ -72,7 +72,7 @@ palpate::MechanismBody BodyOf(const Node& node)
   switch (body.kind)
   {
     case Held:
-      node.knows({ "name", "kind", "length", "diameter", "turn" });
+      node.knows({ "name", "kind", "file", "length", "diameter", "turn" });
       break;
     case Rigid:
       node.knows({ "name", "kind", "half_size", "at", "turn", "load_N" });
@@ -90,6 +90,12 @@ palpate::MechanismBody BodyOf(const Node& node)
   body.halfSize_u = node.vector("half_size", palpate::Vec3::Zero());
   body.load_W = node.vector("load_N", palpate::Vec3::Zero());
   body.pose_W.q = node.turn("turn");
+  if (body.kind == Held && node.has("file"))
+  {
+    const auto read = vtkHapticReadHeldMesh(node.text("file", ""), folder);
+    node.accept("file", read.problem);
+    body.mesh = read.value;
+  }
   if (body.kind == Rigid)
   {
     body.pose_W.p = node.vector("at", palpate::Vec3::Zero());
@@ -130,8 +136,23 @@ palpate::MechanismConstraint ConstraintOf(const Node& node, double unit_m)
 
 void CheckHead(const Node& root)
 {
-  root.knows({ "format", "version", "unit_m", "bodies", "laws" });
+  root.knows({ "format", "version", "unit_m", "bodies", "laws", "contacts", "friction" });
   palpate::checkHead(root, Format, Version);
+}
+
+/// Contacts that are found have no other word.
+void FindContacts(const Node& root, palpate::Mechanism& mechanism)
+{
+  mechanism.findsContacts = root.has("contacts");
+  if (mechanism.findsContacts && root.text("contacts", "") != "found")
+  {
+    root.fail("contacts", "must be \"found\": omit the key where contacts are named constraints");
+  }
+  if (root.has("friction") && !mechanism.findsContacts)
+  {
+    root.fail("friction", "is that of found contacts: set \"contacts\": \"found\", or give the friction of a constraint");
+  }
+  mechanism.foundFriction = root.size("friction");
 }
 
 constexpr double NoTipGiven = -1.0;
@@ -161,7 +182,7 @@ vtkHapticMechanismResult Build(
   }
   for (const Node& node : root.list("bodies"))
   {
-    inputs->mechanism.bodies.push_back(BodyOf(node));
+    inputs->mechanism.bodies.push_back(BodyOf(node, folder));
     const palpate::MechanismBody& body = inputs->mechanism.bodies.back();
     if (body.kind != palpate::MechanismBodyKind::Soft || !read.empty())
     {
@@ -178,7 +199,9 @@ vtkHapticMechanismResult Build(
   }
   inputs->soft = read.empty() ? inputs->soft : read;
   PressByHeld(*inputs);
-  for (const Node& node : root.list("laws"))
+  FindContacts(root, inputs->mechanism);
+  for (const Node& node :
+    inputs->mechanism.findsContacts && !root.has("laws") ? std::vector<Node>() : root.list("laws"))
   {
     inputs->mechanism.laws.push_back(ConstraintOf(node, inputs->unit_m));
   }

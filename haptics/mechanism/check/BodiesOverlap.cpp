@@ -7,10 +7,12 @@
 
 #include <Eigen/Geometry>
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/geometry/measure/RayWalk.h"
 #include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/mechanism/check/InnerVertices.h"
 #include "haptics/mechanism/check/MechanismFaults.h"
+#include "haptics/mechanism/found/SidedSurface.h"
 
 namespace palpate
 {
@@ -141,6 +143,19 @@ bool passes(const Rod&, const Edge&)
   return false; // a line has no inside
 }
 
+/// A held mesh where it stands.
+struct StandingMesh
+{
+  std::shared_ptr<const SurfaceTree> tree; ///< null: rounding has left a triangle without area
+};
+
+StandingMesh standing(const SidedSurface& mesh, const Pose& pose_W)
+{
+  std::vector<Vec3> at_W = mesh.tree->mesh().vertices_W;
+  std::ranges::transform(at_W, at_W.begin(), [&pose_W](const Vec3& p) { return pose_W * p; });
+  return { mesh.tree->refitted(std::move(at_W)).tree };
+}
+
 using Bounds = Eigen::AlignedBox3d;
 
 Bounds boundsOf(const MechanismBody& box)
@@ -156,6 +171,10 @@ Bounds boundsOf(const PressedBody& body)
 {
   return { surfaceOf(body).data().low_W, surfaceOf(body).data().high_W };
 }
+Bounds boundsOf(const StandingMesh& mesh)
+{
+  return mesh.tree ? Bounds(mesh.tree->data().low_W, mesh.tree->data().high_W) : Bounds();
+}
 Bounds boundsOf(const Rod& rod)
 {
   return Bounds(rod.line.from_W).extend(rod.line.to_W);
@@ -164,6 +183,10 @@ Bounds boundsOf(const Rod& rod)
 SoftSurface shapeOf(const PressedBody& body)
 {
   return { surfaceOf(body), isClosed(surfaceOf(body)) };
+}
+SoftSurface shapeOf(const StandingMesh& mesh)
+{
+  return { *mesh.tree, true };
 }
 const MechanismBody& shapeOf(const MechanismBody& box)
 {
@@ -217,6 +240,7 @@ public:
   }
 
   std::span<const Pose> pose_W; ///< none: bodies are as they stand, and nothing is held
+  bool meshes = false;          ///< a held mesh is looked at as well
 
 private:
   template<class With>
@@ -233,7 +257,10 @@ private:
       case MechanismBodyKind::Soft:
         return soft && soft->body && with(*soft->body);
       case MechanismBodyKind::Held:
-        return moved && with(Rod{ { body.pose_W.p, body.pose_W.p + body.length_u * (body.pose_W.q * Vec3::UnitZ()) } });
+        return body.mesh
+                 ? this->meshes && moved && with(standing(*body.mesh, body.pose_W))
+                 : moved &&
+                     with(Rod{ { body.pose_W.p, body.pose_W.p + body.length_u * (body.pose_W.q * Vec3::UnitZ()) } });
       case MechanismBodyKind::World:
         return false;
     }
@@ -264,17 +291,20 @@ std::vector<BodyPair> overlapsOf(const Mechanism& mechanism, std::span<const Mec
   return Looked(mechanism, soft).pairs([](std::size_t, std::size_t) { return true; });
 }
 
-std::vector<BodyPair> overlapsOfHeld(const Mechanism& mechanism, std::span<const MechanismSoft> soft)
+std::vector<BodyPair> overlapsOfHeld(
+  const Mechanism& mechanism, std::span<const MechanismSoft> soft, const Pose& hand_W)
 {
   const auto isHeld = [&mechanism](std::size_t b) { return mechanism.bodies[b].kind == MechanismBodyKind::Held; };
   std::vector<Pose> pose_W;
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b)
   {
     const Pose& rest_W = mechanism.bodies[b].pose_W;
-    pose_W.push_back({ isHeld(b) ? Vec3(Vec3::Zero()) : rest_W.p, rest_W.q.normalized() });
+    pose_W.push_back(
+      isHeld(b) ? Pose{ hand_W.p, hand_W.q * rest_W.q.normalized() } : Pose{ rest_W.p, rest_W.q.normalized() });
   }
   Looked looked(mechanism, soft);
   looked.pose_W = pose_W;
+  looked.meshes = true;
   std::vector<BodyPair> pairs = looked.pairs([&](std::size_t a, std::size_t b) { return isHeld(a) || isHeld(b); });
   std::erase_if(pairs,
     [&](const BodyPair& pair) {

@@ -22,14 +22,16 @@ using BodyPair = std::pair<std::string, std::string>;
 /// decide nothing. Not real-time safe.
 [[nodiscard]] std::vector<BodyPair> overlapsOf(const Mechanism& mechanism, std::span<const MechanismSoft> soft);
 
-/// In which bodies that which the hand holds lies where its frame is at W's, left out such as a constraint joins it to.
-/// Not real-time safe.
-[[nodiscard]] std::vector<BodyPair> overlapsOfHeld(const Mechanism& mechanism, std::span<const MechanismSoft> soft);
+/// In which bodies that which the hand holds lies where the hand is, at first where its frame is at W's, left out such
+/// as a constraint joins it to. Of a mesh its whole surface is looked at. Not real-time safe.
+[[nodiscard]] std::vector<BodyPair> overlapsOfHeld(
+  const Mechanism& mechanism, std::span<const MechanismSoft> soft, const Pose& hand_W = {});
 
 /// Likewise in a tick: rigid bodies and the held body have the poses of the last solution, soft ones the shape of their
-/// last computation. A held rod counts by its middle line. Poses between two ticks are not looked at: a body thinner
-/// than the displacement of a tick can be jumped over. Bodies that a constraint joins are left out: the constraint says
-/// how they meet. Two soft bodies are looked at again once one of them was computed anew. Not real-time safe.
+/// last computation. A held rod counts by its middle line, a held mesh not at all: its contacts are found. Poses
+/// between two ticks are not looked at: a body thinner than the displacement of a tick can be jumped over. Bodies that
+/// a constraint joins are left out: the constraint says how they meet. Two soft bodies are looked at again once one of
+/// them was computed anew. Not real-time safe.
 class OverlapWatch
 {
 public:

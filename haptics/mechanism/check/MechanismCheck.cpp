@@ -10,6 +10,7 @@
 #include "haptics/mechanism/check/BodiesOverlap.h"
 #include "haptics/mechanism/check/MechanismFaults.h"
 #include "haptics/mechanism/constraints/ConstraintCompliance.h"
+#include "haptics/mechanism/found/SidedSurface.h"
 #include "haptics/mechanism/solve/SemidefiniteFactor.h"
 
 namespace palpate
@@ -296,7 +297,24 @@ void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> sof
   for (const auto& [a, b] : check.heldOverlaps)
   {
     check.remarks.push_back(
-      "Bodies \"" + a + "\" and \"" + b + "\" overlap if the hand begins at the origin: no constraint joins them.");
+      "Bodies \"" + a + "\" and \"" + b + "\" overlap if the hand begins at the origin: " +
+      (mechanism.findsContacts ? "the contacts push them apart at once." : "no constraint joins them."));
+  }
+}
+
+/// The pairs of bodies whose contacts are not found.
+void tellUnfound(const Mechanism& mechanism, MechanismCheck& check)
+{
+  const auto isHeld = [](const MechanismBody& body) { return body.kind == MechanismBodyKind::Held; };
+  const auto others = std::ranges::count_if(mechanism.bodies, [](const MechanismBody& body)
+    { return body.kind == MechanismBodyKind::Rigid || body.kind == MechanismBodyKind::Soft; });
+  const auto soft = std::ranges::count(mechanism.bodies, MechanismBodyKind::Soft, &MechanismBody::kind);
+  const auto held = std::ranges::find_if(mechanism.bodies, isHeld);
+  if (mechanism.findsContacts && (others > 1 || soft != others))
+  {
+    check.remarks.push_back("Contacts are found between \"" + held->name +
+                            "\" and soft bodies only: soft and rigid bodies pass through one another, and \"" +
+                            held->name + "\" through rigid ones.");
   }
 }
 
@@ -362,7 +380,8 @@ MechanismPlan planMechanism(const Mechanism& mechanism, std::span<const Mechanis
   {
     plan.held = body.kind == MechanismBodyKind::Held ? plan.bodyCount : plan.held;
     plan.bodies[plan.bodyCount++] = planBody(body, soft);
-    characteristic_u = std::max({ characteristic_u, 0.5 * body.length_u, body.halfSize_u.norm() });
+    const double mesh_u = body.mesh ? body.mesh->radius_u : 0.0;
+    characteristic_u = std::max({ characteristic_u, 0.5 * body.length_u, body.halfSize_u.norm(), mesh_u });
   }
   for (const MechanismConstraint& law : mechanism.laws)
   {
@@ -385,6 +404,7 @@ MechanismCheck checkMechanism(
   {
     AtRest(mechanism, soft, grip).report(check);
     tellOverlaps(mechanism, soft, check);
+    tellUnfound(mechanism, check);
   }
   return check;
 }

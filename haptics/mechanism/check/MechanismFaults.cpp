@@ -6,6 +6,7 @@
 
 #include "haptics/geometry/mesh/NearestOnTriangle.h"
 #include "haptics/geometry/mesh/TriangleWeights.h"
+#include "haptics/mechanism/found/SidedSurface.h"
 
 namespace palpate
 {
@@ -15,12 +16,19 @@ namespace
 constexpr std::size_t mostRigid = 3; // each has six degrees of freedom that only balance decides: more are too many for
                                      // a tick
 
+constexpr int fewestFound = 4; // contacts that hold a body against all turns but one: with fewer it tips through
+
 constexpr double farthest_u = 1e9; // a metre in nanometres; from there on rounding is felt
 constexpr double strongest_N = 1e6;
 
 bool isNear(const Vec3& p)
 {
   return p.allFinite() && p.cwiseAbs().maxCoeff() <= farthest_u;
+}
+
+bool onMesh(const MechanismBody& body, const Vec3& p)
+{
+  return p.norm() <= (1.0 + 1e-9) * body.mesh->radius_u;
 }
 
 bool onRod(const MechanismBody& body, const Vec3& p)
@@ -57,6 +65,7 @@ public:
     {
       this->judgeConstraint(this->mechanism_.laws[i], i);
     }
+    this->judgeFound();
     return std::move(this->faults_);
   }
 
@@ -116,8 +125,13 @@ private:
     const bool placed = isNear(body.pose_W.p) && std::abs(body.pose_W.q.squaredNorm() - 1.0) < 1e-6 &&
                         body.load_W.allFinite() && body.load_W.norm() <= strongest_N;
     const bool soft = softNamed(this->soft_, body.name) && softNamed(this->soft_, body.name)->body;
-    this->require(body.kind != MechanismBodyKind::Held || rod,
+    this->require(body.kind != MechanismBodyKind::Held || body.mesh || rod,
       name + "has no length or no diameter: set both, above 0 and at most 1e9.");
+    this->require(!body.mesh || (body.length_u == 0.0 && body.diameter_u == 0.0),
+      name + "is a mesh, and has the size of a rod beside it: give one of the two.");
+    this->require(!body.mesh || body.mesh->radius_u <= farthest_u, name + "has a vertex beyond 1e9.");
+    this->require(!body.mesh || this->mechanism_.findsContacts,
+      name + "is a mesh that would meet nothing: have its contacts found (\"contacts\": \"found\").");
     this->require(
       body.kind != MechanismBodyKind::Rigid || box, name + "has no size: set half sizes above 0 and at most 1e9.");
     this->require((body.kind != MechanismBodyKind::Rigid && body.kind != MechanismBodyKind::Held) || placed,
@@ -142,6 +156,26 @@ private:
     }
     this->require(a != b, name + "joins \"" + law.a + "\" to itself: name two bodies.");
     this->judgeBodies(law, this->mechanism_.bodies[a], this->mechanism_.bodies[b], name);
+  }
+
+  /// Contacts are found between the one mesh that is held and soft bodies.
+  void judgeFound()
+  {
+    if (!this->mechanism_.findsContacts)
+    {
+      return;
+    }
+    const bool mesh =
+      std::ranges::any_of(this->mechanism_.bodies, [](const MechanismBody& b) { return b.mesh != nullptr; });
+    this->require(mesh, "Contacts are found for a mesh in the hand, and no held body has a file: give one, or name the "
+                        "contacts of the rod.");
+    this->require(
+      this->countOf(MechanismBodyKind::Soft) > 0, "Contacts are found with soft bodies, and there are none: add one.");
+    const double friction = this->mechanism_.foundFriction;
+    this->require(
+      std::isfinite(friction) && friction >= 0.0, "The friction of found contacts is negative or not a number.");
+    this->require(roomForFound(this->mechanism_) >= fewestFound,
+      "The constraints have so many rows that fewer than four contacts can be found: remove some.");
   }
 
   void judgeNumbers(const MechanismConstraint& law, const std::string& name)
@@ -171,7 +205,8 @@ private:
     const auto is = [](const MechanismBody& body, MechanismBodyKind kind) { return body.kind == kind; };
     this->require(!is(a, MechanismBodyKind::World) || !is(b, MechanismBodyKind::World),
       name + "joins two bodies that cannot move.");
-    this->require(!needle || is(a, MechanismBodyKind::Held), name + "needs a rod in the hand as its first body.");
+    this->require(
+      !needle || (is(a, MechanismBodyKind::Held) && !a.mesh), name + "needs a rod in the hand as its first body.");
     this->require(law.kind != ConstraintKind::Puncture || is(b, MechanismBodyKind::Soft),
       name + "needs a soft body as its second body.");
     this->require(!turns || (!is(a, MechanismBodyKind::Soft) && !is(b, MechanismBodyKind::Soft)),
@@ -189,8 +224,8 @@ private:
   void judgePlace(const MechanismBody& body, const Vec3& point, const std::string& name)
   {
     const MechanismSoft* soft = softNamed(this->soft_, body.name);
-    const bool within = body.kind == MechanismBodyKind::Held    ? onRod(body, point)
-                        : body.kind == MechanismBodyKind::Rigid ? inBox(body, point)
+    const bool within = body.kind == MechanismBodyKind::Held    ? body.mesh ? onMesh(body, point) : onRod(body, point)
+                           : body.kind == MechanismBodyKind::Rigid ? inBox(body, point)
                         : body.kind == MechanismBodyKind::Soft  ? !soft || !soft->body || onSurface(*soft->body, point)
                                                                 : true;
     this->require(within, name + "lies outside of \"" + body.name + "\": move its point onto the body.");

@@ -16,9 +16,9 @@ class FeltMechanism
 {
 public:
   /// `revision`: above 0, another one for each. `bodies`: in the plan's order, none of them null.
-  FeltMechanism(
-    std::uint64_t revision, const MechanismPlan& plan, std::vector<std::shared_ptr<const PressedBody>> bodies)
-    : revision_(revision), plan_(plan), bodies_(std::move(bodies))
+  FeltMechanism(std::uint64_t revision, const MechanismPlan& plan,
+    std::vector<std::shared_ptr<const PressedBody>> bodies, const FoundContacts& found = {})
+    : revision_(revision), plan_(plan), bodies_(std::move(bodies)), found_(found)
   {
     for (const auto& body : this->bodies_)
     {
@@ -29,7 +29,12 @@ public:
   [[nodiscard]] std::uint64_t revision() const noexcept { return this->revision_; }
   [[nodiscard]] const MechanismPlan& plan() const noexcept { return this->plan_; }
   [[nodiscard]] const std::vector<std::shared_ptr<const PressedBody>>& bodies() const noexcept { return this->bodies_; }
-  /// The same, as a tick is given them.
+  /// The newest answer of the finder; null: nothing is looked for, or nothing has been yet.
+  [[nodiscard]] const FoundContacts* found() const noexcept
+  {
+    return this->found_.answer != 0 ? &this->found_ : nullptr;
+  }
+  /// The bodies, as a tick is given them.
   [[nodiscard]] std::span<const PressedBody* const> soft() const noexcept { return this->given_; }
 
 private:
@@ -37,6 +42,7 @@ private:
   MechanismPlan plan_;
   std::vector<std::shared_ptr<const PressedBody>> bodies_;
   std::vector<const PressedBody*> given_;
+  FoundContacts found_;
 };
 
 /// The servo's message to the worker of a mechanism: poses of the bodies and forces of the constraints.

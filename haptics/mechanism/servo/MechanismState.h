@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "haptics/mechanism/constraints/ConstraintState.h"
+#include "haptics/mechanism/found/FoundContacts.h"
 #include "haptics/tool/servo/ToolBlend.h"
 
 namespace palpate
@@ -13,12 +14,13 @@ namespace palpate
 /// State of a mechanism between ticks.
 struct MechanismState
 {
-  std::uint64_t revision = 0;                                  ///< of the plan
-  std::array<std::uint64_t, Mechanism::mostBodies> snapshot{}; ///< revisions of the soft bodies' snapshots
-  std::array<Pose, Mechanism::mostBodies> pose_W{};            ///< of held and rigid bodies, left by the constraints
-  std::array<ConstraintState, Mechanism::mostConstraints> laws{};
-  bool placed = false;       ///< the held body has been somewhere
-  Vec3 tip_W = Vec3::Zero(); ///< of the held body, as the constraints left it
+  std::uint64_t revision = 0;                                     ///< of the plan
+  std::array<std::uint64_t, Mechanism::mostBodies> snapshot{};    ///< revisions of the soft bodies' snapshots
+  std::array<Pose, Mechanism::mostBodies> pose_W{};               ///< of held and rigid bodies, left by the constraints
+  std::array<ConstraintState, Mechanism::mostConstraints> laws{}; ///< the plan's, then those that were found
+  FoundContacts found;                                            ///< the answer that these are of
+  bool placed = false;                                            ///< the held body has been somewhere
+  Vec3 tip_W = Vec3::Zero();                                      ///< of the held body, as the constraints left it
   ToolBlend blend;
 };
 

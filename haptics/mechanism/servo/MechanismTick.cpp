@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/servo/JoinedFound.h"
 #include "haptics/mechanism/servo/SettledConstraints.h"
 #include "haptics/mechanism/servo/TipPlace.h"
+#include "haptics/tool/motion/Turn.h"
 
 namespace palpate
 {
@@ -15,6 +17,7 @@ namespace palpate
 /// Workspace of a tick.
 struct MechanismScratch
 {
+  MechanismPlan joined; ///< with the contacts that were found
   SettledScratch laws;
   MechanismResult result;
 };
@@ -31,8 +34,11 @@ bool isPose(const Pose& pose) noexcept
 class MechanismStep
 {
 public:
-  MechanismStep(const MechanismInput& input, MechanismState& state, MechanismScratch& room) noexcept
-    : input_(input), plan_(*input.plan), state_(state), result_(room.result), laws_(input, state, room.laws)
+  /// `input.plan`: the joined one, which another answer of the finder changes; `named`: its own constraints.
+  MechanismStep(
+    const MechanismInput& input, const MechanismPlan& named, MechanismState& state, MechanismScratch& room) noexcept
+    : input_(input), named_(named), plan_(*input.plan), joined_(room.joined), state_(state), result_(room.result),
+      laws_(input, state, room.laws)
   {
   }
 
@@ -44,8 +50,19 @@ public:
     this->meetSurfaces();
     const bool first = !this->state_.placed; // constraints that hold then make no step in the force
     (void)(first && this->tryWaiting());
+    const bool others = this->input_.found && this->input_.found->answer != this->state_.found.answer;
+    if (others && first)
+    {
+      this->takeFound();
+    }
     this->laws_.settle();
     const Vec6 before_N = this->laws_.onHand();
+    if (others && !first)
+    {
+      this->takeFound();
+      this->laws_.settle();
+    }
+    this->slowDown();
     std::size_t changes = 0;
     for (bool more = !first && this->tryWaiting();
          changes < Mechanism::mostConstraints && (more || this->changeConstraints()); more = false)
@@ -54,7 +71,7 @@ public:
       ++changes;
     }
     this->keep();
-    this->tellHand(before_N, changes > 0 && !first);
+    this->tellHand(before_N, (changes > 0 || others) && !first);
   }
 
 private:
@@ -67,6 +84,37 @@ private:
   {
     const int soft = this->plan_.bodies[body].soft;
     return soft >= 0 ? this->input_.soft[soft] : nullptr;
+  }
+
+  /// The answer before ends here: the step that this makes in the force is spread as others are.
+  void takeFound() noexcept
+  {
+    const Pose& held_W = this->state_.placed ? this->state_.pose_W[this->plan_.held] : this->laws_.lead_W();
+    palpate::takeFound(*this->input_.found, this->named_.lawCount, held_W, this->state_);
+    joinFound(this->named_, this->state_.found, this->joined_);
+  }
+
+  /// A hand that leads the mesh to where nothing was looked for leads it as far as that was, until the next answer.
+  void slowDown() noexcept
+  {
+    const FoundContacts& found = this->state_.found;
+    if (found.answer == 0)
+    {
+      return;
+    }
+    const Pose held_W = this->laws_.movedPose(this->plan_.held);
+    const Vec3 way_W = held_W.p - found.held_W.p;
+    const Vec3 turn_rad = turnFromTo(found.held_W.q, held_W.q);
+    const double moved_u = way_W.norm() + this->plan_.characteristic_u * turn_rad.norm();
+    if (moved_u <= found.reach_u)
+    {
+      return;
+    }
+    const double back = 1.0 - found.reach_u / moved_u;
+    const Pose& lead_W = this->laws_.lead_W();
+    this->laws_.lead({ lead_W.p - back * way_W, (turnBy(-back * turn_rad) * lead_W.q).normalized() });
+    this->laws_.settle();
+    this->result_.ahead = true;
   }
 
   /// Under the same forces a later snapshot would have points elsewhere: that much offset keeps them, and fades.
@@ -173,6 +221,7 @@ private:
     this->state_.placed = true;
     this->result_.pose_W = this->state_.pose_W;
     this->result_.rows = this->laws_.rows().count;
+    this->result_.found = this->plan_.lawCount - this->named_.lawCount;
     this->result_.work = this->laws_.work();
     this->result_.capped = this->laws_.capped();
     this->result_.residual_u = this->laws_.residual_u();
@@ -262,7 +311,9 @@ private:
   }
 
   const MechanismInput& input_;
+  const MechanismPlan& named_;
   const MechanismPlan& plan_;
+  MechanismPlan& joined_;
   MechanismState& state_;
   MechanismResult& result_;
   Vec3 tip_W_ = Vec3::Zero();
@@ -304,7 +355,10 @@ const MechanismResult& MechanismTick::step(const MechanismInput& input) noexcept
   {
     beginAnew(*input.plan, this->state_);
   }
-  MechanismStep(input, this->state_, *this->room_).run();
+  joinFound(*input.plan, this->state_.found, this->room_->joined);
+  MechanismInput joined = input;
+  joined.plan = &this->room_->joined;
+  MechanismStep(joined, *input.plan, this->state_, *this->room_).run();
   return this->room_->result;
 }
 

@@ -20,7 +20,8 @@ struct MechanismInput
   Pose hand_W; ///< of the device; its turn is not looked at where the grip leaves it free
   MechanismGrip grip;
   std::span<const PressedBody* const>
-    soft; ///< newest of each, in the plan's order; null: not there, without constraints
+    soft;                               ///< newest of each, in the plan's order; null: not there, without constraints
+  const FoundContacts* found = nullptr; ///< newest answer of the finder; null: nothing is looked for
 };
 
 struct MechanismEvent
@@ -31,7 +32,7 @@ struct MechanismEvent
   double force_N = 0.0;  ///< that did it
 };
 
-/// State of a constraint in a tick.
+/// State of a constraint in a tick, of one that was found as well.
 struct ConstraintNow
 {
   ConstraintPhase phase = ConstraintPhase::Open;
@@ -58,8 +59,10 @@ struct MechanismResult
   std::uint32_t work = 0;  ///< of the solver in all solves of the tick, in the unit of ContactPlan::workBudget
   bool capped = false;     ///< the constraints are not met, by lawWorkBudget or by any place: the next tick goes on
   double residual_u = 0.0; ///< largest of the constraints'
-  std::array<Pose, Mechanism::mostBodies> pose_W{}; ///< of held and rigid bodies
-  std::array<ConstraintNow, Mechanism::mostConstraints> laws{};
+  std::array<Pose, Mechanism::mostBodies> pose_W{};             ///< of held and rigid bodies
+  std::array<ConstraintNow, Mechanism::mostConstraints> laws{}; ///< the plan's, then those that were found
+  int found = 0;                                                ///< how many of these were found
+  bool ahead = false; ///< the hand is ahead of the mesh, which goes no further than contacts were looked for
   int eventCount = 0;
   std::array<MechanismEvent, Mechanism::mostConstraints> events{};
   int pressCount = 0;

@@ -36,6 +36,8 @@ public:
 
   [[nodiscard]] const ConstraintScene& scene() const noexcept { return this->scene_; }
   [[nodiscard]] const ConstraintRows& rows() const noexcept { return this->room_.rows; }
+  /// Where the hand leads the held body from now on.
+  void lead(const Pose& lead_W) noexcept { this->lead_W_ = lead_W; }
   /// Only the rows, where the bodies were before the tick.
   void makeRowsFirst() noexcept;
   [[nodiscard]] int rowsOf(int law) const noexcept;

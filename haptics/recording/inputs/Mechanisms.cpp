@@ -135,6 +135,40 @@ bool hasVertices(const SurfacePoint& at, int body, const RecordedMechanism& mech
   return soft < 0 || std::ranges::all_of(at.vertices, [vertices](std::uint32_t v) { return v < vertices; });
 }
 
+bool isUsable(const FoundContacts& found)
+{
+  const bool counts = found.count >= 0 && found.count <= FoundContacts::most && found.leftOut >= 0;
+  const bool numbers = std::isfinite(found.friction) && found.friction >= 0.0 && std::isfinite(found.reach_u);
+  return counts && numbers && isPlace(found.held_W) &&
+         std::ranges::all_of(found.contacts,
+           [](const FoundContact& contact)
+           {
+             const double length = contact.normal_W.norm();
+             return contact.point_A.allFinite() && isPlace(contact.place_B) &&
+                    std::abs(length - 1.0) <= offUnitLength && std::isfinite(contact.apart_u);
+           });
+}
+
+/// Whether they are on soft bodies of the mechanism, at vertices that these have.
+bool fits(const FoundContacts& found, const RecordedMechanism& mechanism)
+{
+  return std::all_of(found.contacts.begin(), found.contacts.begin() + found.count,
+    [&mechanism](const FoundContact& contact)
+    {
+      const bool there = contact.body >= 0 && contact.body < mechanism.plan.bodyCount;
+      return there && mechanism.plan.bodies[static_cast<std::size_t>(contact.body)].soft >= 0 &&
+             hasVertices(contact.place_B, contact.body, mechanism);
+    });
+}
+
+/// Whether the rows of the plan and of the contacts that were found are no more than the solver takes.
+bool hasRoom(const FoundContacts& found, const MechanismPlan& plan, int rows)
+{
+  const int each = mostRowsOf(found.friction > 0.0 ? ConstraintKind::Friction : ConstraintKind::Contact);
+  return rows + each * found.count <= Mechanism::mostRows &&
+         plan.lawCount + found.count <= static_cast<int>(plan.laws.size());
+}
+
 /// Whether the plan fits into the tick's fixed memory and its indices exist.
 bool isUsable(const RecordedMechanism& mechanism)
 {
@@ -159,6 +193,7 @@ bool isUsable(const RecordedMechanism& mechanism)
   return std::ranges::all_of(bodies, [softCount](const PlannedBody& b) { return isUsable(b, softCount); }) &&
          std::ranges::all_of(laws, [&joins](const PlannedConstraint& law) { return isUsable(law) && joins(law); }) &&
          6 * rigid + 3 <= ConstraintProblem::mostWays && rows <= Mechanism::mostRows && oneHeld == 1 &&
+         isUsable(mechanism.found) && fits(mechanism.found, mechanism) && hasRoom(mechanism.found, plan, rows) &&
          bodies[static_cast<std::size_t>(plan.held)].kind == MechanismBodyKind::Held;
 }
 
@@ -196,6 +231,7 @@ void putMechanism(ByteWriter& payload, const FeltMechanism& mechanism)
       put(x_W);
     }
   }
+  put(mechanism.found() ? *mechanism.found() : FoundContacts());
 }
 
 RecordedMechanism readMechanism(ByteReader& in)
@@ -209,6 +245,7 @@ RecordedMechanism readMechanism(ByteReader& in)
   {
     mechanism.bodies.push_back(readSoft(in));
   }
+  in.get(mechanism.found);
   in.failUnless(in.ok() && isUsable(mechanism));
   return mechanism;
 }
@@ -216,14 +253,14 @@ RecordedMechanism readMechanism(ByteReader& in)
 bool isUsable(const MechanismState& state)
 {
   return std::ranges::all_of(state.laws, [](const ConstraintState& law) { return isUsable(law); }) &&
-         std::ranges::all_of(state.pose_W, [](const Pose& pose) { return isPlace(pose); }) && state.tip_W.allFinite() &&
-         state.blend.way_u.allFinite() && state.blend.turn_u.allFinite();
+         isUsable(state.found) && std::ranges::all_of(state.pose_W, [](const Pose& pose) { return isPlace(pose); }) &&
+         state.tip_W.allFinite() && state.blend.way_u.allFinite() && state.blend.turn_u.allFinite();
 }
 
 bool fits(const MechanismState& state, const RecordedMechanism& mechanism)
 {
   const MechanismPlan& plan = mechanism.plan;
-  bool there = true;
+  bool there = state.revision != plan.revision || fits(state.found, mechanism);
   for (int l = 0; l < plan.lawCount && state.revision == plan.revision; ++l)
   {
     const auto i = static_cast<std::size_t>(l);

@@ -25,6 +25,7 @@ struct RecordedMechanism
   std::uint64_t revision = 0;
   MechanismPlan plan;
   std::vector<Body> bodies; ///< in the plan's order
+  FoundContacts found;
 };
 
 /// The payload of the chunk of a mechanism: its plan and the snapshots of its soft bodies, whose scenes are chunks of
@@ -73,7 +74,7 @@ struct Mechanisms
     std::unique_ptr<MechanismTick> room = std::make_unique<MechanismTick>();
   };
 
-  static constexpr ChunkKind chunk{ "joined" };
+  static constexpr ChunkKind chunk{ "joined", 2 };
   static void write(ByteWriter& payload, const FeltMechanism& mechanism) { putMechanism(payload, mechanism); }
   template<class Store>
   static void forEachPart(const FeltMechanism& mechanism, const Store& store)

@@ -78,7 +78,7 @@ std::string Mechanisms::Replay::take(const RecordedName& name, const Recorded& r
   {
     return "a held mechanism is missing in the recording, so that the recording cannot be recomputed";
   }
-  this->mechanism_ = std::make_shared<const FeltMechanism>(name.id, found->plan, std::move(bodies));
+  this->mechanism_ = std::make_shared<const FeltMechanism>(name.id, found->plan, std::move(bodies), found->found);
   return {};
 }
 

@@ -1,10 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/mechanism/MechanismBodies.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/found/SidedSurface.h"
 
 namespace palpate
 {
+namespace
+{
+
+/// Of the mesh's size: a hand that rested goes no further until the next answer but one; so near, surfaces touch.
+constexpr double usualReach = 0.25, usualTouch = 0.005;
+/// Of the motion since the answer before: an answer is up to two periods old, and a hand may grow faster.
+constexpr double reachOfMotion = 3.0, touchOfMotion = 2.0;
+
+/// E / (1 - nu^2) of the softest material [N/u^2].
+double stiffnessOf(const SoftBodyInput& input)
+{
+  const double young_Pa = *std::ranges::min_element(input.young_Pa);
+  return young_Pa * input.unit_m * input.unit_m / (1.0 - input.poisson * input.poisson);
+}
+
+/// Motion of a mesh from pose to pose: no point of it goes further.
+double motionOf(const SidedSurface& mesh, const Pose& from_W, const Pose& to_W)
+{
+  const double turn = (to_W.q * from_W.q.conjugate()).vec().norm(); // half the chord of a unit arm
+  return (to_W.p - from_W.p).norm() + 2.0 * mesh.radius_u * turn;
+}
+
+} // namespace
 
 std::unique_ptr<MechanismBodies> MechanismBodies::make(
   const std::vector<MechanismSoftInput>& inputs, std::string& refusal, const std::stop_token& stop)
@@ -25,6 +52,8 @@ std::unique_ptr<MechanismBodies> MechanismBodies::make(
     made->makers_.push_back(std::move(maker));
     made->newest_.push_back(std::move(first));
     made->hands_.push_back(pressed);
+    made->tips_u_.push_back(input.tip_u);
+    made->stiffness_.push_back(stiffnessOf(*input.input));
     made->atRest_.push_back({ input.name, made->newest_.back().get() });
     made->given_.push_back(made->newest_.back().get());
   }
@@ -33,8 +62,25 @@ std::unique_ptr<MechanismBodies> MechanismBodies::make(
   return made;
 }
 
-void MechanismBodies::hold(const MechanismPlan& plan)
+void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan)
 {
+  this->finder_.reset();
+  this->found_ = this->underWay_ = {};
+  this->looked_W_.reset();
+  this->told_ = {};
+  this->held_ = plan.held;
+  this->plan_ = plan.revision;
+  if (mechanism.findsContacts)
+  {
+    const auto most = static_cast<std::size_t>(roomForFound(mechanism));
+    this->finder_ = std::make_unique<ContactFinder>(
+      mechanism.bodies[static_cast<std::size_t>(plan.held)].mesh, mechanism.foundFriction, most);
+    for (std::size_t s = 0; s < this->first_.size(); ++s)
+    {
+      const auto body = std::ranges::find(plan.bodies, static_cast<int>(s), &PlannedBody::soft);
+      this->finder_->add(static_cast<int>(body - plan.bodies.begin()), *this->first_[s], this->stiffness_[s]);
+    }
+  }
   this->places_.assign(this->makers_.size(), {});
   for (int i = 0; i < plan.lawCount; ++i)
   {
@@ -54,6 +100,7 @@ void MechanismBodies::hold(const MechanismPlan& plan)
 
 void MechanismBodies::tell(const MechanismHand& told)
 {
+  this->told_ = told;
   for (std::size_t b = 0; b < this->hands_.size(); ++b)
   {
     BodyHand& hand = this->hands_[b];
@@ -70,6 +117,7 @@ void MechanismBodies::tell(const MechanismHand& told)
         hand.force_N[hand.count++] = press.force_N;
       }
     }
+    this->lookAround(b, hand);
     // Points without a force now are answered as well: a constraint may press there in the next tick.
     for (std::size_t i = 0; i < this->places_[b].size() && hand.count < BodyHand::most; ++i)
     {
@@ -79,9 +127,80 @@ void MechanismBodies::tell(const MechanismHand& told)
   }
 }
 
+/// The snapshot answers where contacts were found, and around their middle; where there are none, around the mesh.
+void MechanismBodies::lookAround(std::size_t body, BodyHand& hand) const
+{
+  if (!this->looks())
+  {
+    return;
+  }
+  const FoundContacts& found = this->finder_->last();
+  Vec3 sum_W = Vec3::Zero();
+  int count = 0;
+  for (int i = 0; i < found.count; ++i)
+  {
+    const FoundContact& contact = found.contacts[static_cast<std::size_t>(i)];
+    if (contact.body == this->finder_->bodyOf(body))
+    {
+      sum_W += contact.place_B.x_W;
+      ++count;
+      if (hand.count < BodyHand::most)
+      {
+        hand.forceAt[hand.count] = contact.place_B;
+        hand.force_N[hand.count++] = Vec3::Zero();
+      }
+    }
+  }
+  const SurfaceData& data = this->finder_->held().tree->data();
+  const Pose& held_W = this->told_.pose_W[static_cast<std::size_t>(this->held_)];
+  hand.ball_W = count > 0 ? Vec3(sum_W / count) : held_W * Vec3(0.5 * (data.low_W + data.high_W));
+  hand.tip_u = this->tips_u_[body] > 0.0 ? this->tips_u_[body] : this->finder_->tip_u(body);
+}
+
+/// Whether the hand has told where the mesh is.
+bool MechanismBodies::looks() const noexcept
+{
+  return this->finder_ && this->told_.plan == this->plan_;
+}
+
+void MechanismBodies::findAt(double time_s)
+{
+  constexpr double rounding_s = 1e-9; // of times that are sums of ticks
+  if (!this->looks())
+  {
+    return;
+  }
+  if (this->underWay_.answer == 0)
+  {
+    this->underWay_ = this->find();
+    this->due_s_ = time_s;
+  }
+  if (time_s >= this->due_s_ - rounding_s)
+  {
+    this->found_ = this->underWay_;
+    this->underWay_ = this->find();
+    this->due_s_ += this->period_s_;
+  }
+}
+
+const FoundContacts& MechanismBodies::find()
+{
+  FinderView view;
+  view.held_W = this->told_.pose_W[static_cast<std::size_t>(this->held_)];
+  const SidedSurface& mesh = this->finder_->held();
+  const double motion_u = this->looked_W_ ? motionOf(mesh, *this->looked_W_, view.held_W) : 0.0;
+  view.reach_u = usualReach * mesh.diagonal_u + reachOfMotion * motion_u;
+  view.touches_u = usualTouch * mesh.diagonal_u + touchOfMotion * motion_u;
+  view.soft = this->given_;
+  view.presses = this->told_.pressing();
+  this->looked_W_ = view.held_W;
+  return this->finder_->find(view);
+}
+
 void MechanismBodies::pace(double period_s)
 {
   this->paced_.clear();
+  this->period_s_ = period_s;
   for (const auto& maker : this->makers_)
   {
     this->paced_.emplace_back(*maker, period_s);
@@ -96,6 +215,7 @@ std::span<const PressedBody* const> MechanismBodies::at(double time_s)
     this->newest_[b] = this->paced_[b].now() ? this->paced_[b].now() : this->newest_[b];
     this->given_[b] = this->newest_[b].get();
   }
+  this->findAt(time_s);
   return this->given_;
 }
 
@@ -109,6 +229,7 @@ bool MechanismBodies::pressEach(double period_s, int newtonSteps)
     this->newest_[b] = body ? std::move(body) : this->newest_[b];
     this->given_[b] = this->newest_[b].get();
   }
+  this->found_ = this->looks() ? this->find() : this->found_;
   return all;
 }
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "haptics/mechanism/check/MechanismCheck.h"
+#include "haptics/mechanism/found/ContactFinder.h"
 #include "haptics/mechanism/servo/FeltMechanism.h"
 #include "haptics/session/soft/VirtualBody.h"
 
@@ -48,8 +50,9 @@ public:
   [[nodiscard]] const std::vector<MechanismSoft>& atRest() const noexcept { return this->atRest_; }
   /// The same, for who judges other constraints.
   [[nodiscard]] const BodiesAtRest& first() const noexcept { return this->first_; }
-  /// Where a plan's constraints are on the bodies: snapshots are made around these places from now on.
-  void hold(const MechanismPlan& plan);
+  /// Where a plan's constraints are on the bodies: snapshots are made around these places from now on, and around those
+  /// where its held mesh meets the bodies.
+  void hold(const Mechanism& mechanism, const MechanismPlan& plan);
 
   /// The forces of the mechanism in a tick, and the place of the held body's tip: of each body the next snapshot
   /// answers there.
@@ -64,6 +67,8 @@ public:
   /// Each once more, for the forces that were told last and a hand that has so long until the next [s]. False if one of
   /// them cannot be made any more: it stays as it was.
   [[nodiscard]] bool press(double period_s);
+  /// The newest answer of the finder; `answer` 0: nothing is looked for, or the hand was not told yet.
+  [[nodiscard]] const FoundContacts& found() const noexcept { return this->found_; }
   /// Of each.
   [[nodiscard]] const std::vector<std::shared_ptr<const PressedBody>>& newest() const noexcept { return this->newest_; }
   /// The same by their names.
@@ -76,6 +81,10 @@ public:
 private:
   MechanismBodies() = default;
   [[nodiscard]] bool pressEach(double period_s, int newtonSteps);
+  [[nodiscard]] bool looks() const noexcept;
+  [[nodiscard]] const FoundContacts& find();
+  void findAt(double time_s);
+  void lookAround(std::size_t body, BodyHand& hand) const;
 
   std::vector<std::unique_ptr<BodyMaker>> makers_;
   BodiesAtRest first_;
@@ -83,6 +92,16 @@ private:
   std::vector<MechanismSoft> atRest_;
   std::vector<std::shared_ptr<const CheckedTetras>> asMade_;
   std::vector<std::vector<SurfacePoint>> places_; ///< of constraints, of each body
+  std::unique_ptr<ContactFinder> finder_;         ///< null: nothing is looked for
+  int held_ = -1;                                 ///< body of the plan whose contacts it looks for
+  std::uint64_t plan_ = 0;                        ///< revision of the one that is held
+  FoundContacts found_;                           ///< as the tick has it
+  FoundContacts underWay_;                        ///< arrives with the next snapshots; in virtual time
+  double period_s_ = 0.0, due_s_ = 0.0;           ///< likewise
+  MechanismHand told_;
+  std::optional<Pose> looked_W_;  ///< where the mesh was, the last time
+  std::vector<double> stiffness_; ///< E / (1 - nu^2) of each body [N/u^2]
+  std::vector<double> tips_u_;    ///< of each body, as its description has it; 0: as its contacts are apart
   std::vector<BodyHand> hands_;
   std::vector<VirtualBody> paced_;
   std::vector<const PressedBody*> given_;

@@ -101,7 +101,7 @@ std::unique_ptr<MechanismTouch> MechanismTouch::make(
   {
     return nullptr;
   }
-  touch->bodies_->hold(touch->plan_);
+  touch->bodies_->hold(inputs.mechanism, touch->plan_);
   if (hold.lowRate_Hz > 0.0)
   {
     touch->bodies_->pace(1.0 / hold.lowRate_Hz);
@@ -129,6 +129,7 @@ MechanismResult MechanismTouch::compute(MechanismInput& input)
     return this->computeAtRest(input);
   }
   input.soft = this->bodies_->at(this->time_s_);
+  input.found = this->newestFound();
   return this->tick_.step(input);
 }
 
@@ -145,6 +146,7 @@ MechanismResult MechanismTouch::computeAtRest(MechanismInput& input)
   {
     this->tick_.restore(start);
     input.soft = this->bodies_->rest(stepsToRest);
+    input.found = this->newestFound();
     result = this->tick_.step(input);
     this->bodies_->tell(this->handOf(input, result));
     const double change_N = (result.exact_W.force - force_N).norm();
@@ -155,6 +157,24 @@ MechanismResult MechanismTouch::computeAtRest(MechanismInput& input)
     }
   }
   return result;
+}
+
+/// The held body is where the hand is, before any tick.
+void MechanismTouch::begin(const MechanismInput& input, const Pose& hand_W)
+{
+  MechanismHand hand = this->handOf(input, {});
+  hand.pose_W[static_cast<std::size_t>(this->plan_.held)] = input.hand_W;
+  this->bodies_->tell(hand);
+  if (this->mechanism_.findsContacts)
+  {
+    this->begunIn_ = overlapsOfHeld(this->mechanism_, this->bodies_->atRest(), hand_W);
+  }
+}
+
+const FoundContacts* MechanismTouch::newestFound() const noexcept
+{
+  const FoundContacts& found = this->bodies_->found();
+  return found.answer != 0 ? &found : nullptr;
 }
 
 MechanismResult MechanismTouch::next(double time_s, const Pose& hand_W)
@@ -168,7 +188,7 @@ MechanismResult MechanismTouch::next(double time_s, const Pose& hand_W)
   this->time_s_ = time_s;
   if (this->count_ == 1)
   {
-    this->bodies_->tell(this->handOf(input, {}));
+    this->begin(input, hand_W);
   }
   MechanismResult result = this->compute(input);
   const MechanismHand hand = this->handOf(input, result);

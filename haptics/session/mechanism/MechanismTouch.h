@@ -39,10 +39,14 @@ public:
   [[nodiscard]] const MechanismPlan& plan() const noexcept { return this->plan_; }
   /// Bodies that overlapped at the last place of the hand, though no constraint joined them.
   [[nodiscard]] const std::vector<BodyPair>& overlaps() const noexcept { return this->watch_.seen(); }
+  /// Bodies in which a held mesh was at the first place of the hand.
+  [[nodiscard]] const std::vector<BodyPair>& begunIn() const noexcept { return this->begunIn_; }
   [[nodiscard]] const MechanismBodies& bodies() const noexcept { return *this->bodies_; }
 
 private:
   MechanismTouch(const Mechanism& mechanism, const MechanismHold& hold, std::unique_ptr<MechanismBodies> bodies);
+  void begin(const MechanismInput& input, const Pose& hand_W);
+  [[nodiscard]] const FoundContacts* newestFound() const noexcept;
   [[nodiscard]] MechanismResult compute(MechanismInput& input);
   [[nodiscard]] MechanismResult computeAtRest(MechanismInput& input);
   [[nodiscard]] MechanismHand handOf(const MechanismInput& input, const MechanismResult& result) const;
@@ -55,6 +59,7 @@ private:
   MechanismPlan plan_;
   MechanismTick tick_;
   OverlapWatch watch_;
+  std::vector<BodyPair> begunIn_;
   std::uint64_t count_ = 0; ///< of ticks
   double time_s_ = 0.0;
 };

@@ -143,7 +143,7 @@ std::string MechanismTask::plan()
   }
   ++this->plans_;
   this->plan_ = plan;
-  this->bodies_->hold(plan);
+  this->bodies_->hold(this->now_.choice.inputs->mechanism, plan);
   this->bodies_->pace(this->period_s());
   return {};
 }
@@ -185,7 +185,8 @@ void MechanismTask::publish(bool all)
   {
     return;
   }
-  auto felt = std::make_shared<const FeltMechanism>(++this->revision_, this->plan_, this->bodies_->newest());
+  auto felt = std::make_shared<const FeltMechanism>(
+    ++this->revision_, this->plan_, this->bodies_->newest(), this->bodies_->found());
   this->published_ = true;
   this->links_.felt.publish(std::move(felt));
   std::vector<SeenBody> seen = this->bodies_->seen(); // while the servo has it

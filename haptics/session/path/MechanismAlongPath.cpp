@@ -63,15 +63,20 @@ public:
     const Quat& q = tick.proxy_W.q;
     const Vec3& torque = tick.wrench_W.torque;
     tick.more = { q.w(), q.x(), q.y(), q.z(), torque.x(), torque.y(), torque.z(), result.residual_u };
+    for (int i = 0; i < plan.lawCount + result.found; ++i)
+    {
+      tick.contacts += result.laws[i].force_W.squaredNorm() > 0.0 ? 1 : 0;
+    }
     for (int i = 0; i < plan.lawCount; ++i)
     {
       const ConstraintNow& law = result.laws[i];
       const Vec3& force = law.force_W;
-      tick.contacts += force.squaredNorm() > 0.0 ? 1 : 0;
       tick.more.insert(
         tick.more.end(), { force.x(), force.y(), force.z(), static_cast<double>(law.phase), law.inside_u });
     }
     this->capped_ += result.capped ? 1 : 0;
+    this->ahead_ += result.ahead ? 1 : 0;
+    this->crowded_ += this->touch_->bodies().found().leftOut > 0 ? 1 : 0;
     this->tellEvents(result, sample.time_s);
     this->tellOverlaps(sample.time_s);
   }
@@ -79,6 +84,15 @@ public:
   void finish(PathReport& report) const override
   {
     noteTicks(report, this->capped_, "the constraints were not satisfied within a tick's work");
+    noteTicks(
+      report, this->ahead_, "the hand was faster than contacts are looked for, so that the held mesh stayed behind");
+    noteTicks(
+      report, this->crowded_, "the held mesh touched in more places than a tick can solve; the nearest were kept");
+    for (const auto& [a, b] : this->touch_->begunIn())
+    {
+      report.notes.push_back(
+        "the path begins with bodies \"" + a + "\" and \"" + b + "\" in one another: they are pushed apart");
+    }
     report.notes.insert(report.notes.end(), this->overlaps_.begin(), this->overlaps_.end());
     report.remarks.insert(report.remarks.end(), this->events_.begin(), this->events_.end());
   }
@@ -117,7 +131,9 @@ private:
   std::vector<BodyPair> before_;
   std::vector<std::string> events_;
   std::vector<std::string> overlaps_;
-  int capped_ = 0; ///< ticks
+  int capped_ = 0; ///< ticks, as those below
+  int ahead_ = 0;
+  int crowded_ = 0;
 };
 
 } // namespace

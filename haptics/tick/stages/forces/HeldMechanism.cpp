@@ -64,6 +64,7 @@ const MechanismResult& compute(TickContext& tick, double lever_m) noexcept
   input.hand_W = heldBy(lead_W(tick), *input.plan);
   input.grip = { stiffness_N_per_m / scale_u_per_m, stiffness_N_per_m * lever_m * lever_m * scale_u_per_m };
   input.soft = tick.input.mechanism->soft();
+  input.found = tick.input.mechanism->found();
   MechanismTick& room = *tick.input.mechanismTick;
   room.restore(tick.s.mechanism);
   const MechanismResult& result = room.step(input);
@@ -129,6 +130,13 @@ void tell(const TickContext& tick, const MechanismResult& result, HapticState& s
     now.laws[l] = { law.phase, law.force_W.norm(), law.at_W, law.inside_u };
     state.contacts += law.force_W != Vec3::Zero();
   }
+  for (int l = plan.lawCount; l < plan.lawCount + result.found; ++l)
+  {
+    now.touching += result.laws[l].force_W != Vec3::Zero();
+  }
+  state.contacts += now.touching;
+  now.ahead = result.ahead;
+  now.leftOut = tick.s.mechanism.found.leftOut;
   now.residual_u = result.residual_u;
   now.capped = state.capped = result.capped;
   state.proxy_W = now.pose_W[plan.held];

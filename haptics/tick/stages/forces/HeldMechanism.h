@@ -85,6 +85,7 @@ struct HeldMechanism
     visit("packets", s.mechanism.snapshot...);
     visit("poses_W", s.mechanism.pose_W...);
     visit("laws", s.mechanism.laws...);
+    visit("found", s.mechanism.found...);
     visit("placed", s.mechanism.placed...);
     visit("tip_W", s.mechanism.tip_W...);
     visit("blend.way_u", s.mechanism.blend.way_u...);

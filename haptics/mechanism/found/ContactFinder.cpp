@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/mechanism/found/ContactFinder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "haptics/geometry/tree/SurfaceData.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// Cosine from which on two contacts press in one direction.
+constexpr double alike = 0.9;
+/// Of the distance between contacts: so much nearer is another one that takes the place of one that was chosen before.
+constexpr double kept = 0.005;
+constexpr double wider = 1.25;
+/// Edges of the soft body that a mesh may go beyond where it touches first.
+constexpr double strides = 2.0;
+constexpr int mostWidenings = 30;
+/// Radius of the paraboloid of pressure on a half space whose mean depth is that of a square with an even pressure, of
+/// the square's side (Love 1929: .946 F / (E* s); Hertz: .6587 F / (E* a)).
+constexpr double tipOfSquare = 0.6587 / 0.946;
+/// Places that are taken one by one no nearer than that leave each a square of 1.43 of its square.
+constexpr double tipOfPlace = 1.2 * tipOfSquare;
+/// The same of a ball's contact, of its radius (Hertz: 3 F / (4 E* a) deep).
+constexpr double tipOfBall = 0.6587 / 0.75;
+/// Of the edges around: no patch is smaller, so that a force that begins has some.
+constexpr double leastTip = 0.1;
+/// In edges of the soft body, and in radii of its last contact: so far it is looked at whether a mesh is as round as a
+/// ball.
+constexpr double seenEdges = 2.0, seenOfBall = 2.5;
+/// Radii of a ball's contact between contacts: within them the ball is one.
+constexpr double acrossBall = 2.2;
+
+bool stands(const NearPlace& near, const std::vector<NearPlace>& chosen, double apart_u)
+{
+  return std::ranges::none_of(chosen,
+    [&](const NearPlace& other)
+    {
+      const Vec3 way_u = near.contact.place_B.x_W - other.contact.place_B.x_W;
+      return way_u.norm() < apart_u && near.contact.normal_W.dot(other.contact.normal_W) > alike;
+    });
+}
+
+ChosenPlaces spread(const std::vector<NearPlace>& sorted, std::size_t most, double apart_u, double touches_u)
+{
+  ChosenPlaces chosen;
+  chosen.apart_u = apart_u;
+  for (const NearPlace& near : sorted)
+  {
+    if (!stands(near, chosen.places, apart_u))
+    {
+      continue;
+    }
+    if (near.gap_u <= touches_u || chosen.places.size() < most)
+    {
+      chosen.places.push_back(near);
+    }
+  }
+  return chosen;
+}
+
+/// The least edge around a place.
+double edgeAround(const SidedSurface& surface, const SurfacePoint& place)
+{
+  const SurfaceData& data = surface.tree->data();
+  double edge_u = std::numeric_limits<double>::infinity();
+  data.forEachAround(place.vertices[0],
+    [&](std::uint32_t t)
+    {
+      const auto corner = data.cornersOf(t);
+      edge_u = std::min(
+        { edge_u, (corner[1] - corner[0]).norm(), (corner[2] - corner[1]).norm(), (corner[0] - corner[2]).norm() });
+    });
+  return edge_u;
+}
+
+double forceOn(int soft, std::span<const MechanismPress> presses)
+{
+  Vec3 sum_N = Vec3::Zero();
+  for (const MechanismPress& press : presses)
+  {
+    sum_N += press.soft == soft ? press.force_N : Vec3(Vec3::Zero());
+  }
+  return sum_N.norm();
+}
+
+/// A sphere that leaves the surface, as that is without forces, like the mesh does around the place that is nearest: by
+/// least squares over the gaps.
+struct Roundness
+{
+  double radius_u = std::numeric_limits<double>::infinity(); ///< infinite where the mesh is flat
+  double seen_u = 0.0;                                       ///< how far from that place gaps are known
+};
+
+Roundness roundness(const std::vector<NearPlace>& near, double within_u)
+{
+  const NearPlace& nearest = *std::ranges::min_element(near, {}, &NearPlace::free_u);
+  double rise = 0.0, square = 0.0;
+  Roundness round;
+  for (const NearPlace& place : near)
+  {
+    const Vec3 way_u = place.contact.place_B.x_W - nearest.contact.place_B.x_W;
+    const double away2_u2 = way_u.squaredNorm();
+    if (away2_u2 <= within_u * within_u && place.contact.normal_W.dot(nearest.contact.normal_W) > alike)
+    {
+      rise += away2_u2 * (place.free_u - nearest.free_u);
+      square += away2_u2 * away2_u2;
+      round.seen_u = std::max(round.seen_u, std::sqrt(away2_u2));
+    }
+  }
+  round.radius_u = rise > 0.0 ? 0.5 * square / rise : round.radius_u;
+  return round;
+}
+
+/// Radius of the contact of a mesh that is as round as a ball as far as that goes (Hertz), under the force it has; 0:
+/// it is not, or has none yet.
+double ballContact(
+  const std::vector<NearPlace>& near, double edge_u, double last_u, double force_N, double stiffness_N_per_u2)
+{
+  const Roundness round = roundness(near, std::max(seenEdges * edge_u, last_u));
+  if (!std::isfinite(round.radius_u))
+  {
+    return 0.0;
+  }
+  const double contact_u = std::cbrt(0.75 * force_N * round.radius_u / stiffness_N_per_u2);
+  return contact_u <= round.seen_u ? contact_u : 0.0;
+}
+
+} // namespace
+
+ChosenPlaces choosePlaces(
+  const std::vector<NearPlace>& near, std::size_t most, double apart_u, double touches_u, const FoundContacts& before)
+{
+  const auto wasChosen = [&before](const NearPlace& place)
+  {
+    return std::any_of(before.contacts.begin(), before.contacts.begin() + before.count,
+      [&place](const FoundContact& other) { return other.name == place.contact.name; });
+  };
+  std::vector<std::tuple<bool, double, std::uint64_t, std::size_t>> order;
+  for (std::size_t i = 0; i < near.size(); ++i)
+  {
+    const bool apart = near[i].gap_u > touches_u;
+    const double bonus_u = wasChosen(near[i]) ? kept * apart_u : 0.0;
+    order.emplace_back(apart, (apart ? near[i].gap_u : near[i].free_u) - bonus_u, near[i].contact.name, i);
+  }
+  std::ranges::sort(order);
+  std::vector<NearPlace> sorted;
+  std::ranges::transform(
+    order, std::back_inserter(sorted), [&near](const auto& key) { return near[std::get<3>(key)]; });
+  ChosenPlaces chosen = spread(sorted, most, apart_u, touches_u);
+  for (int left = mostWidenings; left > 0 && chosen.places.size() > most; --left)
+  {
+    chosen = spread(sorted, most, wider * chosen.apart_u, touches_u);
+  }
+  if (chosen.places.size() > most)
+  {
+    chosen.leftOut = static_cast<int>(chosen.places.size() - most);
+    chosen.places.resize(most);
+  }
+  return chosen;
+}
+
+ContactFinder::ContactFinder(std::shared_ptr<const SidedSurface> held, double friction, std::size_t most)
+  : held_(std::move(held)), most_(std::min(most, static_cast<std::size_t>(FoundContacts::most)))
+{
+  this->last_.friction = friction;
+}
+
+void ContactFinder::add(int body, const PressedBody& atRest, double stiffness)
+{
+  this->bodies_.push_back({ body, makeSided(atRest.scene->surfaces()[atRest.touch.surface].tree), stiffness });
+}
+
+const FoundContacts& ContactFinder::find(const FinderView& view)
+{
+  std::vector<std::vector<NearPlace>> near;
+  for (std::size_t s = 0; s < this->bodies_.size(); ++s)
+  {
+    near.push_back(view.soft[s]
+                     ? nearPlaces(*this->held_, *this->bodies_[s].surface, *view.soft[s], static_cast<int>(s), view)
+                     : std::vector<NearPlace>());
+  }
+  const auto met =
+    static_cast<std::size_t>(std::ranges::count_if(near, [](const auto& places) { return !places.empty(); }));
+  FoundContacts found;
+  found.answer = this->last_.answer + 1;
+  found.friction = this->last_.friction;
+  found.reach_u = view.reach_u;
+  found.held_W = view.held_W;
+  for (std::size_t s = 0; s < near.size(); ++s)
+  {
+    if (near[s].empty())
+    {
+      continue;
+    }
+    const auto nearest = std::ranges::min_element(near[s], {}, &NearPlace::gap_u);
+    Body& body = this->bodies_[s];
+    const double edge_u = edgeAround(*body.surface, nearest->contact.place_B);
+    const double force_N = forceOn(static_cast<int>(s), view.presses);
+    body.ball_u = ballContact(near[s], edge_u, seenOfBall * body.ball_u, force_N, body.stiffness);
+    const double apart_u = std::max(edge_u, acrossBall * body.ball_u);
+    const ChosenPlaces chosen = choosePlaces(near[s], this->most_ / met, apart_u, view.touches_u, this->last_);
+    body.tip_u = body.ball_u > 0.0 ? std::max(leastTip * edge_u, tipOfBall * body.ball_u) : tipOfPlace * chosen.apart_u;
+    // Beyond, places may touch that lie aside of those that are near now.
+    const double ahead_u = std::max(nearest->gap_u, 0.0) + strides * edge_u;
+    found.reach_u = std::min(found.reach_u, ahead_u);
+    found.leftOut += chosen.leftOut;
+    for (const NearPlace& place : chosen.places)
+    {
+      FoundContact& contact = found.contacts[static_cast<std::size_t>(found.count++)];
+      contact = place.contact;
+      contact.body = this->bodies_[s].body;
+      contact.apart_u = chosen.apart_u;
+    }
+  }
+  this->last_ = found;
+  return this->last_;
+}
+
+} // namespace palpate

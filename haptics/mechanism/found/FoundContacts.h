@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "haptics/compliance/snapshot/ComplianceSnapshot.h"
+#include "haptics/mechanism/Mechanism.h"
+
+namespace palpate
+{
+
+/// A contact of the held mesh with a soft body that nobody has named: the mesh's point stays on the outer side of the
+/// plane through the soft body's.
+struct FoundContact
+{
+  std::uint64_t name = 0;        ///< of the features that meet: the same from answer to answer
+  std::int32_t body = 0;         ///< the soft one, in the plan
+  Vec3 point_A = Vec3::Zero();   ///< of the mesh, in its frame
+  SurfacePoint place_B;          ///< of the soft body
+  Vec3 normal_W = Vec3::UnitZ(); ///< out of the soft body
+  double apart_u = 0.0;          ///< other contacts in this direction are as far away, or further
+};
+
+template<class Visit, class Contact>
+void membersOf(const Visit& visit, Contact& found) requires std::is_same_v<std::remove_const_t<Contact>, FoundContact>
+{
+  visit(found.name);
+  visit(found.body);
+  visit(found.point_A);
+  visit(found.place_B);
+  visit(found.normal_W);
+  visit(found.apart_u);
+}
+
+/// An answer of the finder. Of fixed size, so that the tick keeps a copy.
+struct FoundContacts
+{
+  static constexpr int most = static_cast<int>(Mechanism::mostConstraints);
+
+  std::uint64_t answer = 0; ///< another one for each; 0: none
+  double friction = 0.0;    ///< Coulomb's, of all of them
+  double reach_u = 0.0;     ///< surfaces that were further apart are not in it
+  Pose held_W;              ///< of the mesh, when they were looked for
+  std::int32_t count = 0;
+  std::int32_t leftOut = 0; ///< places where the mesh touches, or nearly, for which a tick has no room
+  std::array<FoundContact, most> contacts{};
+};
+
+template<class Visit, class Contacts>
+void membersOf(
+  const Visit& visit, Contacts& found) requires std::is_same_v<std::remove_const_t<Contacts>, FoundContacts>
+{
+  visit(found.answer);
+  visit(found.friction);
+  visit(found.reach_u);
+  visit(found.held_W);
+  visit(found.count);
+  visit(found.leftOut);
+  visit(found.contacts);
+}
+
+} // namespace palpate

@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "haptics/compliance/snapshot/PointCompliance.h"
+#include "haptics/core/PoseMath.h"
+#include "haptics/geometry/mesh/NearestOnTriangle.h"
+#include "haptics/geometry/mesh/TriangleWeights.h"
+#include "haptics/geometry/tree/SurfaceData.h"
+#include "haptics/geometry/tree/TreeWalk.h"
+#include "haptics/mechanism/found/ContactFinder.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// Of a mesh's size: below that the direction from one surface to the other is rounding.
+constexpr double rounding = 1e-9;
+/// Cosine from which on two normals count as turned to one another.
+constexpr double facing = 0.1;
+/// The same for two that are apart: places that are aside of one another meet when an answer comes that is later.
+constexpr double facingApart = 0.5;
+/// Cosine between the normals of an edge's triangles below which the edge is sharp (15 degrees). Along blunter ones the
+/// vertices are near enough to one another.
+constexpr double sharpBelow = 0.966;
+/// A direction that a sharp edge presses in lies between its triangles' normals, but for this cosine.
+constexpr double aside = 0.05;
+/// The same of the soft body's edges, which a dent bends the other way.
+constexpr double asideInDent = 0.35;
+/// Of the shorter edge: edges that have gone further past one another have crossed, and vertices are met instead.
+constexpr double crossed = 0.3;
+
+enum class Features : std::uint64_t
+{
+  SoftVertex,
+  HeldVertex,
+  Edges,
+};
+
+/// Three numbers of 19 bits.
+std::uint64_t nameOf(Features features, int soft, std::uint64_t a, std::uint64_t b = 0, std::uint64_t c = 0)
+{
+  constexpr std::uint64_t mask = (1u << 19) - 1;
+  return ((static_cast<std::uint64_t>(features) * Mechanism::mostBodies + static_cast<std::uint64_t>(soft)) << 57) |
+         ((a & mask) << 38) | ((b & mask) << 19) | (c & mask);
+}
+
+double outsideOf(const Box& box, const Vec3& x)
+{
+  return (box.low_W - x).cwiseMax(x - box.high_W).cwiseMax(0.0).norm();
+}
+
+/// The nearest place of a surface.
+struct Nearest
+{
+  std::uint32_t triangle = SurfaceData::none;
+  Vec3 p = Vec3::Zero();
+  double away_u = std::numeric_limits<double>::infinity();
+  double above = 0.0;         ///< along the outer normal of the triangle that decides the side: the steepest one
+  Vec3 normal = Vec3::Zero(); ///< outer, unit, of that triangle
+};
+
+/// The nearest place within `reach_u` on those triangles that count, by their outer normals. `slack_u`: the vertices
+/// may be so far from where the tree has them.
+template<class Counts>
+Nearest nearestOn(const SidedSurface& surface, const std::vector<Vec3>& vertices, const Vec3& x, double reach_u,
+  double slack_u, const Counts& counts)
+{
+  const SurfaceData& data = surface.tree->data();
+  Nearest best;
+  best.away_u = reach_u;
+  const auto look = [&](std::uint32_t t)
+  {
+    const auto& [a, b, c] = data.corners(t);
+    const Vec3 p = nearestOnTriangle(x, vertices[a], vertices[b], vertices[c]);
+    const double away_u = (x - p).norm();
+    if (away_u > best.away_u * (1.0 + rounding) + std::numeric_limits<double>::min())
+    {
+      return;
+    }
+    const Vec3 normal = surface.areaOf(t, vertices).normalized();
+    if (!counts(normal))
+    {
+      return;
+    }
+    const double above = normal.dot(x - p);
+    const bool nearer = away_u < best.away_u * (1.0 - rounding) || best.triangle == SurfaceData::none;
+    if (nearer || std::abs(above) > std::abs(best.above))
+    {
+      best = { t, p, std::min(away_u, best.away_u), above, normal };
+    }
+  };
+  const auto entriesOf = [&](const TreeNode& node) {
+    return std::array<double, 2>{ outsideOf(boxOf(node, 0), x) - slack_u, outsideOf(boxOf(node, 1), x) - slack_u };
+  };
+  const auto reaches = [&](double entry) { return entry <= best.away_u; };
+  walkNearestFirst(
+    data.nodes, 0.0, entriesOf, reaches, reaches, [&](std::uint32_t leaf) { data.forEachInLeaf(leaf, look); });
+  return best;
+}
+
+/// One held mesh and one soft body.
+class Meeting
+{
+public:
+  Meeting(
+    const SidedSurface& held, const SidedSurface& soft, const PressedBody& body, int soft_i, const FinderView& view)
+    : held_(held), soft_(soft), body_(body), index_(soft_i), view_(view), bent_W_(body.snapshot->free_W)
+  {
+    const SurfaceData& data = held.tree->data();
+    this->held_W_.reserve(data.mesh.vertices_W.size());
+    this->around_ = Box::empty();
+    for (const Vec3& p : data.mesh.vertices_W)
+    {
+      this->held_W_.push_back(view.held_W * p);
+      this->around_.include(this->held_W_.back());
+    }
+    this->bend();
+  }
+
+  std::vector<NearPlace> places()
+  {
+    if (this->vertices_.empty())
+    {
+      return {};
+    }
+    for (const std::uint32_t v : this->vertices_)
+    {
+      this->lookFromSoft(v);
+    }
+    for (std::uint32_t v = 0; v < this->held_W_.size(); ++v)
+    {
+      this->lookFromHeld(v);
+    }
+    this->lookAlongEdges();
+    return std::move(this->places_);
+  }
+
+private:
+  [[nodiscard]] static SurfacePoint placeAt(std::uint32_t v, const std::vector<Vec3>& free_W)
+  {
+    return { { v, v, v }, Vec3(1.0, 0.0, 0.0), free_W[v] };
+  }
+
+  /// Where the vertices near the mesh are under the forces, by the same compliance as in the tick.
+  void bend()
+  {
+    const ComplianceSnapshot& snapshot = *this->body_.snapshot;
+    std::vector<std::pair<CompliantPoint, Vec3>> forces;
+    for (const MechanismPress& press : this->view_.presses)
+    {
+      if (press.soft == this->index_ && press.force_N != Vec3::Zero())
+      {
+        forces.emplace_back(compliantPoint(snapshot, press.at), press.force_N);
+      }
+    }
+    const auto bentBy = [&](const CompliantPoint& at)
+    {
+      Vec3 sum = Vec3::Zero();
+      for (const auto& [from, force_N] : forces)
+      {
+        sum += complianceBetween(snapshot, at, from) * force_N;
+      }
+      return sum;
+    };
+    for (const auto& [at, force_N] : forces)
+    {
+      this->bent_u_ = std::max(this->bent_u_, bentBy(at).norm());
+    }
+    this->bent_u_ *= 1.5; // a vertex beside the forces may go a little further
+    const double slack_u = this->bent_u_ + this->view_.reach_u;
+    Box reached{ this->around_.low_W.array() - slack_u, this->around_.high_W.array() + slack_u };
+    std::vector<char> is(this->bent_W_.size(), 0);
+    forEachMeeting(
+      this->soft_.tree->data(), [&](const Box& box) { return overlap(box, reached); },
+      [&](std::uint32_t t)
+      {
+        for (const std::uint32_t v : this->soft_.tree->data().corners(t))
+        {
+          is[v] = 1;
+        }
+      });
+    for (std::uint32_t v = 0; v < is.size(); ++v)
+    {
+      if (is[v])
+      {
+        this->vertices_.push_back(v);
+        this->bent_W_[v] +=
+          forces.empty() ? Vec3(Vec3::Zero()) : bentBy(compliantPoint(snapshot, placeAt(v, snapshot.free_W)));
+        this->bent_u_ = std::max(this->bent_u_, (this->bent_W_[v] - snapshot.free_W[v]).norm());
+      }
+    }
+  }
+
+  void add(std::uint64_t name, const Vec3& onHeld_W, const SurfacePoint& place, const Vec3& normal_W, double gap_u)
+  {
+    NearPlace near;
+    near.contact.name = name;
+    near.contact.point_A = into(this->view_.held_W, onHeld_W);
+    near.contact.place_B = place;
+    near.contact.normal_W = normal_W;
+    near.gap_u = gap_u;
+    near.free_u = normal_W.dot(onHeld_W - place.x_W);
+    this->places_.push_back(near);
+  }
+
+  /// A vertex of the soft body outside of the mesh is met by the nearest place of the mesh; one that has come into the
+  /// mesh, or lies on it, by the nearest of the mesh's sides that are turned to the body: so a thin plate has two
+  /// sides.
+  void lookFromSoft(std::uint32_t v)
+  {
+    const Vec3& x_W = this->bent_W_[v];
+    if (outsideOf(this->around_, x_W) > this->view_.reach_u)
+    {
+      return;
+    }
+    const Vec3 out_W = this->soft_.normalAt(v, this->bent_W_);
+    const auto any = [](const Vec3&) { return true; };
+    const Vec3 x = into(this->view_.held_W, x_W);
+    const std::vector<Vec3>& held = this->held_.tree->mesh().vertices_W;
+    const Nearest nearest = nearestOn(this->held_, held, x, this->view_.reach_u, 0.0, any);
+    if (nearest.triangle == SurfaceData::none)
+    {
+      return;
+    }
+    const std::uint64_t name = nameOf(Features::SoftVertex, this->index_, v);
+    const SurfacePoint place = placeAt(v, this->body_.snapshot->free_W);
+    if (nearest.above > 0.0 && nearest.away_u > rounding * this->held_.diagonal_u)
+    {
+      const Vec3 normal_W = this->view_.held_W.q * Vec3((nearest.p - x) / nearest.away_u);
+      if (normal_W.dot(out_W) > facingApart)
+      {
+        this->add(name, this->view_.held_W * nearest.p, place, normal_W, nearest.away_u);
+      }
+      return;
+    }
+    const Vec3 out = this->view_.held_W.q.conjugate() * out_W;
+    const Nearest side = nearestOn(
+      this->held_, held, x, this->view_.reach_u, 0.0, [&out](const Vec3& normal) { return normal.dot(out) < -facing; });
+    if (side.triangle != SurfaceData::none)
+    {
+      const Vec3 normal_W = this->view_.held_W.q * Vec3(-side.normal);
+      this->add(name, this->view_.held_W * side.p, place, normal_W, side.above);
+    }
+  }
+
+  /// Whether a triangle of the mesh at its vertex is turned to the body.
+  [[nodiscard]] bool facesAt(std::uint32_t v, const Vec3& normal_W) const
+  {
+    bool turned = false;
+    this->held_.tree->data().forEachAround(v, [&](std::uint32_t t)
+      { turned = turned || this->held_.areaOf(t, this->held_W_).normalized().dot(normal_W) < -facing; });
+    return turned;
+  }
+
+  void lookFromHeld(std::uint32_t v)
+  {
+    const Vec3& y_W = this->held_W_[v];
+    const auto any = [](const Vec3&) { return true; };
+    const Nearest nearest = nearestOn(this->soft_, this->bent_W_, y_W, this->view_.reach_u, this->bent_u_, any);
+    if (nearest.triangle == SurfaceData::none)
+    {
+      return;
+    }
+    const bool apart = nearest.above > 0.0 && nearest.away_u > rounding * this->held_.diagonal_u;
+    // In a dent the surface is as steep as its triangles happen to be: pressed, it is taken as it is without forces.
+    const Vec3 free_W = this->soft_.areaOf(nearest.triangle, this->body_.snapshot->free_W).normalized();
+    const Vec3 normal_W = apart ? Vec3((y_W - nearest.p) / nearest.away_u) : free_W;
+    if (this->facesAt(v, normal_W) && (!apart || normal_W.dot(nearest.normal) > facingApart))
+    {
+      this->add(nameOf(Features::HeldVertex, this->index_, v), y_W, this->placeOn(nearest.triangle, nearest.p),
+        normal_W, normal_W.dot(y_W - nearest.p));
+    }
+  }
+
+  /// A place of the bent surface, as a place of the free one.
+  [[nodiscard]] SurfacePoint placeOn(std::uint32_t triangle, const Vec3& bent_W) const
+  {
+    const auto& corners = this->soft_.tree->data().corners(triangle);
+    const std::vector<Vec3>& free_W = this->body_.snapshot->free_W;
+    const Vec3 weights =
+      weightsOnTriangle(this->bent_W_[corners[0]], this->bent_W_[corners[1]], this->bent_W_[corners[2]], bent_W);
+    return { corners, weights,
+      weights[0] * free_W[corners[0]] + weights[1] * free_W[corners[1]] + weights[2] * free_W[corners[2]] };
+  }
+
+  void lookAlongEdges()
+  {
+    for (std::uint32_t e = 0; e < this->held_.edges.size(); ++e)
+    {
+      const SidedSurface::Edge& edge = this->held_.edges[e];
+      const Vec3 one_W = this->held_.areaOf(edge.triangles[0], this->held_W_).normalized();
+      const Vec3 other_W = this->held_.areaOf(edge.triangles[1], this->held_W_).normalized();
+      if (one_W.dot(other_W) < sharpBelow)
+      {
+        this->lookAlong(e, other_W);
+      }
+    }
+  }
+
+  void lookAlong(std::uint32_t e, const Vec3& other_W)
+  {
+    const auto [i, j] = this->held_.edges[e].ends;
+    const double slack_u = this->bent_u_ + this->view_.reach_u;
+    Box reached = Box::empty();
+    reached.include(this->held_W_[i]);
+    reached.include(this->held_W_[j]);
+    reached = { reached.low_W.array() - slack_u, reached.high_W.array() + slack_u };
+    const auto& edge = this->held_.edges[e];
+    const Vec3 inOne_W = inward(this->held_, this->held_W_, edge.triangles[0], i, j);
+    const Vec3 inOther_W = inward(this->held_, this->held_W_, edge.triangles[1], i, j);
+    if (inOne_W.dot(other_W) > 0.0) // a groove: no body but a sharper one reaches its bottom
+    {
+      return;
+    }
+    forEachMeeting(
+      this->soft_.tree->data(), [&](const Box& box) { return overlap(box, reached); },
+      [&](std::uint32_t t)
+      {
+        const auto& corners = this->soft_.tree->data().corners(t);
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          const std::uint32_t a = corners[k], b = corners[(k + 1) % 3];
+          if (t < this->soft_.tree->data().across[t][k]) // each edge once
+          {
+            this->cross(e, t, a, b, { inOne_W, inOther_W });
+          }
+        }
+      });
+  }
+
+  /// From an edge into one of its triangles, across the edge.
+  [[nodiscard]] static Vec3 inward(const SidedSurface& surface, const std::vector<Vec3>& vertices,
+    std::uint32_t triangle, std::uint32_t i, std::uint32_t j)
+  {
+    const Vec3 along = (vertices[j] - vertices[i]).normalized();
+    const Vec3 way = vertices[surface.tree->data().opposite(triangle, i, j)] - vertices[i];
+    return (way - along.dot(way) * along).normalized();
+  }
+
+  /// Whether both triangles at an edge of the soft body go away from a direction, or nearly.
+  [[nodiscard]] bool standsOut(std::uint32_t t, std::uint32_t a, std::uint32_t b, const Vec3& normal_W) const
+  {
+    const std::uint32_t other = this->soft_.tree->data().neighbour(t, a, b);
+    const auto goesAway = [&](std::uint32_t of)
+    { return inward(this->soft_, this->bent_W_, of, a, b).dot(normal_W) < asideInDent; };
+    return goesAway(t) && goesAway(other);
+  }
+
+  /// Two edges that cross: one line stands on both.
+  void cross(std::uint32_t e, std::uint32_t t, std::uint32_t a, std::uint32_t b, const std::array<Vec3, 2>& inward_W)
+  {
+    const auto [i, j] = this->held_.edges[e].ends;
+    const Vec3 u = this->held_W_[j] - this->held_W_[i];
+    const Vec3 v = this->bent_W_[b] - this->bent_W_[a];
+    Vec3 normal_W = u.cross(v);
+    const double size = normal_W.norm();
+    if (size < facing * u.norm() * v.norm()) // nearly parallel: their ends are looked at
+    {
+      return;
+    }
+    normal_W /= size;
+    const Vec3 out_W = this->soft_.areaOf(t, this->bent_W_).normalized();
+    normal_W = normal_W.dot(out_W) < 0.0 ? Vec3(-normal_W) : normal_W;
+    const Vec3 from_W = this->bent_W_[a] - this->held_W_[i];
+    const double s = from_W.cross(v).dot(u.cross(v)) / (size * size);
+    const double r = from_W.cross(u).dot(u.cross(v)) / (size * size);
+    const bool inside = s > 0.0 && s < 1.0 && r > 0.0 && r < 1.0;
+    const bool presses = inward_W[0].dot(normal_W) > -aside && inward_W[1].dot(normal_W) > -aside;
+    if (!inside || !presses || !this->standsOut(t, a, b, normal_W))
+    {
+      return;
+    }
+    const Vec3 onHeld_W = this->held_W_[i] + s * u;
+    const Vec3 onSoft_W = this->bent_W_[a] + r * v;
+    const double gap_u = normal_W.dot(onHeld_W - onSoft_W);
+    if (gap_u <= this->view_.reach_u && gap_u > -crossed * std::min(u.norm(), v.norm()))
+    {
+      const std::vector<Vec3>& free_W = this->body_.snapshot->free_W;
+      const SurfacePoint place{ { a, b, b }, Vec3(1.0 - r, r, 0.0), (1.0 - r) * free_W[a] + r * free_W[b] };
+      this->add(nameOf(Features::Edges, this->index_, e, a, b), onHeld_W, place, normal_W, gap_u);
+    }
+  }
+
+  const SidedSurface& held_;
+  const SidedSurface& soft_;
+  const PressedBody& body_;
+  int index_;
+  const FinderView& view_;
+  std::vector<Vec3> held_W_;            ///< vertices of the mesh
+  Box around_;                          ///< them
+  std::vector<Vec3> bent_W_;            ///< of the soft body, where they are near the mesh
+  double bent_u_ = 0.0;                 ///< none of them is further from where it is free
+  std::vector<std::uint32_t> vertices_; ///< of the soft body, near the mesh
+  std::vector<NearPlace> places_;
+};
+
+} // namespace
+
+std::vector<NearPlace> nearPlaces(
+  const SidedSurface& held, const SidedSurface& soft, const PressedBody& body, int soft_i, const FinderView& view)
+{
+  return Meeting(held, soft, body, soft_i, view).places();
+}
+
+} // namespace palpate

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/mechanism/servo/MechanismState.h"
+
+namespace palpate
+{
+
+/// The plan with the contacts that were found behind its own constraints, as more of them. Contacts that have no room
+/// are left out. Real-time safe.
+void joinFound(const MechanismPlan& plan, const FoundContacts& found, MechanismPlan& joined) noexcept;
+
+/// Takes another answer into the state, whose constraints from `named` on are those of the answer before. A contact of
+/// the same features, or else of a place nearby, goes on with the force and the slip of the one before, though its
+/// points are others. Real-time safe.
+void takeFound(const FoundContacts& found, int named, const Pose& held_W, MechanismState& state) noexcept;
+
+} // namespace palpate

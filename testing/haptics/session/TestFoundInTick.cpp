@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mesh in the hand whose contacts a worker finds: in the tick, and as bytes of a recording.
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "haptics/recording/RecordedStages.h"
+#include "haptics/recording/inputs/Mechanisms.h"
+#include "haptics/tick/ForceRenderer.h"
+#include "testing/haptics/mechanism/HeldMesh.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr int answerTicks = 33;
+
+Pose handAt(int tick)
+{
+  const double t = 1e-3 * tick;
+  return { middleOfPad() + Vec3(4e-3 * t, 0.0, 0.0204 - 2.5e-3 * std::min(t, 1.0)),
+    Quat(Eigen::AngleAxisd(0.05 * t, Vec3::UnitX())) };
+}
+
+/// One hand's ticks, each with its mechanism.
+class Ticks
+{
+public:
+  explicit Ticks(std::unique_ptr<RendererState> state = std::make_unique<RendererState>()) : state_(std::move(state))
+  {
+    this->parameters_.stiffness_N_per_m = 1000.0;
+    this->parameters_.mechanismTurning_N_m_per_rad = 2.0;
+    this->parameters_.safety = SafetyLimits::none();
+    this->input_.mechanismTick = &this->room_;
+  }
+
+  TickOutput next(int tick, const FeltMechanism& felt)
+  {
+    this->input_.tick = static_cast<std::uint64_t>(tick + 1);
+    this->input_.mechanism = &felt;
+    this->input_.sample.pose_D = handAt(tick);
+    return renderTick(this->input_, this->parameters_, *this->state_);
+  }
+  [[nodiscard]] const RendererState& state() const { return *this->state_; }
+
+private:
+  HapticParameters parameters_;
+  std::unique_ptr<RendererState> state_;
+  MechanismTick room_;
+  TickInput input_;
+};
+
+std::shared_ptr<const FeltMechanism> writtenAndRead(const FeltMechanism& felt)
+{
+  ByteWriter out;
+  putMechanism(out, felt);
+  ByteReader in(out.bytes().data(), out.bytes().size());
+  const RecordedMechanism read = readMechanism(in);
+  EXPECT_TRUE(in.ok());
+  EXPECT_EQ(in.left(), 0u);
+  auto body = std::make_shared<PressedBody>(*read.bodies[0].body);
+  body->scene = felt.bodies()[0]->scene;
+  return std::make_shared<const FeltMechanism>(
+    read.revision, read.plan, std::vector<std::shared_ptr<const PressedBody>>{ body }, read.found);
+}
+
+TEST(FoundInTick, WhatIsRecordedIsComputedAnewToTheLastBitFromTheBeginningAndFromHalfway)
+{
+  const MechanismInputs inputs = meshOnPad(makeIcosphere(3, 0.02), 8, 0.4);
+  std::string refusal;
+  const auto bodies = MechanismBodies::make(inputs.soft, refusal);
+  ASSERT_TRUE(bodies) << refusal;
+  const MechanismPlan plan = planMechanism(inputs.mechanism, bodies->atRest(), 1);
+  bodies->hold(inputs.mechanism, plan);
+  std::vector<std::shared_ptr<const FeltMechanism>> felt;
+  std::vector<TickOutput> first;
+  ByteWriter half;
+  Ticks ticks;
+  constexpr int most = 1000, halfway = 18 * answerTicks; // a tick that takes another answer
+  for (int i = 0; i < most; ++i)
+  {
+    if (i % answerTicks == 0)
+    {
+      bodies->tell(ticks.state().mechanismHand);
+      EXPECT_TRUE(bodies->press(1e-3 * answerTicks));
+      felt.push_back(std::make_shared<const FeltMechanism>(felt.size() + 1, plan, bodies->newest(), bodies->found()));
+    }
+    if (i == halfway)
+    {
+      putState(half, ticks.state());
+    }
+    first.push_back(ticks.next(i, *felt.back()));
+  }
+  EXPECT_GT(first.back().state.mechanism.touching, 0);
+  EXPECT_EQ(first.back().state.contacts, first.back().state.mechanism.touching);
+  EXPECT_GT(first.back().command.wrench_D.force.norm(), 0.1);
+
+  auto middle = std::make_unique<RendererState>();
+  ByteReader in(half.bytes().data(), half.bytes().size());
+  getState(in, *middle);
+  ASSERT_TRUE(in.ok());
+  Ticks again, fromHalfway(std::move(middle));
+  std::shared_ptr<const FeltMechanism> read;
+  for (int i = 0; i < most; ++i)
+  {
+    if (i % answerTicks == 0)
+    {
+      read = writtenAndRead(*felt[static_cast<std::size_t>(i / answerTicks)]);
+    }
+    const Wrench& expected = first[static_cast<std::size_t>(i)].command.wrench_D;
+    const TickOutput now = again.next(i, *read);
+    ASSERT_EQ(now.command.wrench_D.force, expected.force) << i;
+    ASSERT_EQ(now.command.wrench_D.torque, expected.torque) << i;
+    if (i >= halfway)
+    {
+      const Wrench& other = fromHalfway.next(i, *read).command.wrench_D;
+      ASSERT_EQ(other.force, expected.force) << i;
+      ASSERT_EQ(other.torque, expected.torque) << i;
+    }
+  }
+}
+
+TEST(FoundInTick, ContactsThatATickCannotComputeWithAreRefusedInARecording)
+{
+  const MechanismInputs inputs = meshOnPad(makeIcosphere(2, 0.02), 4);
+  std::string refusal;
+  const auto bodies = MechanismBodies::make(inputs.soft, refusal);
+  const MechanismPlan plan = planMechanism(inputs.mechanism, bodies->atRest(), 1);
+  const auto refused = [&](const auto& change)
+  {
+    FoundContacts found;
+    found.answer = 1;
+    found.count = 2;
+    for (FoundContact& contact : found.contacts)
+    {
+      contact.body = 1;
+    }
+    change(found);
+    ByteWriter out;
+    putMechanism(out, FeltMechanism(1, plan, bodies->newest(), found));
+    ByteReader in(out.bytes().data(), out.bytes().size());
+    (void)readMechanism(in);
+    return !in.ok();
+  };
+  EXPECT_FALSE(refused([](FoundContacts&) {}));
+  EXPECT_TRUE(refused([](FoundContacts& f) { f.count = 17; }));
+  EXPECT_TRUE(refused([](FoundContacts& f) { f.count = -1; }));
+  EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[1].body = 0; }));
+  EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[1].body = 2; }));
+  EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[0].normal_W *= 2.0; }));
+  EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[0].place_B.vertices[1] = 1u << 20; }));
+  EXPECT_TRUE(refused([](FoundContacts& f) { f.friction = -1.0; }));
+  EXPECT_TRUE(refused([](FoundContacts& f) { f.held_W.q.coeffs().setZero(); }));
+}
+
+} // namespace
+} // namespace palpate::test
