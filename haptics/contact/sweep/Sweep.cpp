@@ -26,6 +26,8 @@ void sweepSurface(const Shape& shape, std::uint32_t surface, const SweepQuery& q
     nodesOf(shape), boundsOf(shape), m, budget, best, [&sweep](std::uint32_t leaf) noexcept { sweep.testLeaf(leaf); });
 }
 
+} // namespace
+
 /// A motion as the surfaces of listed faces see it: it is taken to one that moves once for all of its faces in a row.
 template<SceneView AnyScene>
 class MotionInSurfaces
@@ -57,6 +59,9 @@ private:
   OneSurface<AnyScene> surfaces_;
   SweptBall inSurface_;
 };
+
+namespace
+{
 
 /// A hit beyond the part that is proven free may not be the first.
 SweepHit settled(SweepHit best) noexcept

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "haptics/compliance/servo/PressedBody.h"
-#include "haptics/mechanism/found/FoundContacts.h"
+#include "haptics/mechanism/FoundContacts.h"
 #include "haptics/mechanism/found/SidedSurface.h"
 #include "haptics/mechanism/servo/MechanismTick.h"
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <type_traits>
 
+#include "haptics/mechanism/FoundContacts.h"
 #include "haptics/mechanism/constraints/ConstraintState.h"
-#include "haptics/mechanism/found/FoundContacts.h"
 #include "haptics/tool/servo/ToolBlend.h"
 
 namespace palpate

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/found/ContactFinder.h"
 #include "haptics/mechanism/found/SidedSurface.h"
 
 namespace palpate
@@ -32,6 +33,9 @@ double motionOf(const SidedSurface& mesh, const Pose& from_W, const Pose& to_W)
 }
 
 } // namespace
+
+MechanismBodies::MechanismBodies() = default;
+MechanismBodies::~MechanismBodies() = default;
 
 std::unique_ptr<MechanismBodies> MechanismBodies::make(
   const std::vector<MechanismSoftInput>& inputs, std::string& refusal, const std::stop_token& stop)

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "haptics/mechanism/check/MechanismCheck.h"
-#include "haptics/mechanism/found/ContactFinder.h"
 #include "haptics/mechanism/servo/FeltMechanism.h"
 #include "haptics/session/soft/VirtualBody.h"
 
 namespace palpate
 {
+
+class ContactFinder;
 
 /// A soft body of a mechanism, by the name that the mechanism calls it by.
 struct MechanismSoftInput
@@ -39,6 +40,10 @@ using BodiesAtRest = std::vector<std::shared_ptr<const PressedBody>>;
 class MechanismBodies
 {
 public:
+  ~MechanismBodies();
+  MechanismBodies(const MechanismBodies&) = delete;
+  MechanismBodies& operator=(const MechanismBodies&) = delete;
+
   /// Factors each body, which may take seconds. None of them with `refusal` in words, or soon after a stop is asked
   /// for.
   [[nodiscard]] static std::unique_ptr<MechanismBodies> make(
@@ -79,7 +84,7 @@ public:
   [[nodiscard]] bool changed();
 
 private:
-  MechanismBodies() = default;
+  MechanismBodies();
   [[nodiscard]] bool pressEach(double period_s, int newtonSteps);
   [[nodiscard]] bool looks() const noexcept;
   [[nodiscard]] const FoundContacts& find();
