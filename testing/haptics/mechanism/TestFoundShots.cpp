@@ -201,7 +201,7 @@ TEST(FoundShots, RandomShotsEndWithNeitherBodyInTheOther)
   Random random(testSeed(343));
   int touched = 0;
   double most = 0.0;
-  const std::size_t count = testCount(300);
+  const std::size_t count = testCount(60);
   for (std::size_t i = 0; i < count; ++i)
   {
     const Range range(tools[i % tools.size()], block, i % 2 == 0 ? 0.4 : 0.0);
