@@ -60,7 +60,7 @@ Seen needle(int strokes, double turning_Nm_per_rad)
   std::string refusal;
   const auto bodies = MechanismBodies::make(inputs.soft, refusal);
   const MechanismPlan plan = planMechanism(inputs.mechanism, bodies->atRest(), 1);
-  bodies->hold(plan);
+  bodies->hold(inputs.mechanism, plan);
   bodies->pace(0.04);
   const int ticks = static_cast<int>(2.0 * strokes * (beyond - before) / speed_m);
   const ProcessorClock clock;

@@ -19,7 +19,6 @@
 #include "devices/arm/ArmLink.h"
 #include "devices/arm/ListedArmBus.h"
 #include "devices/arm/WireLine.h"
-#include "devices/arm/kit/Kits.h"
 #include "devices/arm/kit/WoodenHapticsFile.h"
 #include "devices/arm/protocol/FalconWire.h"
 #include "devices/arm/protocol/HaplyServiceWire.h"
@@ -186,7 +185,8 @@ Kind twoDiy()
   setup.poseTolerance = 3.0;
   const auto isAnswer = [](View answer)
   { return answer[0] == 5 && std::fabs(floatAt(answer, 1)) <= 7200.0 && std::fabs(floatAt(answer, 5)) <= 7200.0; };
-  return { "2diy", setup, std::make_shared<TwoDiyWire>(twoDiyBoard()), false,
+  const TwoDiyWire::Setup board{ 5, {}, {}, { 180.0, 0.0 }, { 13824.0, 13824.0 }, 0.123 };
+  return { "2diy", setup, std::make_shared<TwoDiyWire>(board), false,
     { 5, 0, 0, 0x34, 0x43, 0, 0, 0, 0 },       // 180 and 0 degrees
     { 5, 0, 0, 0x0C, 0x43, 0, 0, 0x20, 0x42 }, // 140 and 40
     [isAnswer](View bytes) { return hasWindow(bytes, 9, isAnswer); },
