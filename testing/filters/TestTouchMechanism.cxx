@@ -174,8 +174,11 @@ TEST(TouchMechanism, EveryFileOfTheExamplesIsOne)
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(PALPATE_DATA_MECHANISMS))
   {
-    EXPECT_EQ(vtkHapticReadMechanism(entry.path().string()).Problem, "");
-    ++files;
+    if (entry.path().extension() == ".json") // others are meshes of theirs
+    {
+      EXPECT_EQ(vtkHapticReadMechanism(entry.path().string()).Problem, "");
+      ++files;
+    }
   }
   EXPECT_GT(files, 0);
 }

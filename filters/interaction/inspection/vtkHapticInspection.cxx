@@ -45,7 +45,7 @@ void vtkHapticInspection::GetContactInData(double position[3]) const
   palpate::Vec3 p = palpate::Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   if (source)
   {
-    p = source->W_from_D.inverse() * palpate::Vec3(found->Number("X"), found->Number("Y"), found->Number("Z"));
+    p = source->Placement.inverse() * palpate::Vec3(found->Number("X"), found->Number("Y"), found->Number("Z"));
   }
   std::copy(p.begin(), p.end(), position);
 }

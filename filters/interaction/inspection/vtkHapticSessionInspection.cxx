@@ -108,9 +108,9 @@ std::optional<vtkHapticMarkRecord> vtkHapticSession::Internals::LookAtContact()
   record.Numbers.emplace_back("Force", touched.force_W.norm());
   if (origin)
   {
-    const vtkHapticProbed probed = this->Contact.Probe.Look(origin->Data, origin->W_from_D.inverse() * place->p_W);
+    const vtkHapticProbed probed = this->Contact.Probe.Look(origin->Data, origin->Placement.inverse() * place->p_W);
     AddProbed(record, probed);
-    Replace(record, probed.Cell < 0 ? place->p_W : Vec3(origin->W_from_D * probed.Nearest));
+    Replace(record, probed.Cell < 0 ? place->p_W : Vec3(origin->Placement * probed.Nearest));
   }
   return record;
 }

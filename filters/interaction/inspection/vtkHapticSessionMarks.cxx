@@ -23,7 +23,7 @@ int vtkHapticSession::Internals::StateOf(const vtkHapticMarkRecord& mark) const
   }
   const Vec3 p_W(mark.Number("X"), mark.Number("Y"), mark.Number("Z"));
   const auto cell = static_cast<vtkIdType>(mark.Number("Cell"));
-  return vtkHapticSourceProbe::Holds(origin->Data, cell, origin->W_from_D.inverse() * p_W)
+  return vtkHapticSourceProbe::Holds(origin->Data, cell, origin->Placement.inverse() * p_W)
            ? vtkHapticInspection::MarkHolds
            : vtkHapticInspection::MarkStale;
 }

@@ -72,7 +72,7 @@ public:
   {
     std::string Name;            ///< by which the data was added
     vtkDataObject* Data;         ///< as it was added
-    vtkHapticPlacement W_from_D; ///< from the frame of the data to where the surface is, or goes
+    vtkHapticPlacement Placement; ///< from the frame of the data to where the surface is, or goes
   };
   /// By the surface's own name, which for lines and walls says so; nothing if there is none of that name.
   [[nodiscard]] std::optional<Origin> OriginOf(const std::string& surface) const;

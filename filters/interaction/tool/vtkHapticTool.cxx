@@ -11,7 +11,7 @@
 
 void vtkHapticTool::Choose(palpate::HapticSession& core) const
 {
-  core.choose<palpate::ToolTask>(this->Choice_);
+  core.choose<palpate::ToolTask>(this->Chosen);
 }
 
 std::string vtkHapticTool::Refusal(const palpate::HapticSession& core) const
@@ -25,7 +25,7 @@ std::string vtkHapticTool::Convert(vtkDataObject* data, const std::string& /*rea
   this->Mesh = made.Mesh;
   if (data && !made.Mesh)
   {
-    this->Choice_ = {};
+    this->Chosen = {};
     this->Shape = nullptr;
     return this->Name + " cannot be held: " + made.Problem;
   }
@@ -39,9 +39,9 @@ std::string vtkHapticTool::TakeAgain()
 
 std::string vtkHapticTool::TakeLever()
 {
-  if (this->Choice_.tool)
+  if (this->Chosen.tool)
   {
-    this->Choice_.characteristic_u = this->LeverNow_u();
+    this->Chosen.characteristic_u = this->LeverNow_u();
   }
   return this->Problem;
 }
@@ -55,10 +55,10 @@ double vtkHapticTool::LeverNow_u() const
 
 std::string vtkHapticTool::Make()
 {
-  this->Choice_ = {};
+  this->Chosen = {};
   const std::string refusal = this->Mesh ? this->MakeTool() : std::string();
   this->Problem = refusal.empty() ? "" : this->Name + " cannot be held: " + refusal;
-  this->Shape = this->Choice_.tool ? vtkHapticToPolyData(*this->Mesh) : nullptr;
+  this->Shape = this->Chosen.tool ? vtkHapticToPolyData(*this->Mesh) : nullptr;
   return this->Problem;
 }
 
@@ -73,8 +73,8 @@ std::string vtkHapticTool::MakeTool()
   const auto made = palpate::makeTool(*this->Mesh, handle_T);
   if (made.ok())
   {
-    this->Choice_.tool = std::make_shared<const palpate::ToolMesh>(made.value);
-    this->Choice_.characteristic_u = this->LeverNow_u();
+    this->Chosen.tool = std::make_shared<const palpate::ToolMesh>(made.value);
+    this->Chosen.characteristic_u = this->LeverNow_u();
   }
   return made.problem;
 }
@@ -87,18 +87,18 @@ void vtkHapticTool::GetShape(vtkPolyData* shape) const
 std::optional<vtkHapticHeldAxis> vtkHapticTool::Axis() const
 {
   constexpr double inTheHand = 0.05; // of the diagonal: the middle is as good as the hand
-  if (!this->Choice_.tool)
+  if (!this->Chosen.tool)
   {
     return std::nullopt;
   }
   const bool hasTip = this->Handle == vtkHapticToolHandle::Handle && this->TipPoint_T != this->HandlePoint_T;
   Eigen::AlignedBox3d box;
-  for (const palpate::Vec3& v : this->Choice_.tool->shape_B->mesh().vertices_W)
+  for (const palpate::Vec3& v : this->Chosen.tool->shape_B->mesh().vertices_W)
   {
     box.extend(v);
   }
   const palpate::Vec3 tip_B = hasTip ? palpate::Vec3(this->TipPoint_T - this->HandlePoint_T) : box.center();
-  if (tip_B.norm() > inTheHand * this->Choice_.tool->diagonal_u)
+  if (tip_B.norm() > inTheHand * this->Chosen.tool->diagonal_u)
   {
     return vtkHapticHeldAxis{ tip_B, tip_B.normalized() };
   }
@@ -117,7 +117,7 @@ void vtkHapticPutPose(const palpate::Pose& from, double pose[7])
 /// A pose of the core is that of the tool's centre.
 void vtkHapticTool::PutPose(const palpate::Pose& centre_W, double pose[7]) const
 {
-  const palpate::Vec3 centre = this->Choice_.tool ? this->Choice_.tool->centre_W : palpate::Vec3::Zero();
+  const palpate::Vec3 centre = this->Chosen.tool ? this->Chosen.tool->centre_W : palpate::Vec3::Zero();
   vtkHapticPutPose({ centre_W.p - centre_W.q * centre, centre_W.q }, pose);
 }
 
@@ -145,9 +145,9 @@ std::string vtkHapticTool::Sentence(palpate::HapticSession& core, const palpate:
   {
     return refusal;
   }
-  const std::size_t triangles = this->Choice_.tool->shape_B->mesh().triangles.size();
+  const std::size_t triangles = this->Chosen.tool->shape_B->mesh().triangles.size();
   std::string text = this->Name + ", " + std::to_string(triangles) + " triangles";
-  const std::string felt = palpate::describeFelt(*this->Choice_.tool, state.tool.ball_u > 0.0);
+  const std::string felt = palpate::describeFelt(*this->Chosen.tool, state.tool.ball_u > 0.0);
   text += felt.empty() ? "" : ", " + felt;
   if (!state.tool.held || !core.running())
   {

@@ -33,7 +33,7 @@ public:
   /// The same data by other settings, or only with another lever.
   std::string TakeAgain();
   std::string TakeLever();
-  const palpate::ToolChoice& Choice() const { return this->Choice_; }
+  const palpate::ToolChoice& Choice() const { return this->Chosen; }
   void GetShape(vtkPolyData* shape) const;
   /// From the handle to the tip; without a handle from the hand to the middle of the tool, or where that is in the
   /// hand, down the longest side of its box. Nothing: no tool is held.
@@ -48,7 +48,7 @@ public:
 
 private:
   std::string Convert(vtkDataObject* data, const std::string& reason) override;
-  bool IsMade() const override { return this->Choice_.tool != nullptr; }
+  bool IsMade() const override { return this->Chosen.tool != nullptr; }
   void Look(palpate::HapticSession& core, const palpate::HapticState& state, double now_s) override;
   std::string Sentence(palpate::HapticSession& core, const palpate::HapticState& state) const override;
   const char* Absent() const override;
@@ -58,7 +58,7 @@ private:
   void PutPose(const palpate::Pose& centre_W, double pose[7]) const;
 
   std::shared_ptr<const palpate::TriangleMesh> Mesh;
-  palpate::ToolChoice Choice_;
+  palpate::ToolChoice Chosen;
   vtkSmartPointer<vtkPolyData> Shape; ///< of the held tool
 };
 

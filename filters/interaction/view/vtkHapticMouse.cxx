@@ -67,10 +67,10 @@ bool vtkHapticMouse::Internals::MeetsPlane(const Ray& ray, Vec3& hand_W) const
     return false;
   }
   constexpr double edgeOn = 1e-3; // the plane is seen as a line
-  const double facing = ray.along().dot(normal_W);
+  const double facing = ray.Along().dot(normal_W);
   const double distance = (point_W - ray.Near).dot(normal_W) / facing;
   const bool meets = std::abs(facing) > edgeOn && distance > 0.0;
-  hand_W = meets ? Vec3(ray.Near + distance * ray.along()) : Vec3(this->Session->GetProxyPosition());
+  hand_W = meets ? Vec3(ray.Near + distance * ray.Along()) : Vec3(this->Session->GetProxyPosition());
   return true;
 }
 
@@ -93,7 +93,7 @@ Vec3 vtkHapticMouse::Internals::Lifted(const Ray& ray) const
     box.GetCorner(corner, p_W.data());
     depth = std::min(depth, this->Rays.DepthOf(p_W));
   }
-  const Vec3 towardsEye = -ray.along();
+  const Vec3 towardsEye = -ray.Along();
   const double room = this->Reach(vtkHapticHover_m) + this->Session->GetSight()->GetToolReach(towardsEye.data());
   return this->Rays.AtDepth(ray, std::max(depth - room, this->Rays.DepthOf(ray.Near)));
 }
@@ -137,7 +137,7 @@ vtkHapticAim vtkHapticMouse::Internals::AimAt(const Ray& ray) const
   }
   ball_W += this->Session->GetSight()->GetToolReach(n_W.data()) * n_W;
   const double clearance = std::min(this->Reach(vtkHapticHover_m), (ball_W - ray.Near).norm());
-  return { ball_W - clearance * ray.along(), ball_W - this->Reach(this->Session->GetSetting("PressDepth")) * n_W };
+  return { ball_W - clearance * ray.Along(), ball_W - this->Reach(this->Session->GetSetting("PressDepth")) * n_W };
 }
 
 bool vtkHapticMouse::Internals::IsFree(const Vec3& to_W) const

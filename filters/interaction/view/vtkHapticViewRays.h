@@ -12,7 +12,7 @@ struct vtkHapticRay
   palpate::Vec3 Near;
   palpate::Vec3 Far;
 
-  palpate::Vec3 along() const { return (this->Far - this->Near).normalized(); }
+  palpate::Vec3 Along() const { return (this->Far - this->Near).normalized(); }
 };
 
 /// Points of the scene as the camera of a renderer sees them.

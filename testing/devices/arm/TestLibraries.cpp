@@ -95,32 +95,6 @@ TEST(ForceDimension, ThatReportsAnErrorIsLostWithItsText)
   fail(0);
 }
 
-TEST(ForceDimension, ThatCameBackTurnsNobodysHandUntilAPersonAsksAnew)
-{
-  LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
-  ASSERT_EQ(rig.device.open(), "");
-  const auto torque = fakeFunction<double(int)>(PALPATE_FAKE_DHD, "fakeForce");
-  const auto turn = [&rig]
-  {
-    rig.command.wrench_D.torque = Vec3(0.0, 0.0, 0.1); // and no force
-    rig.run(5);
-  };
-  rig.run(5);
-  turn();
-  EXPECT_EQ(torque(5), 0.1);
-  const auto fail = fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeFail");
-  fail(1);
-  rig.run(2);
-  fail(0);
-  rig.run(1200);
-  ASSERT_TRUE(rig.device.linkReport().attached);
-  EXPECT_EQ(torque(5), 0.0);
-  rig.command = {};
-  rig.run(5);
-  turn();
-  EXPECT_EQ(torque(5), 0.1);
-}
-
 TEST(ForceDimension, WhoseCallBlocksLosesTheDeviceForTheServoWithoutWaiting)
 {
   LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
