@@ -85,7 +85,7 @@ class Bar(unittest.TestCase):
 
     def test_every_test_script_and_experiment_it_names_is_in_the_tree(self):
         self.assertGreater(len(self.experiments), 40)
-        beside = {"palpate-tick-bench", "palpate-device-bench", "palpate-field-bench", "palpate-tool-bench",
+        beside = {"palpate-tick-bench", "palpate-device-bench", "palpate-field-bench", "palpate-soft-bench", "palpate-tool-bench",
                   "palpate-mechanism-bench", "data/get"}  # programs and a command, not tests
         for _, line, names in self.rows():
             for name in names:
