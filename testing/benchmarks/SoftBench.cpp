@@ -113,7 +113,7 @@ bool benchmark(const Case& c, const Options& options)
   const Eigen::VectorXd load = Eigen::VectorXd::Constant(body.displacement().size(), 1e-3);
   std::size_t vertices = 0;
   double sum = 0.0;
-  constexpr double period_s = 1.0 / 30.0; // one for all, so that the ball goes as far between snapshots of each
+  const double period_s = c.goal_Hz > 0.0 ? 1.0 / c.goal_Hz : 0.04;
   for (int i = -1; i < options.snapshots; ++i)
   {
     std::shared_ptr<const ComplianceSnapshot> snapshot;
