@@ -122,7 +122,7 @@ WireOrder ArmLink::orderOf(Attached& device, std::int64_t now_ns) noexcept
     device.settling = mostSettling;
     return order;
   }
-  if (!silent && !device.doubted && device.mayPush && device.counted && !wish.command.lapses)
+  if (!silent && device.doubts == 0 && device.mayPush && device.counted && !wish.command.lapses)
   {
     this->push(device, wish.command.wrench_D, order);
   }
@@ -157,9 +157,9 @@ void ArmLink::take(const std::shared_ptr<Attached>& device, ArmLine::Answer& ans
 {
   const std::int64_t now_ns = this->clock_.now_ns();
   const bool late = now_ns - asked_ns > answer_ms * perMs_ns || now_ns < asked_ns;
-  device->doubted = answer.said != ArmLine::Said::Reading || late;
+  device->doubts = answer.said != ArmLine::Said::Reading || late ? device->doubts + 1 : 0;
   ++this->counts_.outputs;
-  if (!device->doubted)
+  if (device->doubts == 0)
   {
     device->good_ns = now_ns;
     this->takeReading(*device, answer.reading);
@@ -168,7 +168,8 @@ void ArmLink::take(const std::shared_ptr<Attached>& device, ArmLine::Answer& ans
     return;
   }
   this->counts_.strange += answer.said == ArmLine::Said::Nonsense ? 1 : 0;
-  const bool silent = now_ns - device->good_ns > lostAfter_ns || now_ns < asked_ns;
+  const std::int64_t bound_ns = device->doubts > 1 ? lostAfter_ns : silence_ns;
+  const bool silent = now_ns - device->good_ns > bound_ns || now_ns < asked_ns;
   if (answer.said == ArmLine::Said::Gone || silent)
   {
     this->lose(device, answer.said == ArmLine::Said::Reading ? "the device answers too late" : device->line->error());

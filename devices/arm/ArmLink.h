@@ -23,7 +23,8 @@ namespace palpate
 {
 
 /// An arm that comes and goes, between one thread that exchanges messages, which may be blocked in it, and a servo,
-/// which never waits. An answer that is late or wrong is followed by "no force" at once. After a loss there is no force
+/// which never waits. An answer that is late or wrong is followed by "no force" at once. A
+/// single one that is late is forgiven, as every computer stalls now and then. After a loss there is no force
 /// until the servo has asked for none once: only a person brings it back.
 class ArmLink
 {
@@ -63,7 +64,7 @@ private:
     CounterUnwrap unwrap{ 0 };
     std::optional<JointVector> joints;                ///< of the last good answer
     std::int64_t good_ns = 0;                         ///< when that was
-    bool doubted = false;                             ///< an answer since was none
+    int doubts = 0;                                   ///< answers since that were none, or late
     bool mayPush = false;                             ///< it is homed and says nothing against it
     int settling = 0;                                 ///< answers that may still show the counters of before
     std::atomic<bool> homed = false, counted = false; ///< its places mean something

@@ -15,6 +15,8 @@ namespace palpate
 /// plane through the soft body's.
 struct FoundContact
 {
+  static constexpr double alike = 0.9; ///< cosine between the normals of contacts that press in much the same direction
+
   std::uint64_t name = 0;        ///< of the features that meet: the same from answer to answer
   std::int32_t body = 0;         ///< the soft one, in the plan
   Vec3 point_A = Vec3::Zero();   ///< of the mesh, in its frame

@@ -142,6 +142,20 @@ bool report(const std::string& name, std::size_t triangles, const LeastCosts& ti
   return within;
 }
 
+/// True if one of three measurements keeps to the limit: a tick that costs more than before exceeds it in all of them,
+/// and other work of the machine seldom does. `tick` and `walk_us` measure anew.
+template<class Tick, class Walk>
+bool keepsTo(const std::string& name, std::size_t triangles, double slack, Tick tick, Walk walk_us)
+{
+  constexpr int measurements = 3;
+  bool within = false;
+  for (int i = 0; i < measurements && !within; ++i)
+  {
+    within = report(name, triangles, tick(), walk_us(), slack);
+  }
+  return within;
+}
+
 /// A surface that stands, with its slides.
 class Standing
 {
@@ -164,8 +178,9 @@ public:
   /// Measures the reference again beside each row: a machine's clock rate may change meanwhile.
   [[nodiscard]] bool row(const std::string& name, const ContactPlan& plan) const
   {
-    const LeastCosts tick = slide(*this->scene_, plan, this->start_W_, this->points_);
-    return report(name, this->triangles_, tick, this->walk_us(), this->slack_);
+    return keepsTo(
+      name, this->triangles_, this->slack_,
+      [&] { return slide(*this->scene_, plan, this->start_W_, this->points_); }, [this] { return this->walk_us(); });
   }
 
 private:
@@ -242,9 +257,10 @@ bool benchmark(std::size_t triangles, const Options& options)
   within = rough.row("ball, noise", ball()) && within;
   if (triangles <= 100000)
   {
-    within =
-      report("ball, bending", sphere.mesh().triangles.size(), bend(sphere, points), smooth.walk_us(), options.slack) &&
-      within;
+    within = keepsTo(
+               "ball, bending", sphere.mesh().triangles.size(), options.slack, [&] { return bend(sphere, points); },
+               [&] { return smooth.walk_us(); }) &&
+             within;
   }
   if (!options.withAssertions)
   {

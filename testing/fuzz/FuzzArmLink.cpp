@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as the next answer of each kind of arm, to a link that pushes. After bytes that are no answer of its wire,
-// by conditions written here, the next order asks for no force, and the one after a good answer for the force as
-// before. No order asks for more than its motors give for the largest force.
+// Any bytes as the next answer of an arm, to a link that pushes. After bytes that are no answer of its wire, by
+// conditions written here, the next order asks for no force, and the one after a good answer for the force as before.
+// No order asks for more than its motors give for the largest force. First byte: whose answer it is, and whether the
+// rest are the bytes or changes to a good answer, which reach further than random bytes do. With PALPATE_FUZZED_ARM all
+// inputs are for the arm of that name.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <memory>
@@ -327,6 +329,8 @@ public:
   Judge(const Judge&) = delete;
   Judge& operator=(const Judge&) = delete;
 
+  [[nodiscard]] const char* name() const { return this->kind_.name; }
+  [[nodiscard]] const Bytes& good() const { return this->kind_.good; }
   void judge(View answer)
   {
     if (!this->pushed_->judge(answer))
@@ -348,15 +352,68 @@ private:
   std::uint64_t answers_ = 0, refused_ = 0;
 };
 
+std::vector<std::unique_ptr<Judge>> judgesOf(const char* only)
+{
+  std::vector<std::unique_ptr<Judge>> judges;
+  for (const auto& kind : { woodenHaptics, falcon, twoDiy, haply })
+  {
+    judges.push_back(std::make_unique<Judge>(kind()));
+  }
+  if (only != nullptr)
+  {
+    std::erase_if(judges, [only](const auto& judge) { return std::strcmp(judge->name(), only) != 0; });
+    require(!judges.empty());
+  }
+  return judges;
+}
+
+/// The answer after changes of three bytes each: where, how, and with what.
+Bytes changed(Bytes answer, View changes)
+{
+  constexpr std::size_t longest = 4096;
+  const Bytes good = answer;
+  for (; changes.size() >= 3 && !answer.empty() && answer.size() < longest; changes = changes.subspan(3))
+  {
+    const auto at = answer.begin() + static_cast<std::ptrdiff_t>(changes[0] % answer.size());
+    switch (changes[1] % 6)
+    {
+      case 0:
+        *at = changes[2];
+        break;
+      case 1:
+        *at ^= static_cast<std::uint8_t>(1U << changes[2] % 8U);
+        break;
+      case 2:
+        answer.insert(at, changes[2]);
+        break;
+      case 3:
+        answer.erase(at);
+        break;
+      case 4:
+        answer.erase(at, answer.end());
+        break;
+      default:
+        answer.insert(answer.end(), good.begin(), good.end());
+    }
+  }
+  return answer;
+}
+
 } // namespace
 
 // NOLINTNEXTLINE(readability-identifier-naming) the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  static std::array<Judge, 4> judges{ Judge(woodenHaptics()), Judge(falcon()), Judge(twoDiy()), Judge(haply()) };
-  for (Judge& judge : judges)
+  static const std::vector<std::unique_ptr<Judge>> judges = judgesOf(std::getenv("PALPATE_FUZZED_ARM"));
+  if (size == 0)
   {
-    judge.judge({ data, size });
+    return 0;
   }
+  const View rest(data + 1, size - 1);
+  constexpr unsigned kinds = 4;
+  Judge& judge = *judges[data[0] % kinds % judges.size()];
+  const bool changes = data[0] / kinds % 2 == 1;
+  const Bytes answer = changes ? changed(judge.good(), rest) : Bytes(rest.begin(), rest.end());
+  judge.judge(answer);
   return 0;
 }

@@ -2,10 +2,12 @@
 #include "haptics/geometry/mesh/Weld.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
-#include <boost/sort/spreadsort/float_sort.hpp>
+#include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include "haptics/core/InTwo.h"
 
@@ -14,19 +16,26 @@ namespace palpate
 namespace
 {
 
-/// A vertex and its coordinate along the axis that is being put in order.
+/// An integer that is smaller where the coordinate is. The library's own order of numbers with a sign overflows where
+/// they lie far apart on both sides of zero.
+std::uint64_t orderOf(double coordinate)
+{
+  constexpr std::uint64_t sign = std::uint64_t{ 1 } << 63U;
+  const auto bits = std::bit_cast<std::uint64_t>(coordinate + 0.0); // + 0.0: one zero, not two
+  return (bits & sign) != 0 ? ~bits : bits | sign;
+}
+
+/// A vertex and its place along the axis that is being put in order.
 struct Placed
 {
-  double at;
+  std::uint64_t at;
   std::uint32_t index;
 };
 
 void sortAlong(std::span<Placed> placed)
 {
-  using boost::sort::spreadsort::float_mem_cast;
-  boost::sort::spreadsort::float_sort(
-    placed.begin(), placed.end(),
-    [](const Placed& p, unsigned offset) { return float_mem_cast<double, std::int64_t>(p.at) >> offset; },
+  boost::sort::spreadsort::integer_sort(
+    placed.begin(), placed.end(), [](const Placed& p, unsigned offset) { return p.at >> offset; },
     [](const Placed& a, const Placed& b) { return a.at < b.at; });
 }
 
@@ -39,7 +48,7 @@ void orderFrom(Eigen::Index axis, std::span<Placed> placed, const std::vector<Ve
     const auto end = std::find_if(run, placed.end(), [at = run->at](const Placed& p) { return p.at != at; });
     if (end - run > 1)
     {
-      std::for_each(run, end, [&](Placed& p) { p.at = raw_W[p.index][axis + 1] + 0.0; });
+      std::for_each(run, end, [&](Placed& p) { p.at = orderOf(raw_W[p.index][axis + 1]); });
       orderFrom(axis + 1, { run, end }, raw_W);
     }
     run = end;
@@ -54,24 +63,24 @@ std::vector<Placed> finiteOf(const std::vector<Vec3>& raw_W)
   {
     if (raw_W[i].allFinite())
     {
-      finite.push_back({ raw_W[i].x() + 0.0, i }); // + 0.0: one zero, not two
+      finite.push_back({ orderOf(raw_W[i].x()), i });
     }
   }
   return finite;
 }
 
 /// About the median, of a few.
-double middleOf(const std::vector<Placed>& placed)
+std::uint64_t middleOf(const std::vector<Placed>& placed)
 {
   constexpr std::size_t samples = 63;
-  std::vector<double> some;
+  std::vector<std::uint64_t> some;
   for (std::size_t i = 0; i < samples && !placed.empty(); ++i)
   {
     some.push_back(placed[i * placed.size() / samples].at);
   }
   const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
   std::nth_element(some.begin(), middle, some.end());
-  return some.empty() ? 0.0 : *middle;
+  return some.empty() ? 0 : *middle;
 }
 
 /// Vertices in order, those before a plane or behind it: equal ones are in one part.
@@ -119,7 +128,7 @@ private:
 Weld weld(const std::vector<Vec3>& raw_W, unsigned threads)
 {
   std::vector<Placed> finite = finiteOf(raw_W);
-  const double middle = middleOf(finite);
+  const std::uint64_t middle = middleOf(finite);
   const auto behind = std::partition(finite.begin(), finite.end(), [=](const Placed& p) { return p.at < middle; });
   Part first({ finite.begin(), behind }, raw_W), second({ behind, finite.end() }, raw_W);
   inTwo(

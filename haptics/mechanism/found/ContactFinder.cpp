@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/geometry/tree/SurfaceData.h"
 
 namespace palpate
@@ -14,8 +15,6 @@ namespace palpate
 namespace
 {
 
-/// Cosine from which on two contacts press in one direction.
-constexpr double alike = 0.9;
 /// Of the distance between contacts: so much nearer is another one that takes the place of one that was chosen before.
 constexpr double kept = 0.005;
 constexpr double wider = 1.25;
@@ -43,7 +42,7 @@ bool stands(const NearPlace& near, const std::vector<NearPlace>& chosen, double 
     [&](const NearPlace& other)
     {
       const Vec3 way_u = near.contact.place_B.x_W - other.contact.place_B.x_W;
-      return way_u.norm() < apart_u && near.contact.normal_W.dot(other.contact.normal_W) > alike;
+      return way_u.norm() < apart_u && near.contact.normal_W.dot(other.contact.normal_W) > FoundContact::alike;
     });
 }
 
@@ -91,27 +90,33 @@ double forceOn(int soft, std::span<const MechanismPress> presses)
 }
 
 /// A sphere that leaves the surface, as that is without forces, like the mesh does around the place that is nearest: by
-/// least squares over the gaps.
+/// least squares over the mesh's points.
 struct Roundness
 {
   double radius_u = std::numeric_limits<double>::infinity(); ///< infinite where the mesh is flat
   double seen_u = 0.0;                                       ///< how far from that place gaps are known
 };
 
-Roundness roundness(const std::vector<NearPlace>& near, double within_u)
+/// A sphere of radius R that touches a plane at a point is h above it at a distance d where d^2 + h^2 = 2 R h.
+Roundness roundness(const std::vector<NearPlace>& near, const Pose& held_W, double within_u)
 {
-  const NearPlace& nearest = *std::ranges::min_element(near, {}, &NearPlace::free_u);
+  const FoundContact& nearest = std::ranges::min_element(near, {}, &NearPlace::free_u)->contact;
+  const auto heightOf = [&](const FoundContact& contact)
+  { return nearest.normal_W.dot(held_W * contact.point_A - contact.place_B.x_W); };
+  const double least_u = heightOf(nearest);
   double rise = 0.0, square = 0.0;
   Roundness round;
   for (const NearPlace& place : near)
   {
-    const Vec3 way_u = place.contact.place_B.x_W - nearest.contact.place_B.x_W;
-    const double away2_u2 = way_u.squaredNorm();
-    if (away2_u2 <= within_u * within_u && place.contact.normal_W.dot(nearest.contact.normal_W) > alike)
+    const Vec3 way_W = held_W.q * (place.contact.point_A - nearest.point_A);
+    const double away_u = (way_W - nearest.normal_W.dot(way_W) * nearest.normal_W).norm();
+    if (away_u <= within_u && place.contact.normal_W.dot(nearest.normal_W) > FoundContact::alike)
     {
-      rise += away2_u2 * (place.free_u - nearest.free_u);
-      square += away2_u2 * away2_u2;
-      round.seen_u = std::max(round.seen_u, std::sqrt(away2_u2));
+      const double above_u = heightOf(place.contact) - least_u;
+      const double chord2_u2 = away_u * away_u + above_u * above_u;
+      rise += chord2_u2 * above_u;
+      square += chord2_u2 * chord2_u2;
+      round.seen_u = std::max(round.seen_u, away_u);
     }
   }
   round.radius_u = rise > 0.0 ? 0.5 * square / rise : round.radius_u;
@@ -121,9 +126,10 @@ Roundness roundness(const std::vector<NearPlace>& near, double within_u)
 /// Radius of the contact of a mesh that is as round as a ball as far as that goes (Hertz), under the force it has; 0:
 /// it is not, or has none yet.
 double ballContact(
-  const std::vector<NearPlace>& near, double edge_u, double last_u, double force_N, double stiffness_N_per_u2)
+  const std::vector<NearPlace>& near, const Pose& held_W, double edge_u, double last_u, double force_N,
+  double stiffness_N_per_u2)
 {
-  const Roundness round = roundness(near, std::max(seenEdges * edge_u, last_u));
+  const Roundness round = roundness(near, held_W, std::max(seenEdges * edge_u, last_u));
   if (!std::isfinite(round.radius_u))
   {
     return 0.0;
@@ -203,7 +209,7 @@ const FoundContacts& ContactFinder::find(const FinderView& view)
     Body& body = this->bodies_[s];
     const double edge_u = edgeAround(*body.surface, nearest->contact.place_B);
     const double force_N = forceOn(static_cast<int>(s), view.presses);
-    body.ball_u = ballContact(near[s], edge_u, seenOfBall * body.ball_u, force_N, body.stiffness);
+    body.ball_u = ballContact(near[s], view.held_W, edge_u, seenOfBall * body.ball_u, force_N, body.stiffness);
     const double apart_u = std::max(edge_u, acrossBall * body.ball_u);
     const ChosenPlaces chosen = choosePlaces(near[s], this->most_ / met, apart_u, view.touches_u, this->last_);
     body.tip_u = body.ball_u > 0.0 ? std::max(leastTip * edge_u, tipOfBall * body.ball_u) : tipOfPlace * chosen.apart_u;

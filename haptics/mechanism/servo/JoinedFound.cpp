@@ -40,7 +40,7 @@ int sameAs(const FoundContact& contact, const FoundContacts& before, int count) 
       return i;
     }
     const double away_u = (other.place_B.x_W - contact.place_B.x_W).norm();
-    const bool alike = other.body == contact.body && other.normal_W.dot(contact.normal_W) > 0.9;
+    const bool alike = other.body == contact.body && other.normal_W.dot(contact.normal_W) > FoundContact::alike;
     if (alike && away_u <= other.apart_u && away_u < least_u)
     {
       best = i;

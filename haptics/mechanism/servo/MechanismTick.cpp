@@ -355,9 +355,12 @@ const MechanismResult& MechanismTick::step(const MechanismInput& input) noexcept
   {
     beginAnew(*input.plan, this->state_);
   }
-  joinFound(*input.plan, this->state_.found, this->room_->joined);
   MechanismInput joined = input;
-  joined.plan = &this->room_->joined;
+  if (input.found != nullptr || this->state_.found.answer != 0)
+  {
+    joinFound(*input.plan, this->state_.found, this->room_->joined);
+    joined.plan = &this->room_->joined;
+  }
   MechanismStep(joined, *input.plan, this->state_, *this->room_).run();
   return this->room_->result;
 }

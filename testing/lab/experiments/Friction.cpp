@@ -251,31 +251,49 @@ void corner(Table& table)
   table.atLeast({ name, "averaged-normal", "error of the threshold" }, std::abs(found_m / truth_m - 1), 0.25);
 }
 
+struct CostOfFriction
+{
+  Cost without, with;
+};
+
 /// Ticks without and with friction in turn over the same path, so that a change of the machine's pace meets both.
+CostOfFriction costOfFriction(const Scene& scene, const test::NoisySphere& sphere, double radius_mm, int ticks)
+{
+  ContactPlan plain, rough;
+  plain.radius_u = rough.radius_u = radius_mm;
+  rough.friction = { 0.5, 0.3 };
+  GodObjectState plainState, roughState;
+  test::CostSample plainSample(static_cast<std::size_t>(ticks)), roughSample(static_cast<std::size_t>(ticks));
+  (void)moveGodObject(scene, plain, test::slideStart_W(sphere), plainState);
+  (void)moveGodObject(scene, rough, test::slideStart_W(sphere), roughState);
+  for (int i = 0; i < ticks; ++i)
+  {
+    const Vec3 p_W = test::slideOver(sphere, static_cast<std::size_t>(i)).p_W;
+    plainSample.time([&] { (void)moveGodObject(scene, plain, p_W, plainState); });
+    roughSample.time([&] { (void)moveGodObject(scene, rough, p_W, roughState); });
+  }
+  return { Cost::of(plainSample), Cost::of(roughSample) };
+}
+
+/// The least of some measurements: other work of the machine only adds.
 void cost(int ticks, Table& table)
 {
+  constexpr int measurements = 3;
   const test::NoisySphere sphere(100000, 1.0);
   const auto scene = test::sceneOf(sphere.mesh());
   for (const double radius_mm : { 0.0, 1.0 })
   {
-    ContactPlan plain, rough;
-    plain.radius_u = rough.radius_u = radius_mm;
-    rough.friction = { 0.5, 0.3 };
-    GodObjectState plainState, roughState;
-    test::CostSample plainSample(static_cast<std::size_t>(ticks)), roughSample(static_cast<std::size_t>(ticks));
-    (void)moveGodObject(*scene, plain, test::slideStart_W(sphere), plainState);
-    (void)moveGodObject(*scene, rough, test::slideStart_W(sphere), roughState);
-    for (int i = 0; i < ticks; ++i)
+    CostOfFriction least = costOfFriction(*scene, sphere, radius_mm, ticks);
+    for (int i = 1; i < measurements; ++i)
     {
-      const Vec3 p_W = test::slideOver(sphere, static_cast<std::size_t>(i)).p_W;
-      plainSample.time([&] { (void)moveGodObject(*scene, plain, p_W, plainState); });
-      roughSample.time([&] { (void)moveGodObject(*scene, rough, p_W, roughState); });
+      const CostOfFriction again = costOfFriction(*scene, sphere, radius_mm, ticks);
+      least.without = again.without.p50_us < least.without.p50_us ? again.without : least.without;
+      least.with = again.with.p50_us < least.with.p50_us ? again.with : least.with;
     }
-    const Cost without = Cost::of(plainSample), with = Cost::of(roughSample);
+    const bool within = least.with.p50_us <= 1.3 * least.without.p50_us;
     const std::string name = caseName({ { "triangles", 1e5 }, { "r", radius_mm } });
-    table.within({ name, "with friction", "p50 within 1.3 plain ticks" }, with.p50_us <= 1.3 * without.p50_us, 1.0, 0.0)
-      .cost = with;
-    table.info({ name, "plain", "ticks" }, ticks).cost = without;
+    table.within({ name, "with friction", "p50 within 1.3 plain ticks" }, within, 1.0, 0.0).cost = least.with;
+    table.info({ name, "plain", "ticks" }, ticks).cost = least.without;
   }
 }
 
