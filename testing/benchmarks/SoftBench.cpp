@@ -129,7 +129,8 @@ bool benchmark(const Case& c, const Options& options)
   }
   const double packet_ms = 1e-3 * snapshots.quantile_us(0.5), wall_ms = 1e-3 * walls.quantile_us(0.5),
                solve_ms = 1e-3 * solves.quantile_us(0.5);
-  std::printf("%-44s %6zu nodes, %3zu vertices: processor time of a snapshot p50 %7.2f ms p99 %7.2f ms, by the wall p50 %7.2f ms, %6.1f Hz",
+  std::printf("%-44s %6zu nodes, %3zu vertices: processor time of a snapshot p50 %7.2f ms p99 %7.2f ms, by the wall "
+              "p50 %7.2f ms, %6.1f Hz",
     c.name.c_str(), input.mesh.vertices_W.size(), vertices, packet_ms, 1e-3 * snapshots.quantile_us(0.99), wall_ms,
     1e3 / wall_ms);
   std::printf("%s", c.goal_Hz > 0.0 ? (" (goal " + std::to_string(static_cast<int>(c.goal_Hz)) + " Hz)").c_str() : "");

@@ -367,7 +367,7 @@ std::vector<std::unique_ptr<Judge>> judgesOf(const char* only)
   return judges;
 }
 
-/// The answer after changes of three bytes each: where, how, and with what.
+/// The answer after changes of three bytes each: place, kind of the change and new byte.
 Bytes changed(Bytes answer, View changes)
 {
   constexpr std::size_t longest = 4096;

@@ -344,7 +344,8 @@ std::string vtkHapticHeldMechanism::FeltText(bool runs) const
   {
     text += "; now " + palpate::overlapText(pair);
   }
-  text += this->Now.ahead ? "; the hand is faster than contacts are looked for, so that the held mesh stays behind" : "";
+  text +=
+    this->Now.ahead ? "; the hand is faster than contacts are looked for, so that the held mesh stays behind" : "";
   text += this->Now.leftOut > 0 ? "; the held mesh touches in more places than a tick can solve" : "";
   return text + (this->Now.capped ? "; the constraints were not satisfied within the work of a tick" : "");
 }

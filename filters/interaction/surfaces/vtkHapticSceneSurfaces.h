@@ -70,8 +70,8 @@ public:
   /// Where a surface of the scene that was committed comes from.
   struct Origin
   {
-    std::string Name;            ///< by which the data was added
-    vtkDataObject* Data;         ///< as it was added
+    std::string Name;             ///< by which the data was added
+    vtkDataObject* Data;          ///< as it was added
     vtkHapticPlacement Placement; ///< from the frame of the data to where the surface is, or goes
   };
   /// By the surface's own name, which for lines and walls says so; nothing if there is none of that name.

@@ -150,7 +150,8 @@ void FindContacts(const Node& root, palpate::Mechanism& mechanism)
   }
   if (root.has("friction") && !mechanism.findsContacts)
   {
-    root.fail("friction", "is that of found contacts: set \"contacts\": \"found\", or give the friction of a constraint");
+    root.fail(
+      "friction", "is that of found contacts: set \"contacts\": \"found\", or give the friction of a constraint");
   }
   mechanism.foundFriction = root.size("friction");
 }

@@ -125,8 +125,7 @@ Roundness roundness(const std::vector<NearPlace>& near, const Pose& held_W, doub
 
 /// Radius of the contact of a mesh that is as round as a ball as far as that goes (Hertz), under the force it has; 0:
 /// it is not, or has none yet.
-double ballContact(
-  const std::vector<NearPlace>& near, const Pose& held_W, double edge_u, double last_u, double force_N,
+double ballContact(const std::vector<NearPlace>& near, const Pose& held_W, double edge_u, double last_u, double force_N,
   double stiffness_N_per_u2)
 {
   const Roundness round = roundness(near, held_W, std::max(seenEdges * edge_u, last_u));
