@@ -24,7 +24,7 @@ namespace
 constexpr int pipeOfGuard = 3, linkOfGuard = 4; ///< the descriptors that the program expects
 constexpr auto patience = std::chrono::milliseconds(500);
 
-/// Beside the library, in the build tree as where it is installed.
+/// The same in the build tree as where the library is installed.
 std::string guardProgram()
 {
   Dl_info info{};
@@ -34,7 +34,7 @@ std::string guardProgram()
   }
   std::error_code ignored;
   const std::filesystem::path library = std::filesystem::canonical(info.dli_fname, ignored);
-  return (library.parent_path().parent_path() / "libexec" / "palpate" / "palpate-guard").string();
+  return guardProgramOf(library);
 }
 
 std::string hexOf(std::span<const std::uint8_t> bytes)
@@ -93,6 +93,16 @@ private:
 };
 
 } // namespace
+
+std::string guardProgramOf(const std::filesystem::path& library)
+{
+  const std::filesystem::path inPrefix = std::filesystem::path("libexec") / "palpate" / "palpate-guard";
+  const std::filesystem::path above = library.parent_path().parent_path();
+  const std::filesystem::path first = above / inPrefix, second = above.parent_path() / inPrefix;
+  std::error_code ignored;
+  return !std::filesystem::exists(first, ignored) && std::filesystem::exists(second, ignored) ? second.string()
+                                                                                              : first.string();
+}
 
 Guard::Guard(Guard&& other) noexcept
   : process_(std::exchange(other.process_, -1)), pipe_(std::exchange(other.pipe_, -1))

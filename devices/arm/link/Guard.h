@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <sys/types.h>
@@ -10,6 +11,11 @@
 
 namespace palpate
 {
+
+/// The program of the guard that belongs to a library in this file: in `libexec/palpate` of the folder above its own,
+/// or of one higher, as libraries stand in `lib` or in `lib/<machine>`. Where there is none, the path that was tried
+/// first.
+[[nodiscard]] std::string guardProgramOf(const std::filesystem::path& library);
 
 /// The other end of a guard: a process of its own that holds a copy of an open link and writes "no torque" to it once
 /// this end is closed, which the death of this process does, too. For devices that keep their torque when their host is

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
 #include <sys/wait.h>
 #include <thread>
 
@@ -16,6 +17,7 @@
 #include "testing/devices/arm/TwoDiyModel.h"
 #include "testing/support/Eventually.h"
 #include "testing/support/Random.h"
+#include "testing/support/TemporaryFolder.h"
 
 namespace palpate
 {
@@ -141,6 +143,18 @@ TEST(Guard, ThatCannotHoldTheLinkIsSaid)
 {
   const Outcome<Guard> guard = Guard::start(-1, 0, WireBytes{ 1 });
   EXPECT_THAT(guard.problem, testing::HasSubstr("without it this device gives no force"));
+}
+
+TEST(Guard, IsFoundBesideLibrariesOneFolderDeepAndTwo)
+{
+  const test::TemporaryFolder prefix;
+  const std::filesystem::path guard = prefix.path() / "libexec" / "palpate" / "palpate-guard";
+  std::filesystem::create_directories(guard.parent_path());
+  std::ofstream(guard) << "a program";
+  for (const char* folder : { "lib", "lib/x86_64-linux-gnu" })
+  {
+    EXPECT_EQ(guardProgramOf(prefix.path() / folder / "libpalpate.so"), guard.string()) << folder;
+  }
 }
 
 TEST(SerialPort, IsOneProgramsAlone)

@@ -169,8 +169,10 @@ TYPED_TEST(ArmOnAKernel, IsReadAndPushedAsItsModelIs)
   const double exchanges = static_cast<double>(arm.servo.device.linkReport().inputs - before.inputs);
   std::cout << TypeParam::road << ": " << 1e3 * exchanges / static_cast<double>(arm.plug.time_ms() - from_ms)
             << " exchanges a second\n";
+  const std::int64_t closed_ms = arm.plug.time_ms();
   arm.servo.device.close();
-  EXPECT_EQ(arm.torque(), 0.0);
+  EXPECT_TRUE(waitUntil([&] { return arm.torque() == 0.0; }));
+  EXPECT_LE(arm.plug.time_ms() - closed_ms, 20) << "the last order was on its way";
 }
 
 // A wall at the middle: the hand feels K times its depth, as far as a count shows that.
