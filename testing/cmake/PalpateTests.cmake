@@ -190,20 +190,36 @@ function (palpate_add_server_gui_test)
   _palpate_set_properties("pvcs.${arg_NAME}")
 endfunction ()
 
+# A ctest of the fuzz target that its caller has added.
+function (_palpate_add_fuzz_test test)
+  set(found "${CMAKE_CURRENT_BINARY_DIR}/${test}-found")
+  file(MAKE_DIRECTORY "${found}")
+  add_test(NAME "fuzz.${test}"
+    COMMAND "${program}" ${extent} -rss_limit_mb=2048 -timeout=20 -print_final_stats=1
+      "-artifact_prefix=${found}/" "${found}" "${CMAKE_CURRENT_SOURCE_DIR}/${arg_CORPUS}")
+  _palpate_set_properties("fuzz.${test}")
+endfunction ()
+
 # palpate_add_fuzz_target(NAME fuzz-clean SOURCES FuzzClean.cpp ../../haptics/geometry/mesh/TriangleMesh.cpp CORPUS folder
-#   [OPTIONS flags...] [LIBRARIES flags...] [FULL_RUNS count])
+#   [OPTIONS flags...] [LIBRARIES flags...] [FULL_RUNS count] [VARIANTS VARIABLE=value...])
 # A libFuzzer program built by clang++ with its own instrumented copies of SOURCES (the rest of the build may be GCC),
 # compiled at once as their headers take longest, and a ctest that runs it for 8 s, in ./dev test --full for 120 s or
-# FULL_RUNS inputs, from the seeds in CORPUS, which it does not change. Label: fuzz.
+# FULL_RUNS inputs, from the seeds in CORPUS, which it does not change. With VARIANTS, one such ctest for each, with that
+# in its environment; in the short form they share the 8 s. Label: fuzz.
 function (palpate_add_fuzz_target)
-  _palpate_parse(fuzz "CORPUS;FULL_RUNS" "SOURCES;OPTIONS;LIBRARIES")
+  _palpate_parse(fuzz "CORPUS;FULL_RUNS" "SOURCES;OPTIONS;LIBRARIES;VARIANTS")
   set(arg_GROUP palpate_fuzzers)
   find_program(PALPATE_CLANG clang++)
   if (NOT PALPATE_CLANG)
     message(STATUS "Fuzz target ${arg_NAME}: left out, clang++ is not installed")
     return ()
   endif ()
+  list(LENGTH arg_VARIANTS variants)
   set(extent -max_total_time=8)
+  if (variants GREATER 1)
+    math(EXPR share "8 / ${variants}")
+    set(extent "-max_total_time=${share}")
+  endif ()
   if (PALPATE_TIMEOUT_FACTOR AND arg_FULL_RUNS)
     set(extent "-runs=${arg_FULL_RUNS}")
   elseif (PALPATE_TIMEOUT_FACTOR)
@@ -224,10 +240,11 @@ function (palpate_add_fuzz_target)
     COMMENT "Fuzz target ${arg_NAME}" VERBATIM COMMAND_EXPAND_LISTS)
   add_custom_target("${arg_NAME}" DEPENDS "${program}")
   palpate_build_apart(palpate_fuzzers "${arg_NAME}")
-  set(found "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}-found")
-  file(MAKE_DIRECTORY "${found}")
-  add_test(NAME "fuzz.${arg_NAME}"
-    COMMAND "${program}" ${extent} -rss_limit_mb=2048 -timeout=20 -print_final_stats=1
-      "-artifact_prefix=${found}/" "${found}" "${CMAKE_CURRENT_SOURCE_DIR}/${arg_CORPUS}")
-  _palpate_set_properties("fuzz.${arg_NAME}")
+  if (NOT arg_VARIANTS)
+    _palpate_add_fuzz_test("${arg_NAME}")
+  endif ()
+  foreach (arg_ENVIRONMENT IN LISTS arg_VARIANTS)
+    string(REGEX REPLACE "^.*=" "" value "${arg_ENVIRONMENT}")
+    _palpate_add_fuzz_test("${arg_NAME}.${value}")
+  endforeach ()
 endfunction ()

@@ -323,8 +323,11 @@ public:
   ~Judge()
   {
     this->count();
-    std::printf("%-14s %llu answers that may push, %llu that may not\n", this->kind_.name,
-      static_cast<unsigned long long>(this->answers_), static_cast<unsigned long long>(this->refused_));
+    if (this->answers_ + this->refused_ > 0)
+    {
+      std::printf("%-14s %llu answers that may push, %llu that may not\n", this->kind_.name,
+        static_cast<unsigned long long>(this->answers_), static_cast<unsigned long long>(this->refused_));
+    }
   }
   Judge(const Judge&) = delete;
   Judge& operator=(const Judge&) = delete;
