@@ -16,13 +16,19 @@ std::vector<HidEntry> HidArmBus::devices()
 
 ArmBus::Opened HidArmBus::open(const HidEntry& entry)
 {
+  Outcome<FileLock> lock = FileLock::take(entry.path);
+  if (!lock.ok())
+  {
+    return { nullptr, std::move(lock.problem) };
+  }
   HidBus::Opened opened = this->hid_->open(entry);
   if (opened.value == nullptr)
   {
     return { nullptr, std::move(opened.problem) };
   }
   auto line = std::make_unique<WireLine>(
-    std::make_unique<HidByteLink>(std::move(opened.value), this->which_(entry)), this->protocol_);
+    std::make_unique<HidByteLink>(std::move(opened.value), this->which_(entry), std::move(lock.value)),
+    this->protocol_);
   std::string problem = line->begin();
   return { problem.empty() ? std::move(line) : nullptr, problem };
 }

@@ -296,7 +296,8 @@ SelfTestReason judgeOneAxis(const SelfTestPlan& plan, const SelfTestState& state
   return motorOf(plan, state, sensor) < 0 ? graver(worst, SelfTestReason::NoMotion) : worst;
 }
 
-/// Of an arm, whose kinematics say where a push leads.
+/// Of an arm, whose kinematics say where a push leads. Its coming back after the push is not judged: an arm has no
+/// spring, and its friction or a hand that holds it lightly may leave a sound arm where it was pushed.
 SelfTestReason contradictionOf(const MotorFinding& found, int motor)
 {
   return found.motion != MotorMotion::Clear ? SelfTestReason::None

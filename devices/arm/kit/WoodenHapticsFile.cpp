@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "devices/arm/protocol/WoodenHapticsWire.h"
+#include "haptics/arm/file/ArmFile.h"
 #include "haptics/core/JsonNode.h"
 
 namespace palpate
@@ -71,9 +72,12 @@ ArmPlan planOf(const Numbers& numbers)
   plan.source = "the owner's woodenhaptics.json";
   plan.geometry =
     WoodenGeometry{ numbers.of("length_body", 'a'), numbers.of("length_body", 'b'), numbers.of("length_body", 'c') };
+  const ArmPlan known = knownArm("woodenhaptics-2015").value; // for the ends of joints, which an owner's file has not
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
     plan.joints[i] = jointOf(numbers, bodies[i]);
+    plan.joints[i].low_rad = known.joints[i].low_rad;
+    plan.joints[i].high_rad = known.joints[i].high_rad;
   }
   for (int k = 0; k < 3; ++k)
   {

@@ -5,11 +5,11 @@
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
+#include "devices/arm/link/FileLock.h"
 #include "devices/hid/HidapiBus.h"
 
 namespace palpate
@@ -31,9 +31,13 @@ int makeRaw(int file)
   settings.c_cflag |= CLOCAL;
   settings.c_cc[VMIN] = 0;
   settings.c_cc[VTIME] = 0;
-  if (flock(file, LOCK_EX | LOCK_NB) != 0 || ioctl(file, TIOCEXCL) != 0)
+  if (const int refused = lockAlone(file); refused != 0)
   {
-    return errno == EWOULDBLOCK ? EBUSY : errno;
+    return refused;
+  }
+  if (ioctl(file, TIOCEXCL) != 0)
+  {
+    return errno;
   }
   return tcsetattr(file, TCSANOW, &settings) == 0 && tcflush(file, TCIOFLUSH) == 0 ? 0 : errno;
 }

@@ -24,6 +24,7 @@ public:
   {
     bool runs = true; ///< the firmware does
     bool greets = true;
+    bool canBeHeld = true; ///< a guard can have a copy of the open chip
     std::size_t wrongEchoAt = static_cast<std::size_t>(-1);
     bool takesAnything = true; ///< else the loaded firmware does not run
     std::vector<std::uint8_t> loaded;
@@ -81,7 +82,7 @@ public:
     return count < 0 ? count : count + 2;
   }
   std::string error() const override { return "No such device"; }
-  int handle() const noexcept override { return this->file_; }
+  int handle() const noexcept override { return this->loader_->canBeHeld ? this->file_ : -1; }
 
 private:
   void load(std::vector<std::uint8_t> bytes)

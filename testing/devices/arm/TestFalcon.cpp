@@ -66,6 +66,37 @@ TEST(Falcon, IsUsedAtOnceWhereItsFirmwareRunsAndGivesNoForceBeforeAllItsMotorsAr
   EXPECT_EQ(falcon.model->force_N().norm(), 0.0) << "a motor that forgets its zero";
 }
 
+TEST(Falcon, IsRefusedWhereNoGuardCanHoldItsLink)
+{
+  FalconRig falcon;
+  falcon.loader->canBeHeld = false;
+  EXPECT_THAT(falcon.rig.device.open(), testing::HasSubstr("without it this device gives no force"));
+  falcon.home();
+  ask(falcon.rig, { 0.0, 0.0, 2.0 });
+  EXPECT_NE(falcon.rig.status, DeviceStatus::Ok);
+  EXPECT_EQ(falcon.model->motor, (std::array<int, 3>{ 0, 0, 0 }));
+}
+
+TEST(Falcon, WhoseFirmwareWasLoadedHasNoHandWithoutAGuard)
+{
+  const test::TemporaryFolder folder;
+  FalconRig falcon;
+  falcon.loader->runs = false;
+  falcon.loader->canBeHeld = false;
+  ASSERT_EQ(falcon.rig.device.open(), "");
+  falcon.rig.run(5);
+  const std::string file = folder.file("firmware.bin");
+  writeFirmware(file);
+  falcon.rig.device.stepDone(file);
+  falcon.rig.run(500);
+  falcon.home();
+  ask(falcon.rig, { 0.0, 0.0, 2.0 });
+  EXPECT_EQ(falcon.rig.status, DeviceStatus::Waiting);
+  ASSERT_TRUE(falcon.rig.device.step());
+  EXPECT_THAT(falcon.rig.device.step()->sentence, testing::HasSubstr("without it this device gives no force"));
+  EXPECT_EQ(falcon.model->motor, (std::array<int, 3>{ 0, 0, 0 }));
+}
+
 // Each look at a chip that has nothing takes a millisecond.
 TEST(Falcon, IsAskedForNothingBesideItsAnswersButAfterOneThatIsMissing)
 {

@@ -3,7 +3,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
+#include <stop_token>
+#include <string>
 #include <sys/wait.h>
 #include <thread>
 
@@ -25,6 +28,7 @@ namespace
 {
 
 constexpr double pushed_Nm = 0.05;
+constexpr int generous_ms = 20000; ///< for an answer on a machine that is busy
 
 /// Pushes until it is killed. With a child that holds a copy of everything that it has.
 [[noreturn]] void pushForEver(const std::string& path, bool withChild)
@@ -47,7 +51,9 @@ constexpr double pushed_Nm = 0.05;
   }
 }
 
-/// A program that pushes a board, and is killed after it got that many answers.
+/// A program that pushes a board, and is killed after it got that many answers. The time until then is printed alone:
+/// guard and board are processes on a machine that may be busy, and the board has no clock of its own here. Tests in a
+/// guest judge the time (testing/vm/arm).
 void expectNoTorqueAfterDeath(bool withChild, int answers)
 {
   test::TwoDiyModel model;
@@ -118,6 +124,69 @@ TEST(Guard, ThatIsEndedItselfEndsTheForce)
   EXPECT_TRUE(guard.value.watches()) << "what ends programs politely does not end it";
   kill(guard.value.process(), SIGKILL);
   EXPECT_TRUE(test::eventually([&] { return !guard.value.watches(); }));
+}
+
+/// The guard that this process has started; -1: none, or more than one.
+pid_t guardOfThisProcess()
+{
+  pid_t found = -1;
+  int guards = 0;
+  for (const auto& folder : std::filesystem::directory_iterator("/proc"))
+  {
+    // "12 (palpate-guard) S 7 ...": its number, name, state and parent.
+    std::string number, name, state;
+    pid_t parent = -1;
+    if (std::ifstream(folder.path() / "stat") >> number >> name >> state >> parent && name == "(palpate-guard)" &&
+        parent == getpid())
+    {
+      found = static_cast<pid_t>(std::stoi(number));
+      ++guards;
+    }
+  }
+  return guards == 1 ? found : -1;
+}
+
+TEST(Guard, ThatIsKilledEndsTheForceOfItsLine)
+{
+  test::TwoDiyModel model;
+  test::PtyBoard board(model);
+  const ArmBus::Opened opened = openTwoDiy(board.path());
+  ASSERT_NE(opened.value, nullptr) << opened.problem;
+  WireOrder order;
+  order.joint_Nm = { pushed_Nm, -pushed_Nm, 0.0 };
+  {
+    const std::jthread firmware(
+      [&board](const std::stop_token& over)
+      {
+        while (!over.stop_requested())
+        {
+          board.serve(1);
+        }
+      });
+    ASSERT_EQ(opened.value->exchange(order, generous_ms).said, ArmLine::Said::Reading) << opened.value->error();
+  }
+  ASSERT_GT(model.torque_Nm[0], 0.9 * pushed_Nm);
+  const pid_t guard = guardOfThisProcess();
+  ASSERT_GT(guard, 0);
+  ASSERT_EQ(kill(guard, SIGKILL), 0);
+  siginfo_t ended{};
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(guard), &ended, WEXITED | WNOWAIT), 0);
+
+  const int orders = model.answers;
+  EXPECT_EQ(opened.value->exchange(order, 0).said, ArmLine::Said::Gone);
+  EXPECT_EQ(opened.value->error(), "the guard, which ends the force when this program dies, has ended");
+  board.serve(50);
+  EXPECT_EQ(model.answers, orders) << "nothing was ordered without a guard";
+  opened.value->letGo(); // as the link does with a line that is gone
+  EXPECT_TRUE(test::eventually(
+    [&]
+    {
+      board.serve(1);
+      return model.torque_Nm == std::array<double, 2>{};
+    }));
+  EXPECT_EQ(opened.value->exchange(order, 0).said, ArmLine::Said::Gone) << "and it stays so";
+  board.serve(50);
+  EXPECT_EQ(model.torque_Nm, (std::array<double, 2>{}));
 }
 
 TEST(Guard, WritesWhenItsProgramLetsGoOfItAndThenIsGone)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole chain of a WoodenHaptics arm, against a model of its firmware and mechanics.
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -84,6 +85,42 @@ TEST(WoodenHaptics, AppliesTheForceThatIsAskedToHalfAStepOfItsCurrentsEverywhere
     // The Jacobian is that of the counted place: a count turns a force of 2 N by less than 1e-2.
     const double counted_N = 2.0 * 1e-2;
     EXPECT_LE((rig.model->force_N() - rig.command.wrench_D.force).norm(), rig.model->halfStep_N() + counted_N);
+  }
+}
+
+/// Poses at one end of one joint, where the others keep the arm far from singular.
+struct JointEnd
+{
+  int joint;
+  double end_deg;   ///< of the arm of 2015
+  double range_deg; ///< of that joint
+  Vec3 pose_deg;    ///< its own joint at the end
+};
+
+// Force fades to none over the last 5 % of a joint's range.
+TEST(WoodenHaptics, GivesNoForcePastTheEndsOfItsJointsAndAllOfItBeforeThem)
+{
+  constexpr double rad_per_deg = std::numbers::pi / 180.0;
+  const std::array<JointEnd, 6> ends{ { { 0, 100.0, 200.0, { 100.0, 0.0, 90.0 } },
+    { 0, -100.0, 200.0, { -100.0, 0.0, 90.0 } }, { 1, 80.0, 160.0, { 0.0, 80.0, 10.0 } },
+    { 1, -80.0, 160.0, { 0.0, -80.0, 150.0 } }, { 2, 170.0, 180.0, { 0.0, -60.0, 170.0 } },
+    { 2, -10.0, 180.0, { 0.0, 60.0, -10.0 } } } };
+  for (const JointEnd& end : ends)
+  {
+    WoodenHapticsRig rig;
+    ASSERT_EQ(rig.open(), "");
+    const Vec3 outward_deg = (end.end_deg < 0.0 ? -1.0 : 1.0) * Vec3::Unit(end.joint);
+    rig.model->place(rad_per_deg * (end.pose_deg - 0.06 * end.range_deg * outward_deg));
+    ask(rig, { 0.0, 0.7, 0.0 });
+    EXPECT_EQ(rig.status, DeviceStatus::Ok);
+    // The Jacobian is that of the counted place: a count turns a force by less than 1 in 100.
+    EXPECT_LE((rig.model->force_N() - Vec3(0.0, 0.7, 0.0)).norm(), rig.model->halfStep_N() + 0.7 * 1e-2)
+      << "joint " << end.joint << " before " << end.end_deg;
+    rig.model->place(rad_per_deg * (end.pose_deg + 0.5 * outward_deg));
+    rig.run(5);
+    EXPECT_EQ(rig.status, DeviceStatus::Ok) << "it is read there";
+    EXPECT_NEAR((rig.sample.pose_D.p - rig.model->tip_m()).norm(), 0.0, oneCount_m);
+    EXPECT_EQ(rig.model->force_N().norm(), 0.0) << "joint " << end.joint << " past " << end.end_deg;
   }
 }
 
@@ -227,6 +264,17 @@ TEST(WoodenHaptics, IsLeftWithoutForce)
   EXPECT_EQ(rig.model->force_N().norm(), 0.0);
 }
 
+/// A check of a device along its first axes, as it passes.
+Calibration checkOf(const std::string& name, const std::string& serial, int axes)
+{
+  Calibration check{ name, serial, "2026-01-31", axes, {} };
+  for (int i = 0; i < axes; ++i)
+  {
+    check.axes[static_cast<std::size_t>(i)] = { i, 1, -0.1, 0.1, i, 1, 0.01, 0.0 };
+  }
+  return check;
+}
+
 TEST(WoodenHaptics, GivesAllOfItsForceOnceItsCheckWasKeptForItsNumber)
 {
   WoodenHapticsRig rig;
@@ -238,12 +286,7 @@ TEST(WoodenHaptics, GivesAllOfItsForceOnceItsCheckWasKeptForItsNumber)
   MadeDevice made = makeDevice(name, options);
   ASSERT_NE(made.device, nullptr) << made.problem;
   EXPECT_EQ(made.device->info().maxForce_N.value, 1.0);
-  Calibration kept{ name, "7", "2026-01-31", 3, {} };
-  for (int i = 0; i < 3; ++i)
-  {
-    kept.axes[static_cast<std::size_t>(i)] = { i, 1, -0.1, 0.1, i, 1, 0.01, 0.0 };
-  }
-  ASSERT_EQ(saveCalibration(options.calibrationFolder, kept), "");
+  ASSERT_EQ(saveCalibration(options.calibrationFolder, checkOf(name, "7", 3)), "");
   made = makeDevice(name, options);
   ASSERT_NE(made.device, nullptr) << made.problem;
   EXPECT_EQ(made.device->info().maxForce_N.value, 5.0) << "of the owner's file";
@@ -259,11 +302,7 @@ struct KeptCheck
     this->options.hid = rig.bus;
     this->options.arms = std::make_shared<const std::vector<ArmKit>>(std::vector<ArmKit>{ rig.kit });
     this->options.calibrationFolder = rig.folder.path();
-    this->kept = { this->name, serial, "2026-01-31", axes, {} };
-    for (int i = 0; i < axes; ++i)
-    {
-      this->kept.axes[static_cast<std::size_t>(i)] = { i, 1, -0.1, 0.1, i, 1, 0.01, 0.0 };
-    }
+    this->kept = checkOf(this->name, serial, axes);
     EXPECT_EQ(saveCalibration(this->options.calibrationFolder, this->kept), "");
   }
   [[nodiscard]] double largest_N() const
@@ -317,10 +356,49 @@ TEST(WoodenHaptics, OfWhichTwoCannotBeToldApartKeepsItsLimit)
   DeviceOptions options;
   options.hid = rig.bus;
   options.arms = std::make_shared<const std::vector<ArmKit>>(std::vector<ArmKit>{ rig.kit });
-  const std::vector<KnownDevice> known = knownDevices(options);
-  const auto arms = std::count_if(known.begin(), known.end(),
-    [](const KnownDevice& device) { return device.name.starts_with("woodenhaptics") && device.hasTwin; });
-  EXPECT_EQ(arms, 2);
+  options.calibrationFolder = rig.folder.path();
+  int twins = 0;
+  for (const KnownDevice& known : knownDevices(options))
+  {
+    if (!known.name.starts_with("woodenhaptics"))
+    {
+      continue;
+    }
+    ++twins;
+    EXPECT_TRUE(known.hasTwin) << known.name;
+    const Calibration kept = checkOf(known.name, "7", 3);
+    ASSERT_EQ(saveCalibration(options.calibrationFolder, kept), "");
+    for (const bool feltNow : { false, true })
+    {
+      options.felt = feltNow ? std::optional(kept) : std::nullopt;
+      const MadeDevice made = makeDevice(known.name, options);
+      ASSERT_NE(made.device, nullptr) << made.problem;
+      EXPECT_EQ(made.device->info().maxForce_N.value, 1.0) << "the check may be that of the other arm";
+      EXPECT_EQ(made.warning, twinNote);
+    }
+  }
+  EXPECT_EQ(twins, 2);
+}
+
+TEST(WoodenHaptics, IsRefusedToASecondProgramUntilTheFirstHasEnded)
+{
+  WoodenHapticsRig rig;
+  HidEntry& plug = rig.port.entry;
+  plug.path = rig.folder.file("hidraw7"); // stands in for the device's file
+  std::ofstream(plug.path).flush();
+  const ArmSetup& setup = rig.kit.setup;
+  ArmDevice first("first", rig.kit.bus, plug, setup, { false, &rig.bus->time() });
+  ArmDevice second("second", rig.kit.bus, plug, setup, { false, &rig.bus->time() });
+  ASSERT_EQ(first.open(), "");
+  EXPECT_THAT(second.open(), testing::HasSubstr(plug.path + " is busy: close the other program that uses it"));
+  EXPECT_EQ(rig.port.opened, 1);
+  first.close();
+  EXPECT_EQ(second.open(), "");
+  EXPECT_THAT(first.open(), testing::HasSubstr("is busy"));
+  rig.port.present = false; // until it is plugged in again
+  static_cast<void>(second.link().pass());
+  rig.port.present = true;
+  EXPECT_EQ(first.open(), "") << "a device that was lost is free";
 }
 
 TEST(WoodenHapticsFile, SaysWhatIsWrongWithIt)
