@@ -140,13 +140,14 @@ Kind kindOf(const FoundEvdev& found, const std::shared_ptr<EvdevBus>& bus)
 
 Kind kindOf(const FoundArm& found)
 {
-  ArmSetup setup = found.kit->setup;
+  ArmSetup setup = found.setup;
   setup.problem = found.problem;
   const auto make = [name = found.name, entry = found.entry, hasTwin = found.hasTwin, bus = found.kit->bus, setup](
                       const DeviceOptions&) {
     return MadeDevice{ std::make_unique<ArmDevice>(name, bus, entry, setup), "", "", hasTwin };
   };
-  Kind kind{ found.name, setup.what, make, found.problem, found.hasTwin, setup.grips };
+  const std::string what = setup.what + (found.note.empty() ? "" : ", " + found.note);
+  Kind kind{ found.name, what, make, found.problem, found.hasTwin, setup.grips };
   kind.isAssumed = found.isAssumed;
   return kind;
 }

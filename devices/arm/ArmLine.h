@@ -54,6 +54,9 @@ public:
   [[nodiscard]] virtual Opened open(const HidEntry& entry) = 0;
   /// Empty, or the reason why it could not be opened now, and the remedy. Tells the device nothing.
   [[nodiscard]] virtual std::string refusal(const HidEntry& entry) = 0;
+  /// Empty, or the step of a person that a usable arm awaits before it pushes, as far as that is known without opening
+  /// the arm. Tells the device nothing.
+  [[nodiscard]] virtual std::string note(const HidEntry& /*entry*/) { return {}; }
 };
 
 } // namespace palpate

@@ -19,7 +19,8 @@ public:
   {
     std::function<std::vector<HidEntry>()> list;
     std::function<Opened(const HidEntry&)> open;
-    std::function<std::string(const HidEntry&)> refusal; ///< tells the device nothing
+    std::function<std::string(const HidEntry&)> refusal;   ///< tells the device nothing
+    std::function<std::string(const HidEntry&)> note = {}; ///< likewise; null: there is none
   };
   explicit ListedArmBus(Ways ways) : ways_(std::move(ways)) {}
 
@@ -27,6 +28,10 @@ public:
   [[nodiscard]] Descriptor descriptor(const HidEntry& /*entry*/) override { return {}; }
   [[nodiscard]] Opened open(const HidEntry& entry) override { return this->ways_.open(entry); }
   [[nodiscard]] std::string refusal(const HidEntry& entry) override { return this->ways_.refusal(entry); }
+  [[nodiscard]] std::string note(const HidEntry& entry) override
+  {
+    return this->ways_.note ? this->ways_.note(entry) : std::string();
+  }
 
 private:
   Ways ways_;

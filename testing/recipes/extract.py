@@ -3,10 +3,10 @@
 
 usage: extract.py PAGE.md FOLDER FILE...
 
-A block of C++ whose first line is a path, `// devices/x/X.h`, is that file; the rest of the block is its text. A file that
-the page changes by a block of diff is that of the source tree, with the change: a line that begins with a blank says where,
-one with - is taken out, one with + put in after it. Exit code 1 and one line where the page does not show one of the files,
-or a line that it changes is not there.
+A block of C++ whose first line is a path, `// devices/x/X.h`, is that file; the rest of the block is its text. A block of
+JSON has its path behind the word json. A file that the page changes by a block of diff is that of the source tree, with the
+change: a line that begins with a blank says where, one with - is taken out, one with + put in after it. Exit code 1 and one
+line where the page does not show one of the files, or a line that it changes is not there.
 """
 
 import re
@@ -15,6 +15,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BLOCK = re.compile(r"^```cpp\n// ([\w./-]+\.(?:h|cpp|cxx))\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+JSON = re.compile(r"^```json ([\w./-]+\.json)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 CHANGE = re.compile(r"^```diff\n\+\+\+ ([\w./-]+)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
 
@@ -39,10 +40,11 @@ def changed(name, change):
 
 def main(page, folder, *names):
     text = Path(page).read_text(encoding="utf-8")
-    shown, changes = dict(BLOCK.findall(text)), dict(CHANGE.findall(text))
+    shown, changes = dict(BLOCK.findall(text) + JSON.findall(text)), dict(CHANGE.findall(text))
     for name in names:
         if name not in shown and name not in changes:
-            sys.exit(f"{page}: no block of C++ begins with // {name}; give the block that line, or take the file off the test")
+            sys.exit(f"{page}: no block of C++ begins with // {name} and none of JSON is named so; "
+                     "name the block, or take the file off the test")
         path = Path(folder, name)
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(shown[name] if name in shown else changed(name, changes[name]), encoding="utf-8")

@@ -138,6 +138,7 @@ HELD = (
     "docs/example/README.md",
     "docs/faults.md",
     "docs/fields.md",
+    "docs/first-arm.md",
     "docs/glossary.md",
     "docs/guide/README.md",
     "docs/guide/brain.md",

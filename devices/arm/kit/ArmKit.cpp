@@ -20,7 +20,9 @@ std::vector<FoundArm> findArms(const std::vector<ArmKit>& kits)
     for (HidEntry& entry : entries)
     {
       std::string problem = kit.setup.problem.empty() ? kit.bus->refusal(entry) : kit.setup.problem;
-      FoundArm arm{ {}, std::move(entry), &kit, std::move(problem) };
+      std::string note = problem.empty() ? kit.bus->note(entry) : std::string();
+      ArmSetup setup = kit.setupOf ? kit.setupOf(entry) : kit.setup;
+      FoundArm arm{ {}, std::move(entry), &kit, std::move(setup), std::move(problem), std::move(note) };
       arm.isAssumed = isAssumed;
       addNamed(found, kit.road, std::move(arm),
         [](const FoundArm& a, const FoundArm& b) { return a.kit == b.kit && sameKind(a.entry, b.entry); });

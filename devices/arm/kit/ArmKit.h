@@ -19,6 +19,7 @@ struct ArmKit
   std::shared_ptr<ArmBus> bus;
   ArmSetup setup;
   std::function<bool()> isPlugged = {}; ///< tells whether a listed arm is attached; null: every listed one is
+  std::function<ArmSetup(const HidEntry&)> setupOf = {}; ///< of one arm, where the arms differ; null: `setup` of all
 };
 
 /// An arm that is attached, as far as is known, usable or not.
@@ -27,7 +28,9 @@ struct FoundArm
   std::string name; ///< for the factory: the same as long as the same devices are plugged in
   HidEntry entry;
   const ArmKit* kit = nullptr;
+  ArmSetup setup;         ///< of this arm
   std::string problem;    ///< empty, or the reason why it cannot be used, and the remedy
+  std::string note;       ///< of a usable arm: empty, or the step of a person that it awaits before it pushes
   bool hasTwin = false;   ///< another one is attached that neither kind nor serial number tells apart
   bool isAssumed = false; ///< nothing shows that it is attached
 };

@@ -16,6 +16,7 @@ namespace
 
 constexpr int connect_ms = 300, inventory_ms = 500;
 constexpr const char* absent = "the vendor's service is installed but does not run: start haply-inverse-service";
+constexpr const char* haplyName = "Haply "; ///< of an entry, before the type of the device
 constexpr std::size_t longestInventory = 1U << 20U;
 
 /// A connection and the message that it begins with.
@@ -24,6 +25,14 @@ struct Entered
   std::unique_ptr<ByteLink> link;
   std::vector<HaplyDevice> devices;
   std::string problem;
+
+  /// Null: the service has no such device.
+  [[nodiscard]] const HaplyDevice* find(const HidEntry& entry) const
+  {
+    const auto found = std::find_if(this->devices.begin(), this->devices.end(),
+      [&entry](const HaplyDevice& device) { return device.id == entry.serial; });
+    return found != this->devices.end() ? &*found : nullptr;
+  }
 };
 
 Entered enter(const HaplyPorts& ports)
@@ -53,6 +62,14 @@ std::string refusalOf(const HaplyDevice& device)
                       : "";
 }
 
+/// An arm that awaits a step can be opened: its force begins when the step is done.
+std::string noteOn(const HaplyDevice& device)
+{
+  return !device.calibrated ? "not calibrated: calibrate the device as the vendor's program says"
+         : !device.ready    ? "not ready: look at the device in the vendor's program"
+                            : "";
+}
+
 /// 3.5 answers on the port of states, older ones on a port of their own.
 Outcome<bool> hasVector(const HaplyPorts& ports)
 {
@@ -76,10 +93,8 @@ ArmBus::Opened openHaply(const HidEntry& entry, const HaplyPorts& ports)
   {
     return { nullptr, entered.problem };
   }
-  const auto found = std::find_if(entered.devices.begin(), entered.devices.end(),
-    [&entry](const HaplyDevice& device) { return device.id == entry.serial; });
-  std::string problem =
-    found != entered.devices.end() ? refusalOf(*found) : "the vendor's service has no device " + entry.serial;
+  const HaplyDevice* const found = entered.find(entry);
+  std::string problem = found != nullptr ? refusalOf(*found) : "the vendor's service has no device " + entry.serial;
   if (!problem.empty())
   {
     return { nullptr, problem };
@@ -105,7 +120,7 @@ ArmBus::Opened openHaply(const HidEntry& entry, const HaplyPorts& ports)
 
 HidEntry entryOf(const HaplyDevice& device)
 {
-  return { device.id, 0, 0, device.id, "Haply " + device.type };
+  return { device.id, 0, 0, device.id, haplyName + device.type };
 }
 
 /// A service that is installed and silent is told of; one that is not there is not.
@@ -132,20 +147,27 @@ std::string refuseHaply(const HidEntry& entry, const HaplyPorts& ports)
     return absent;
   }
   const Entered entered = enter(ports);
-  const auto found = std::find_if(entered.devices.begin(), entered.devices.end(),
-    [&entry](const HaplyDevice& device) { return device.id == entry.serial; });
-  return entered.link == nullptr ? entered.problem : found == entered.devices.end() ? "" : refusalOf(*found);
+  const HaplyDevice* const found = entered.find(entry);
+  return entered.link == nullptr ? entered.problem : found == nullptr ? "" : refusalOf(*found);
+}
+
+std::string noteHaply(const HidEntry& entry, const HaplyPorts& ports)
+{
+  const Entered entered = enter(ports);
+  const HaplyDevice* const found = entered.find(entry);
+  return found != nullptr ? noteOn(*found) : "";
 }
 
 } // namespace
 
-ArmSetup haplySetup()
+/// The radii are those that the vendor's samples use.
+ArmSetup haplySetup(const std::string& type)
 {
-  constexpr double inverse3Radius_m = 0.1, watchedForce_N = 5.0;
+  constexpr double inverse3Radius_m = 0.1, minverseRadius_m = 0.04, watchedForce_N = 5.0;
   ArmSetup setup;
   setup.what = "Haply Inverse3, Inverse3X or Minverse";
   setup.turns = true;
-  setup.radius_m = { inverse3Radius_m, false };
+  setup.radius_m = { type == "minverse" ? minverseRadius_m : inverse3Radius_m, false };
   setup.force_N = { watchedForce_N, false };
   setup.homing = "Calibrate the device as the vendor's program says, until it is ready.";
   return setup;
@@ -153,11 +175,15 @@ ArmSetup haplySetup()
 
 ArmKit haplyKit(const HaplyPorts& ports)
 {
-  return { "haply",
+  ArmKit kit{ "haply",
     std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [ports] { return listHaply(ports); },
       [ports](const HidEntry& entry) { return openHaply(entry, ports); },
-      [ports](const HidEntry& entry) { return refuseHaply(entry, ports); } }),
+      [ports](const HidEntry& entry) { return refuseHaply(entry, ports); },
+      [ports](const HidEntry& entry) { return noteHaply(entry, ports); } }),
     haplySetup() };
+  kit.setupOf = [](const HidEntry& entry)
+  { return haplySetup(entry.name.substr(std::min(entry.name.size(), std::string(haplyName).size()))); };
+  return kit;
 }
 
 } // namespace palpate

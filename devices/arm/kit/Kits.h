@@ -30,7 +30,8 @@ struct HaplyPorts
 };
 /// Haply Inverse3, Inverse3X and Minverse through that service.
 [[nodiscard]] ArmKit haplyKit(const HaplyPorts& ports = {});
-[[nodiscard]] ArmSetup haplySetup();
+/// `type`: as the service calls it; empty: not known yet.
+[[nodiscard]] ArmSetup haplySetup(const std::string& type = {});
 
 /// Arms of Force Dimension by the vendor's library, which is looked for at run time.
 [[nodiscard]] ArmKit forceDimensionKit(const std::string& library = "libdhd.so.3");

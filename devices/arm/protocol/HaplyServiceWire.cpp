@@ -186,9 +186,9 @@ std::optional<std::vector<HaplyDevice>> haplyInventory(std::string_view message)
   std::vector<HaplyDevice> all;
   for (const Json& device : devicesOf(json, "inverse3"))
   {
-    const Json& config = memberOf(device, "config");
-    HaplyDevice one{ textOf(device, "device_id"), textOf(config, "type"), isTrue(memberOf(device, "status"), "in_use"),
-      textOf(config, "preset").ends_with("_centered") };
+    const Json &config = memberOf(device, "config"), &status = memberOf(device, "status");
+    HaplyDevice one{ textOf(device, "device_id"), textOf(config, "type"), isTrue(status, "in_use"),
+      textOf(config, "preset").ends_with("_centered"), isTrue(status, "ready"), isTrue(status, "calibrated") };
     if (!one.id.empty())
     {
       all.push_back(std::move(one));

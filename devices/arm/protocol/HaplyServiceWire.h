@@ -41,6 +41,7 @@ struct HaplyDevice
   std::string id, type;
   bool inUse = false;
   bool centred = false; ///< its origin is the middle of its work space
+  bool ready = false, calibrated = false;
 };
 /// None: it is no such message.
 [[nodiscard]] std::optional<std::vector<HaplyDevice>> haplyInventory(std::string_view message);

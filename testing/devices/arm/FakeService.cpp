@@ -61,7 +61,7 @@ struct FakeService::Parts
     const Json transform{ { "position", vectorOf(shift) }, { "rotation", turnOf(Quat::Identity()) },
       { "scale", vectorOf(one) } };
     const Json arm{ { "device_id", this->says.answer == Answer::OtherArm ? "FFFF" : "049D" },
-      { "config", { { "type", "inverse3" }, { "preset", this->says.preset } } },
+      { "config", { { "type", this->says.type }, { "preset", this->says.preset } } },
       { "state", { { "cursor_position", vectorOf(this->says.position_m) },
                    { "cursor_velocity", vectorOf({ 0, 0.02, 0 }) }, { "transform", transform } } },
       { "status", { { "calibrated", this->says.calibrated }, { "ready", this->says.ready },

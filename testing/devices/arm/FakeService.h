@@ -24,6 +24,7 @@ public:
   struct Says
   {
     std::string version = "3.5.2";
+    std::string type = "inverse3";
     std::string preset = "defaults";
     Vec3 position_m{ 0.01, -0.1, 0.15 };
     Quat turn = Quat::Identity(); ///< of the grip

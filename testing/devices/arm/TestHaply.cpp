@@ -6,12 +6,14 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "devices/DeviceFactory.h"
 #include "devices/arm/ArmDevice.h"
 #include "devices/arm/kit/Kits.h"
 #include "devices/arm/link/WebSocketLink.h"
 #include "devices/arm/protocol/HaplyServiceWire.h"
 #include "testing/devices/arm/FakeService.h"
 #include "testing/devices/arm/ServoSide.h"
+#include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/Random.h"
 
 namespace palpate
@@ -171,6 +173,52 @@ TEST(HaplyService, IsAwaitedUntilTheDeviceIsReadyAndCalibrated)
     ask(rig, { 0.0, 0.0, 1.0 }, 5);
     EXPECT_EQ(rig.status, DeviceStatus::Ok);
     EXPECT_EQ(rig.service.force_N(), Vec3(0.0, 0.0, 1.0));
+  }
+}
+
+/// A computer with the arms of that kit and no other device.
+DeviceOptions onlyOf(const ArmKit& kit)
+{
+  DeviceOptions options;
+  options.hid = std::make_shared<test::FakeHidBus>();
+  options.arms = std::make_shared<const std::vector<ArmKit>>(1, kit);
+  return options;
+}
+
+TEST(HaplyService, WithADeviceThatIsNotReadyOrNotCalibratedIsListedWithThatReasonAndCanBeOpened)
+{
+  for (const bool calibrated : { false, true })
+  {
+    for (const bool ready : { false, true })
+    {
+      HaplyRig rig;
+      rig.says.ready = ready;
+      rig.says.calibrated = calibrated;
+      rig.service.say(rig.says);
+      const std::vector<KnownDevice> known = knownDevices(onlyOf(rig.kit));
+      ASSERT_EQ(known.back().info.serial, "049D");
+      EXPECT_EQ(known.back().problem, "");
+      EXPECT_EQ(known.back().what.find("not calibrated: ") != std::string::npos, !calibrated) << known.back().what;
+      EXPECT_EQ(known.back().what.find("not ready: ") != std::string::npos, calibrated && !ready) << known.back().what;
+      EXPECT_EQ(rig.service.messages(), 0) << "a device that is listed is told nothing";
+      EXPECT_EQ(rig.device.open(), "");
+    }
+  }
+}
+
+TEST(HaplyService, TellsByItsTypeHowLargeTheWorkSpaceIs)
+{
+  const std::vector<std::pair<std::string, double>> radii{ { "inverse3", 0.1 }, { "inverse3x", 0.1 },
+    { "minverse", 0.04 } }; // [m], of the vendor's samples
+  for (const auto& [type, radius_m] : radii)
+  {
+    HaplyRig rig;
+    rig.says.type = type;
+    rig.service.say(rig.says);
+    const DeviceOptions options = onlyOf(rig.kit);
+    EXPECT_EQ(knownDevices(options).back().info.workspaceRadius_m.value, radius_m) << type;
+    const std::vector<FoundArm> found = findArms(*options.arms);
+    EXPECT_EQ(makeDevice(found.at(0).name, options).device->info().workspaceRadius_m.value, radius_m) << type;
   }
 }
 
