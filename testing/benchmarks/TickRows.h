@@ -32,7 +32,7 @@ inline constexpr std::array tickRows = std::to_array<TickRow>({
   { "ball, shading", false, { 30.8, 110.3, 229.9 } },
   { "point, noise", false, { 3.7, 40.4, 108.0 } },
   { "ball, noise", false, { 4.4, 109.6, 332.9 } },
-  { "ball, bending", false, { 15.6, 104.6, 226.7 } },
+  { "ball, bending", false, { 19.9, 131.1, 296.8 } },
   { "point", true, { 4.4, 21.3, 140.7 } },
   { "ball", true, { 9.0, 82.8, 422.9 } },
   { "ball, friction", true, { 7.8, 107.2, 683.4 } },

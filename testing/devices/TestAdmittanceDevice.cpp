@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "devices/DeviceFactory.h"
+#include "haptics/session/HapticSession.h"
 #include "testing/support/Admittance.h"
 #include "testing/support/AllocationGuard.h"
+#include "testing/support/Meshes.h"
 
 namespace palpate
 {
@@ -77,6 +79,41 @@ TEST(AdmittanceDevice, IsAsStillAsItsSensorLetsItBe)
   const double sigma = plan.noise_N * std::sqrt(plan.period_s / (6.0 * c * k));
   EXPECT_GT(way, 2.0 * sigma);
   EXPECT_LT(way, 6.0 * sigma);
+}
+
+TEST(AdmittanceDevice, InASessionHoldsItsHandleAtTheSurfaceThatTheHandPressesInto)
+{
+  constexpr double half_m = 0.02, deep_m = 0.004;
+  HandPath path; // into the side of a box, to stay there
+  path.points_D = { Vec3(1.5 * half_m, 1e-3, 2e-3), Vec3(half_m - deep_m, 1e-3, 2e-3) };
+  path.loops = false;
+  const HandModel& hand = *handModel("stylus");
+  auto owned = std::make_unique<AdmittanceDevice>(AdmittancePlan(), hand, path);
+  AdmittanceDevice& device = *owned;
+  HapticSession session;
+  session.setScene(test::sceneOf(test::makeBox(Vec3::Constant(-half_m), Vec3::Constant(half_m))));
+  HapticParameters parameters = session.parameters();
+  parameters.map = {};
+  ASSERT_EQ(session.setParameters(parameters), "");
+  SessionOptions options;
+  options.virtualTime = true;
+  ASSERT_EQ(session.start(std::move(owned), options), "");
+  ASSERT_EQ(session.step(10000), 10000);
+  EXPECT_EQ(session.state().fault, Fault::None);
+  // At rest nothing accelerates the virtual mass: the hand's pull and the force of the session are in balance.
+  const double pull_N = hand.stiffness_N_per_m * deep_m;
+  EXPECT_NEAR(device.handle_D().x(), half_m, 0.005 * deep_m) << "the proxy's place";
+  EXPECT_NEAR(device.handForce_D().x(), -pull_N, 0.005 * pull_N);
+  EXPECT_NEAR(session.state().force_W.x(), pull_N, 0.005 * pull_N);
+  const Vec3 rest_D = device.handle_D();
+  double away_m = 0.0;
+  for (int tick = 0; tick < 1000; ++tick)
+  {
+    ASSERT_EQ(session.step(1), 1);
+    away_m = std::max(away_m, (device.handle_D() - rest_D).norm());
+  }
+  EXPECT_LT(away_m, 1e-6) << "it is at rest";
+  EXPECT_EQ(session.stop(), "");
 }
 
 TEST(AdmittanceDevice, IsOneThatTheFactoryMakes)

@@ -6,7 +6,7 @@
 
 namespace
 {
-std::atomic<double> force[6];
+std::atomic<double> force[6], place_m[3] = { 0.01, 0.02, -0.03 }, speed_m_per_s = 0.1;
 std::atomic<int> watchdog = -1, enabled = -1, opened = 0, failing = 0, blocking_ms = 0;
 } // namespace
 
@@ -31,9 +31,9 @@ extern "C"
   int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double (*frame)[3], char)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(blocking_ms));
-    *x = 0.01;
-    *y = 0.02;
-    *z = -0.03;
+    *x = place_m[0];
+    *y = place_m[1];
+    *z = place_m[2];
     frame[0][0] = 0.0, frame[0][1] = -1.0, frame[0][2] = 0.0; // a quarter turn about z
     frame[1][0] = 1.0, frame[1][1] = 0.0, frame[1][2] = 0.0;
     frame[2][0] = 0.0, frame[2][1] = 0.0, frame[2][2] = 1.0;
@@ -41,7 +41,7 @@ extern "C"
   }
   int dhdGetLinearVelocity(double* x, double* y, double* z, char)
   {
-    *x = 0.1;
+    *x = speed_m_per_s;
     *y = *z = 0.0;
     return 0;
   }
@@ -83,6 +83,14 @@ extern "C"
   int fakeOpened()
   {
     return opened;
+  }
+  /// Place of the hand [m], and its speed along x [m/s].
+  void fakePlace(double x, double y, double z, double along_m_per_s)
+  {
+    place_m[0] = x;
+    place_m[1] = y;
+    place_m[2] = z;
+    speed_m_per_s = along_m_per_s;
   }
   void fakeFail(int on)
   {

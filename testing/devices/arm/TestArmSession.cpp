@@ -8,8 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include "devices/arm/kit/Kits.h"
 #include "haptics/session/HapticSession.h"
 #include "testing/devices/arm/FalconRig.h"
+#include "testing/devices/arm/LibraryRig.h"
 #include "testing/devices/arm/TwoDiyRig.h"
 #include "testing/devices/arm/WoodenHapticsRig.h"
 #include "testing/support/Meshes.h"
@@ -131,6 +133,22 @@ TEST(ArmSession, AMinuteWithATwoDiy)
   expectAMinute(
     { diy.rig.device, [&](const Vec3& from_m) { ASSERT_TRUE(diy.model->lead(from_m + Vec3(0.01, 0.085, 0.0))); },
       [&] { diy.rig.pass(); }, [&] { return diy.model->force_N(); }, [&] { return diy.model->step_N(); }, true });
+}
+
+TEST(ArmSession, AMinuteWithForceDimensionsLibrary)
+{
+  test::LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
+  ASSERT_EQ(rig.device.open(), "");
+  const auto place = test::fakeFunction<void(double, double, double, double)>(PALPATE_FAKE_DHD, "fakePlace");
+  const auto force = test::fakeFunction<double(int)>(PALPATE_FAKE_DHD, "fakeForce");
+  expectAMinute({ rig.device, [&](const Vec3& from_m) { place(from_m.x(), from_m.y(), from_m.z(), 0.0); },
+    [&]
+    {
+      ASSERT_TRUE(rig.device.link().pass());
+      rig.time.pass(perMs_ns);
+    },
+    [&] { return Vec3(force(0), force(1), force(2)); }, [] { return 0.0; } });
+  place(0.01, 0.02, -0.03, 0.1); // as other tests have it
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arms behind a vendor's library, against libraries that are made up.
 #include <chrono>
-#include <dlfcn.h>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -12,7 +11,7 @@
 #include "devices/DeviceFactory.h"
 #include "devices/arm/ArmDevice.h"
 #include "devices/arm/kit/Kits.h"
-#include "testing/devices/arm/ServoSide.h"
+#include "testing/devices/arm/LibraryRig.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/Eventually.h"
 #include "testing/support/TemporaryFolder.h"
@@ -21,31 +20,6 @@ namespace palpate
 {
 namespace
 {
-
-/// The test's own functions of a made-up library.
-template<class Function>
-Function* fakeFunction(const char* library, const char* name)
-{
-  void* const open = dlopen(library, RTLD_NOW);
-  return reinterpret_cast<Function*>(dlsym(open, name));
-}
-
-/// The first device of a kit.
-struct LibraryRig : test::ServoSide
-{
-  explicit LibraryRig(ArmKit itsKit) : kit(std::move(itsKit)), kits{ kit }
-  {
-    EXPECT_EQ(this->found.size(), 1U);
-    this->device.prove();
-  }
-  void run(int exchanges) { this->exchange(this->device, this->time, exchanges); }
-
-  test::ModelTime time;
-  ArmKit kit;
-  std::vector<ArmKit> kits;
-  std::vector<FoundArm> found = findArms(kits);
-  ArmDevice device{ "arm", kit.bus, found.at(0).entry, kit.setup, { false, &time } };
-};
 
 TEST(ForceDimension, IsAbsentWithoutHarmAndWhatItMissesIsNamed)
 {
@@ -62,44 +36,44 @@ TEST(ForceDimension, IsAbsentWithoutHarmAndWhatItMissesIsNamed)
 
 TEST(ForceDimension, ExchangesForceForPlaceTurnVelocityAndButtonsAndSetsTheWatchdogFirst)
 {
-  LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
+  test::LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
   ASSERT_EQ(rig.device.open(), "");
   ask(rig, { 1.0, -2.0, 3.0 }, 5);
   rig.command.wrench_D.torque = { 0.1, 0.2, 0.3 };
   rig.run(2);
-  const auto force = fakeFunction<double(int)>(PALPATE_FAKE_DHD, "fakeForce");
+  const auto force = test::fakeFunction<double(int)>(PALPATE_FAKE_DHD, "fakeForce");
   EXPECT_EQ(Vec3(force(0), force(1), force(2)), Vec3(1.0, -2.0, 3.0));
   EXPECT_EQ(Vec3(force(3), force(4), force(5)), Vec3(Vec3::Zero())) << "it renders no torque";
-  EXPECT_EQ(fakeFunction<int()>(PALPATE_FAKE_DHD, "fakeWatchdog")(), 20);
+  EXPECT_EQ(test::fakeFunction<int()>(PALPATE_FAKE_DHD, "fakeWatchdog")(), 20);
   EXPECT_EQ(rig.sample.pose_D.p, Vec3(0.01, 0.02, -0.03));
   EXPECT_LT((rig.sample.pose_D.q * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-12);
   EXPECT_EQ(rig.sample.velocity_D.linear.x(), 0.1);
   EXPECT_EQ(rig.sample.buttons, 3U);
   rig.device.close();
   EXPECT_EQ(force(2), 0.0);
-  EXPECT_EQ(fakeFunction<int()>(PALPATE_FAKE_DHD, "fakeOpened")(), 0);
+  EXPECT_EQ(test::fakeFunction<int()>(PALPATE_FAKE_DHD, "fakeOpened")(), 0);
 }
 
 TEST(ForceDimension, ThatReportsAnErrorIsLostWithItsText)
 {
-  LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
+  test::LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
   ASSERT_EQ(rig.device.open(), "");
   ask(rig, { 1.0, 0.0, 0.0 }, 5);
-  const auto fail = fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeFail");
+  const auto fail = test::fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeFail");
   fail(1);
   rig.run(2);
   EXPECT_GE(rig.lostTicks, 1);
   EXPECT_EQ(rig.device.linkReport().lostFor, "the vendor's library reports an error: made-up failure");
-  EXPECT_EQ(fakeFunction<double(int)>(PALPATE_FAKE_DHD, "fakeForce")(0), 0.0);
+  EXPECT_EQ(test::fakeFunction<double(int)>(PALPATE_FAKE_DHD, "fakeForce")(0), 0.0);
   EXPECT_THAT(rig.kit.bus->open(rig.found[0].entry).problem, testing::HasSubstr("made-up failure"));
   fail(0);
 }
 
 TEST(ForceDimension, WhoseCallBlocksLosesTheDeviceForTheServoWithoutWaiting)
 {
-  LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
+  test::LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
   ArmDevice device("arm", rig.kit.bus, rig.found[0].entry, rig.kit.setup);
-  const auto block = fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeBlock");
+  const auto block = test::fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeBlock");
   ASSERT_EQ(device.open(), "");
   DeviceSample sample;
   int ms = 0;
@@ -115,9 +89,9 @@ TEST(ForceDimension, WhoseCallBlocksLosesTheDeviceForTheServoWithoutWaiting)
 }
 
 /// A force is asked for until the vendor's library has had it: on a busy machine its calls come too late at times.
-bool pushesOnce(LibraryRig& rig, const Vec3& force_N)
+bool pushesOnce(test::LibraryRig& rig, const Vec3& force_N)
 {
-  const auto push = fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeLastPush");
+  const auto push = test::fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeLastPush");
   return test::eventually(
     [&]
     {
@@ -132,9 +106,9 @@ class OpenHapticsRates : public testing::TestWithParam<int>
 
 TEST_P(OpenHapticsRates, ExchangesInTheVendorsCallsAtTheirRate)
 {
-  const auto rate = fakeFunction<void(int)>(PALPATE_FAKE_HD, "fakeRate");
+  const auto rate = test::fakeFunction<void(int)>(PALPATE_FAKE_HD, "fakeRate");
   rate(GetParam());
-  LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
+  test::LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
   EXPECT_EQ(rig.device.info().pacing, Pacing::Callback);
   ASSERT_EQ(rig.device.open(), "");
   const Vec3 force_N(1.0, -2.0, 1e-4 * GetParam());
@@ -143,7 +117,7 @@ TEST_P(OpenHapticsRates, ExchangesInTheVendorsCallsAtTheirRate)
   EXPECT_LT((rig.sample.pose_D.q * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-12);
   EXPECT_NEAR(rig.sample.velocity_D.linear.x(), 0.1, 1e-15);
   EXPECT_EQ(rig.sample.buttons, 2U);
-  const auto calls = fakeFunction<int()>(PALPATE_FAKE_HD, "fakeCalls");
+  const auto calls = test::fakeFunction<int()>(PALPATE_FAKE_HD, "fakeCalls");
   const int before = calls();
   const std::uint64_t answers = rig.device.link().answers() + 20;
   EXPECT_TRUE(test::eventually(
@@ -154,7 +128,7 @@ TEST_P(OpenHapticsRates, ExchangesInTheVendorsCallsAtTheirRate)
     }));
   EXPECT_GE(calls() - before, 19) << "each answer waits for a call, of which the last may not be counted yet";
   rig.device.close();
-  EXPECT_EQ(fakeFunction<int()>(PALPATE_FAKE_HD, "fakeOutput")(), 0);
+  EXPECT_EQ(test::fakeFunction<int()>(PALPATE_FAKE_HD, "fakeOutput")(), 0);
   rate(1000);
 }
 
@@ -162,11 +136,11 @@ INSTANTIATE_TEST_SUITE_P(Each, OpenHapticsRates, testing::Values(500, 1000, 4000
 
 TEST(OpenHaptics, EndsAForceThatNobodyAsksForAgainAlthoughTheVendorsSchedulerGoesOn)
 {
-  LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
+  test::LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
   ASSERT_EQ(rig.device.open(), "");
   EXPECT_TRUE(pushesOnce(rig, { 0.0, 0.0, 2.5 }));
-  const auto force = fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeForce");
-  const auto calls = fakeFunction<int()>(PALPATE_FAKE_HD, "fakeCalls");
+  const auto force = test::fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeForce");
+  const auto calls = test::fakeFunction<int()>(PALPATE_FAKE_HD, "fakeCalls");
   const int before = calls();
   EXPECT_TRUE(test::eventually([&] { return force(2) == 0.0; })) << "the exchange hangs";
   EXPECT_TRUE(test::eventually([&] { return calls() > before; }));
@@ -190,10 +164,10 @@ TEST(OpenHaptics, IsNobodysFirstChoiceWithoutAPlug)
 
 TEST(OpenHaptics, WhoseSchedulerStopsOrReportsAnErrorIsLost)
 {
-  const auto rate = fakeFunction<void(int)>(PALPATE_FAKE_HD, "fakeRate");
-  const auto fail = fakeFunction<void(std::uint32_t)>(PALPATE_FAKE_HD, "fakeFail");
+  const auto rate = test::fakeFunction<void(int)>(PALPATE_FAKE_HD, "fakeRate");
+  const auto fail = test::fakeFunction<void(std::uint32_t)>(PALPATE_FAKE_HD, "fakeFail");
   {
-    LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
+    test::LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
     ASSERT_EQ(rig.device.open(), "");
     ask(rig, { 1.0, 0.0, 0.0 }, 5);
     rate(0);
@@ -202,7 +176,7 @@ TEST(OpenHaptics, WhoseSchedulerStopsOrReportsAnErrorIsLost)
     EXPECT_EQ(rig.device.linkReport().lostFor, "the vendor's scheduler does not call back");
     rate(1000);
   }
-  LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
+  test::LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
   ASSERT_EQ(rig.device.open(), "");
   ask(rig, { 1.0, 0.0, 0.0 }, 5);
   fail(0x0201);
