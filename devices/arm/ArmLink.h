@@ -23,9 +23,9 @@ namespace palpate
 {
 
 /// An arm that comes and goes, between one thread that exchanges messages, which may be blocked in it, and a servo,
-/// which never waits. An answer that is late or wrong is followed by "no force" at once. A
-/// single one that is late is forgiven, as every computer stalls now and then. After a loss there is no force
-/// until the servo has asked for none once: only a person brings it back.
+/// which never waits. An answer that is late or wrong is followed by "no force" at once. A single one is forgiven, as
+/// every computer stalls now and then. After a loss there is no force until the servo has asked for none once: only a
+/// person brings it back.
 class ArmLink
 {
 public:

@@ -15,7 +15,8 @@ namespace palpate
 namespace
 {
 
-/// Of the distance between contacts: so much nearer is another one that takes the place of one that was chosen before.
+/// Of the distance between contacts: so much nearer is another one that takes the place of one that was chosen before,
+/// or another plane of the mesh.
 constexpr double kept = 0.005;
 constexpr double wider = 1.25;
 /// Edges of the soft body that a mesh may go beyond where it touches first.
@@ -62,6 +63,36 @@ ChosenPlaces spread(const std::vector<NearPlace>& sorted, std::size_t most, doub
     }
   }
   return chosen;
+}
+
+/// Leaves a vertex of the soft body on the plane of the mesh that it had in the last answer while another plane is
+/// hardly nearer. Where two of the mesh's facets meet bluntly, the vertex goes along the plane that it has beyond their
+/// edge, where the other one is nearer: the next answer would lead it back, and so on.
+void keepPlanes(const FoundContacts& before, const Pose& held_W, std::vector<NearPlace>& near)
+{
+  const Quat turned = held_W.q * before.held_W.q.conjugate();
+  const auto end = before.contacts.begin() + before.count;
+  for (NearPlace& place : near)
+  {
+    FoundContact& contact = place.contact;
+    const auto was =
+      std::find_if(before.contacts.begin(), end, [&](const FoundContact& other) { return other.name == contact.name; });
+    if (was == end || contact.place_B.vertices[0] != contact.place_B.vertices[1])
+    {
+      continue;
+    }
+    const Vec3 normal_W = turned * was->normal_W, on_W = held_W * contact.point_A;
+    const double gap_u = normal_W.dot(held_W * was->point_A - on_W + place.gap_u * contact.normal_W);
+    if (std::abs(gap_u - place.gap_u) > kept * was->apart_u || normal_W.dot(contact.normal_W) < FoundContact::alike)
+    {
+      continue;
+    }
+    const Vec3 onPlane_W = on_W + normal_W.dot(held_W * was->point_A - on_W) * normal_W;
+    contact.point_A = into(held_W, onPlane_W);
+    contact.normal_W = normal_W;
+    place.gap_u = gap_u;
+    place.free_u = normal_W.dot(onPlane_W - contact.place_B.x_W);
+  }
 }
 
 /// The least edge around a place.
@@ -190,6 +221,7 @@ const FoundContacts& ContactFinder::find(const FinderView& view)
     near.push_back(view.soft[s]
                      ? nearPlaces(*this->held_, *this->bodies_[s].surface, *view.soft[s], static_cast<int>(s), view)
                      : std::vector<NearPlace>());
+    keepPlanes(this->last_, view.held_W, near.back());
   }
   const auto met =
     static_cast<std::size_t>(std::ranges::count_if(near, [](const auto& places) { return !places.empty(); }));

@@ -78,13 +78,18 @@ std::vector<Vec3> exactForces_N(const std::vector<RestingBall>& balls, int cells
   return forces_N;
 }
 
-TEST(FoundContacts, AMeshBallIsPressedBackAsTheExactBallOnTheSamePad)
+class BallOnPads : public testing::TestWithParam<int>
 {
-  constexpr int cells = 16; // edges of 6.25 mm
+};
+
+// On edges of 12.5 and of 6.25 mm.
+TEST_P(BallOnPads, OfAMeshIsPressedBackAsTheExactBallOnTheSamePad)
+{
   const std::vector<double> depths_m{ 0.25e-3, 0.5e-3, 1e-3, 2e-3, 4e-3 };
   // Facets lie below the ball by up to R (1 - cos .0415), 2,562 vertices being .0415 from their middles: of a depth of
   // 4 mm that takes a share of the force, which goes with its power of 1.5.
   const double facetShare = 1.5 * RestingBall::radius_m * (1.0 - std::cos(0.0415)) / depths_m.back();
+  const int cells = GetParam();
   const std::vector<RestingBall> coarse = restingBalls(3, cells, depths_m), fine = restingBalls(4, cells, depths_m);
   const std::vector<Vec3> exact_N = exactForces_N(fine, cells), exactCoarse_N = exactForces_N(coarse, cells);
   for (std::size_t i = 0; i < depths_m.size(); ++i)
@@ -95,6 +100,8 @@ TEST(FoundContacts, AMeshBallIsPressedBackAsTheExactBallOnTheSamePad)
     EXPECT_LE(fine[i].force_N.head<2>().norm(), 0.01 * fine[i].force_N.z()) << i;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Each, BallOnPads, testing::Values(8, 16));
 
 /// The force of every contact that was found, by an active set written apart: each subset of the rows that press in
 /// turn, one row more or less, until no gap is open under a force and no force draws. Rows: the body's compliance
@@ -248,21 +255,24 @@ TEST(FoundContacts, AtEveryAnswerAndWhereRowsOpenAndCloseTheForceGoesOnWithoutAS
 
 TEST(FoundContacts, AMeshThatSticksKeepsItsForceFromAnswerToAnswer)
 {
-  MeshTouch touch(meshOnPad(makeIcosphere(3, 0.02), 16, 0.6)); // on 8 cells it alternates: docs/mechanisms.md
-  for (int i = 0; i < 300; ++i)
+  for (const int cells : { 8, 16 })
   {
-    (void)touch.to(Vec3(middleOfPad() + Vec3(0, 0, 0.0205 - 1e-5 * i)));
+    MeshTouch touch(meshOnPad(makeIcosphere(3, 0.02), cells, 0.6));
+    for (int i = 0; i < 300; ++i)
+    {
+      (void)touch.to(Vec3(middleOfPad() + Vec3(0, 0, 0.0205 - 1e-5 * i)));
+    }
+    for (int i = 0; i < 100; ++i)
+    {
+      (void)touch.to(Vec3(middleOfPad() + Vec3(5e-6 * i, 0, 0.0175)));
+    }
+    const Vec3 hand = middleOfPad() + Vec3(5e-4, 0, 0.0175);
+    const Vec3 early = touch.to(hand, 1e-3, 1000).exact_W.force;
+    const Vec3 late = touch.to(hand, 1e-3, 2000).exact_W.force;
+    EXPECT_LT(early.x(), -0.05) << cells;
+    EXPECT_LT(-early.x(), 0.6 * early.z()) << cells;
+    EXPECT_LT((late - early).norm(), 1e-3 * early.norm()) << "sixty answers later, cells: " << cells;
   }
-  for (int i = 0; i < 100; ++i)
-  {
-    (void)touch.to(Vec3(middleOfPad() + Vec3(5e-6 * i, 0, 0.0175)));
-  }
-  const Vec3 hand = middleOfPad() + Vec3(5e-4, 0, 0.0175);
-  const Vec3 early = touch.to(hand, 1e-3, 1000).exact_W.force;
-  const Vec3 late = touch.to(hand, 1e-3, 2000).exact_W.force;
-  EXPECT_LT(early.x(), -0.05);
-  EXPECT_LT(-early.x(), 0.6 * early.z());
-  EXPECT_LT((late - early).norm(), 1e-3 * early.norm()) << "sixty answers later";
 }
 
 TEST(FoundContacts, ATickWithThemAllocatesNothing)
