@@ -99,12 +99,12 @@ Vec3 ArmPlant::shown_D() const noexcept
 }
 
 /// Force at the tip of motors, gravity, and the Coriolis and centrifugal terms of the motion.
-Vec3 ArmPlant::ownForce(const Posture& posture, const Wrench& command_D) const noexcept
+Vec3 ArmPlant::ownForce(const Posture& posture, const Wrench& motors_D) const noexcept
 {
   const auto basis = this->arm_.movedDirections();
   const Square joints = *jointsOverTip(this->arm_, posture);
   const JointVector rate = joints * (basis.transpose() * this->v_D_);
-  const JointVector motors = motorCommandOf(this->arm_, this->arm_.shown(this->q_), command_D);
+  const JointVector motors = motorCommandOf(this->arm_, this->arm_.shown(this->q_), motors_D);
   JointVector torque = this->arm_.ungears().transpose() * motors + gravityTorqueOf(this->arm_, this->q_);
   if (rate.squaredNorm() > 0.0)
   {
@@ -136,7 +136,7 @@ std::optional<JointVector> ArmPlant::jointsAt(const Vec3& p_D) const noexcept
   return there && (there->p - p_D).norm() < 1e-12 && this->arm_.withinLimits(q) ? std::optional(q) : std::nullopt;
 }
 
-void ArmPlant::step(const Vec3& hand_N, const Wrench& command_D) noexcept
+void ArmPlant::step(const Vec3& hand_N, const Wrench& motors_D) noexcept
 {
   const Posture posture = this->arm_.posture(this->q_);
   const std::optional<PrincipalPart> part = principalPartOf(this->arm_, this->q_, posture);
@@ -145,22 +145,8 @@ void ArmPlant::step(const Vec3& hand_N, const Wrench& command_D) noexcept
     this->v_D_.setZero();
     return;
   }
-  const Mat3& U = part->directions_D;
-  const Vec3 own_N = this->ownForce(posture, command_D);
-  const Vec3 y = U.transpose() * this->p_D_, w = U.transpose() * this->v_D_;
-  const Vec3 u_N = U.transpose() * (hand_N + own_N) - part->dampingAcross * w;
-  Vec3 nextY = y, nextW = Vec3::Zero();
-  for (int i = 0; i < part->count; ++i)
-  {
-    const FrictionPlant plant(part->mass_kg[i] + this->hand_.mass_kg,
-      part->damping_Ns_per_m[i] + this->hand_.damping_Ns_per_m, this->hand_.stiffness_N_per_m, part->friction_N[i],
-      this->period_s_);
-    FrictionPlant::State state{ y[i], w[i] };
-    plant.step(state, u_N[i]);
-    nextY[i] = state.x_m;
-    nextW[i] = state.v_m_per_s;
-  }
-  const Vec3 p_D = this->p_D_ + U * (nextY - y);
+  Vec3 p_D = this->p_D_, v_D = this->v_D_;
+  PrincipalPlant(*part, this->hand_, this->period_s_).step(p_D, v_D, hand_N + this->ownForce(posture, motors_D));
   const std::optional<JointVector> q = this->jointsAt(p_D);
   if (!q)
   {
@@ -169,7 +155,7 @@ void ArmPlant::step(const Vec3& hand_N, const Wrench& command_D) noexcept
   }
   this->q_ = *q;
   this->p_D_ = p_D;
-  this->v_D_ = U * nextW;
+  this->v_D_ = v_D;
 }
 
 } // namespace palpate

@@ -14,6 +14,8 @@ namespace palpate
 class FrictionPlant
 {
 public:
+  /// One whose state is 0 after a period.
+  FrictionPlant() = default;
   FrictionPlant(double mass_kg, double damping_Ns_per_m, double stiffness_N_per_m, double friction_N, double period_s);
 
   struct State
@@ -31,9 +33,9 @@ private:
   /// Moves on in direction `way` with friction until the speed passes zero or the part ends; true when it ends.
   [[nodiscard]] bool slide(State& s, double u_N, double way, long& left) const noexcept;
 
-  double stiffness_N_per_m_;
-  double friction_N_;
-  int parts_;                            ///< of a period: each too short for a speed to pass zero twice
+  double stiffness_N_per_m_ = 0.0;
+  double friction_N_ = 0.0;
+  int parts_ = 1;                        ///< of a period: each too short for a speed to pass zero twice
   LinearPlant whole_;                    ///< the period at once, without friction
   std::array<LinearPlant, 21> halvings_; ///< a part, half of it, a quarter, ...
 };

@@ -8,6 +8,7 @@
 
 #include "devices/common/BareSprings.h"
 #include "devices/simulated/ArmPlant.h"
+#include "devices/simulated/MassPart.h"
 
 namespace palpate
 {
@@ -22,26 +23,27 @@ int passesOf(const DeviceModel& model, const SimulationOptions& options)
            : 1;
 }
 
+std::unique_ptr<MovingPart> partOf(const DeviceModel& model, const HandModel& hand, double period_s)
+{
+  if (model.arm)
+  {
+    return std::make_unique<ArmPlant>(*model.arm, hand, period_s);
+  }
+  return std::make_unique<MassPart>(model, hand, period_s);
+}
+
 } // namespace
 
 SimulatedDevice::SimulatedDevice(DeviceModel model, HandModel hand, HandPath path, const SimulationOptions& options)
   : info_(infoOf(model)), model_(std::move(model)), hand_(std::move(hand)), path_(std::move(path)), options_(options),
-    parts_(passesOf(model_, options)),
-    plant_(model_.mass_kg + hand_.mass_kg, model_.damping_Ns_per_m + hand_.damping_Ns_per_m, hand_.stiffness_N_per_m,
-      model_.friction_N, options.period_s / parts_),
+    parts_(passesOf(model_, options)), part_(partOf(model_, hand_, options.period_s / parts_)),
     link_(model_.link_B_per_s)
 {
   if (this->model_.turns())
   {
     this->turning_.emplace(this->model_.turning, this->hand_.turning, options.period_s);
   }
-  if (this->model_.arm)
-  {
-    this->arm_ = std::make_unique<ArmPlant>(*this->model_.arm, this->hand_, options.period_s);
-  }
 }
-
-SimulatedDevice::~SimulatedDevice() = default;
 
 std::string SimulatedDevice::refusal() const
 {
@@ -68,21 +70,18 @@ std::string SimulatedDevice::open()
   {
     return problem;
   }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    this->axes_[static_cast<std::size_t>(axis)] = { this->path_.start_D()[axis], this->options_.velocity_D[axis] };
-  }
+  Vec3 p_D = this->path_.start_D(), v_D = this->options_.velocity_D;
   if (this->model_.planar)
   {
-    this->axes_[2] = {};
+    p_D.z() = v_D.z() = 0.0;
+  }
+  if (!this->part_->begin(p_D, v_D))
+  {
+    return "the simulated hand's path begins out of the reach of the arm";
   }
   if (this->turning_)
   {
     this->turning_->begin(Quat::Identity());
-  }
-  if (this->arm_ && !this->arm_->begin(this->position_D(), this->speed_D()))
-  {
-    return "the simulated hand's path begins out of the reach of the arm";
   }
   this->commands_.fill(DeviceCommand{});
   this->link_ = SerialLink(this->model_.link_B_per_s);
@@ -120,7 +119,7 @@ void SimulatedDevice::write(const DeviceCommand& command) noexcept
   newest = command;
   if (this->model_.bareSprings)
   {
-    switchSprings(this->shown_D(), newest);
+    switchSprings(this->part_->shown_D(), newest);
   }
 }
 
@@ -156,7 +155,7 @@ Vec3 SimulatedDevice::motorForce(const DeviceCommand& command) const noexcept
   for (std::size_t i = 0; i < walls; ++i)
   {
     const DeviceWall& wall = command.walls[i];
-    force += conditionForce(this->springOf(wall), wall.normal_D.dot(this->shown_D())) * wall.normal_D;
+    force += conditionForce(this->springOf(wall), wall.normal_D.dot(this->part_->shown_D())) * wall.normal_D;
   }
   if (this->model_.loop_s > 0.0)
   {
@@ -176,67 +175,21 @@ Vec3 SimulatedDevice::motorForce(const DeviceCommand& command) const noexcept
   return magnitude > this->model_.maxForce_N ? Vec3(this->model_.maxForce_N / magnitude * force) : force;
 }
 
-void SimulatedDevice::move(const Vec3& u_N) noexcept
-{
-  const int moving = this->model_.planar ? 2 : 3;
-  for (int axis = 0; axis < moving; ++axis)
-  {
-    FrictionPlant::State& s = this->axes_[static_cast<std::size_t>(axis)];
-    this->plant_.step(s, u_N[axis]);
-    if (std::fabs(s.x_m) > this->model_.travel_m)
-    {
-      s = { std::copysign(this->model_.travel_m, s.x_m), 0.0 };
-    }
-  }
-}
-
 void SimulatedDevice::advance() noexcept
 {
   const double T = this->options_.period_s;
   const auto [before, after] = this->ledAlong();
   const Vec3 led = this->hand_.stiffness_N_per_m * after.p + this->hand_.damping_Ns_per_m / T * (after.p - before.p);
   const DeviceCommand command = this->link_.carry(this->due(), this->time_s_);
-  if (this->arm_)
+  for (int pass = 0; pass < this->parts_; ++pass)
   {
-    this->arm_->step(led + this->options_.push_D, { this->motorForce(command), Vec3::Zero() });
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const auto i = static_cast<Eigen::Index>(axis);
-      this->axes_[axis] = { this->arm_->position_D()[i], this->arm_->speed_D()[i] };
-    }
-  }
-  else
-  {
-    for (int pass = 0; pass < this->parts_; ++pass)
-    {
-      this->move(led + this->options_.push_D + this->motorForce(command));
-    }
+    this->part_->step(led + this->options_.push_D, { this->motorForce(command), Vec3::Zero() });
   }
   if (this->turning_)
   {
     this->turning_->step(before.q, after.q, command.wrench_D.torque);
   }
   this->time_s_ += T;
-}
-
-Vec3 SimulatedDevice::shown_D() const noexcept
-{
-  if (this->arm_)
-  {
-    return this->arm_->shown_D();
-  }
-  const double step = this->model_.encoderStep_m;
-  return step > 0.0 ? Vec3((this->position_D() / step).array().floor() * step) : this->position_D();
-}
-
-Vec3 SimulatedDevice::position_D() const noexcept
-{
-  return { this->axes_[0].x_m, this->axes_[1].x_m, this->axes_[2].x_m };
-}
-
-Vec3 SimulatedDevice::speed_D() const noexcept
-{
-  return { this->axes_[0].v_m_per_s, this->axes_[1].v_m_per_s, this->axes_[2].v_m_per_s };
 }
 
 DeviceStatus SimulatedDevice::read(double tickTime_s, DeviceSample& sample) noexcept
@@ -249,7 +202,7 @@ DeviceStatus SimulatedDevice::read(double tickTime_s, DeviceSample& sample) noex
   }
   sample = DeviceSample{};
   sample.time_s = tickTime_s;
-  sample.pose_D = { this->shown_D(), this->turning_ ? this->turning_->shown_D() : Quat::Identity() };
+  sample.pose_D = { this->part_->shown_D(), this->turning_ ? this->turning_->shown_D() : Quat::Identity() };
   sample.velocity_D.linear = this->model_.encoderStep_m > 0.0 ? Vec3(Vec3::Zero()) : this->speed_D();
   const bool showsRate = this->turning_ && this->model_.turning.step_rad == 0.0;
   sample.velocity_D.angular = showsRate ? this->turning_->rate_D() : Vec3(Vec3::Zero());

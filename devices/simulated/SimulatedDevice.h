@@ -10,16 +10,14 @@
 
 #include "devices/common/Condition.h"
 #include "devices/simulated/DeviceModels.h"
-#include "devices/simulated/FrictionPlant.h"
 #include "devices/simulated/LedPath.h"
+#include "devices/simulated/MovingPart.h"
 #include "devices/simulated/SerialLink.h"
 #include "devices/simulated/TurningPart.h"
 #include "haptics/core/HapticDevice.h"
 
 namespace palpate
 {
-
-class ArmPlant;
 
 /// Options of a simulated device.
 struct SimulationOptions
@@ -43,8 +41,6 @@ public:
   /// Without a hand (its stiffness, damping and mass are zero) the path only has the position where the device starts.
   SimulatedDevice(DeviceModel model, HandModel hand, HandPath path, const SimulationOptions& options = {});
 
-  ~SimulatedDevice() override;
-
   [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
   /// Needs at least one point, all finite, a positive speed, a period and a delay within their limits.
   [[nodiscard]] std::string open() override;
@@ -64,8 +60,8 @@ public:
   void press(std::uint32_t buttons) noexcept { this->buttons_ = buttons; }
 
   /// The true state, which an encoder does not show [m, m/s].
-  [[nodiscard]] Vec3 position_D() const noexcept;
-  [[nodiscard]] Vec3 speed_D() const noexcept;
+  [[nodiscard]] const Vec3& position_D() const noexcept { return this->part_->position_D(); }
+  [[nodiscard]] const Vec3& speed_D() const noexcept { return this->part_->speed_D(); }
   /// Nothing: the device does not rotate.
   [[nodiscard]] const std::optional<TurningPart>& turning() const noexcept { return this->turning_; }
 
@@ -81,8 +77,6 @@ private:
   /// The present force of the motors: the command's force and the walls and viscosity that the device renders itself,
   /// limited to the largest force.
   [[nodiscard]] Vec3 motorForce(const DeviceCommand& command) const noexcept;
-  [[nodiscard]] Vec3 shown_D() const noexcept;
-  void move(const Vec3& u_N) noexcept;
 
   DeviceInfo info_;
   DeviceModel model_;
@@ -90,13 +84,11 @@ private:
   LedPath path_;
   SimulationOptions options_;
   int parts_; ///< of a period: passes of the device's own loop, or one
-  FrictionPlant plant_;
+  std::unique_ptr<MovingPart> part_;
   Pose programmed_D_;                  ///< pose to which a program leads the hand [m]
   Pose reached_D_;                     ///< the same in the period before
   bool led_ = false;                   ///< by a program
   std::optional<TurningPart> turning_; ///< none: the device does not rotate
-  std::unique_ptr<ArmPlant> arm_;      ///< the moving part, where it is more than the mass of axes_
-  std::array<FrictionPlant::State, 3> axes_;
   std::array<DeviceCommand, SimulationOptions::longestDelay_ticks + 1> commands_; ///< of the last periods
   int newest_ = 0;
   SerialLink link_;
