@@ -25,6 +25,19 @@ std::string describeFailedWrite(const std::string& error)
                                                : "the device rejects force commands: " + error;
 }
 
+namespace
+{
+
+/// Steps of a person are whole sentences.
+std::string withoutStop(std::string text)
+{
+  if (text.ends_with('.'))
+  {
+    text.pop_back();
+  }
+  return text;
+}
+
 std::string describeLoss(const LinkReport& link)
 {
   const std::string& why = link.attached ? link.lostFor : link.message;
@@ -36,9 +49,18 @@ std::string describeLoss(const LinkReport& link)
   {
     return "the device is lost: " + why + "; then engage again";
   }
+  const std::string joint = link.message.ends_with('.') ? ": " : ", but ";
   const bool saysMore = !link.message.empty() && link.message != why;
   return "the device was lost: " + why + "; the device is attached again" +
-         (saysMore ? ", but " + link.message + ", then engage again" : ": engage again");
+         (saysMore ? joint + withoutStop(link.message) + ", then engage again" : ": engage again");
+}
+
+} // namespace
+
+std::string describeFault(Fault fault, const LinkReport& link)
+{
+  const bool waits = fault == Fault::NoHand && !link.message.empty();
+  return fault == Fault::DeviceLost ? describeLoss(link) : waits ? withoutStop(link.message) : describe(fault);
 }
 
 } // namespace palpate

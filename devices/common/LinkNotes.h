@@ -4,6 +4,7 @@
 #include <string>
 
 #include "devices/common/LinkedDevice.h"
+#include "haptics/core/Fault.h"
 
 namespace palpate
 {
@@ -15,7 +16,8 @@ namespace palpate
 /// the reader misses it. Pure.
 [[nodiscard]] std::string describeFailedWrite(const std::string& error);
 
-/// Reason for no force after the loss of a device, its return, and the remedy. Pure.
-[[nodiscard]] std::string describeLoss(const LinkReport& link);
+/// Reason for no force, and the remedy: after the loss of a device whether it is back, before its first position the
+/// step that it waits for. Without a full stop. Pure.
+[[nodiscard]] std::string describeFault(Fault fault, const LinkReport& link);
 
 } // namespace palpate

@@ -20,10 +20,6 @@ const char* vtkHapticSession::Internals::SayFaultText()
     return "The hand's path has ended: start touching again.";
   }
   const palpate::Fault fault = this->Core.running() ? this->State.fault : palpate::Fault::None;
-  if (fault == palpate::Fault::DeviceLost)
-  {
-    this->LossText = palpate::describeLoss(this->Link());
-    return this->LossText.c_str();
-  }
-  return fault == palpate::Fault::None ? "" : palpate::describe(fault);
+  this->FaultText = fault == palpate::Fault::None ? "" : palpate::describeFault(fault, this->Link());
+  return this->FaultText.c_str();
 }

@@ -16,6 +16,7 @@ namespace
 TEST(LinkNotes, OfALossSayWhyWhetherItIsBackAndWhatToDo)
 {
   LinkReport link;
+  const auto describeLoss = [](const LinkReport& report) { return describeFault(Fault::DeviceLost, report); };
   EXPECT_EQ(describeLoss(link), describe(Fault::DeviceLost)) << "nobody knows why";
   link.message = "unplugged";
   EXPECT_TRUE(test::says(describeLoss(link), { "is lost: unplugged", "then engage again" }));
@@ -25,6 +26,18 @@ TEST(LinkNotes, OfALossSayWhyWhetherItIsBackAndWhatToDo)
   link.message = "no position yet: move it";
   EXPECT_TRUE(test::says(
     describeLoss(link), { "was lost: unplugged", "attached again, but no position yet: move it, then engage again" }));
+  link.message = "Hold it in its pose.";
+  EXPECT_TRUE(test::says(describeLoss(link), { "attached again: Hold it in its pose, then engage again" }));
+}
+
+TEST(LinkNotes, BeforeTheFirstPositionSayTheStepThatTheDeviceWaitsFor)
+{
+  LinkReport link;
+  link.attached = true;
+  EXPECT_EQ(describeFault(Fault::NoHand, link), describe(Fault::NoHand)) << "it waits for nothing";
+  link.message = "Hold it in its pose.";
+  EXPECT_EQ(describeFault(Fault::NoHand, link), "Hold it in its pose");
+  EXPECT_EQ(describeFault(Fault::LateServo, link), describe(Fault::LateServo)) << "the step has nothing to do with it";
 }
 
 TEST(LinkNotes, OfALinkCountWhatWentWrong)

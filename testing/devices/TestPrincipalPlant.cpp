@@ -13,7 +13,7 @@ namespace palpate
 namespace
 {
 
-constexpr double step_s = 1e-3;
+constexpr double tick_s = 1e-3;
 const Vec3 masses_kg(0.05, 0.12, 0.4), dampings_Ns_per_m(0.3, 0.0, 2.0);
 const HandModel holder{ "holder", 300.0, 1.5, 0.02 };
 
@@ -40,7 +40,7 @@ TEST(PrincipalPlant, MovesEachDirectionAsItsOwnMassInTheHandWhicheverWayItPoints
   {
     SCOPED_TRACE(round);
     const Mat3 R = anyTurn(random);
-    const PrincipalPlant plant(along(R), holder, step_s);
+    const PrincipalPlant plant(along(R), holder, tick_s);
     Vec3 p_D = 0.01 * random.direction(), v_D = 0.1 * random.direction();
     Vec3 y = R.transpose() * p_D, w = R.transpose() * v_D;
     for (int tick = 0; tick < 200; ++tick)
@@ -50,7 +50,7 @@ TEST(PrincipalPlant, MovesEachDirectionAsItsOwnMassInTheHandWhicheverWayItPoints
       for (int i = 0; i < 3; ++i)
       {
         const LinearPlant one(masses_kg[i] + holder.mass_kg, dampings_Ns_per_m[i] + holder.damping_Ns_per_m,
-          holder.stiffness_N_per_m, step_s);
+          holder.stiffness_N_per_m, tick_s);
         const Eigen::Vector2d next = one.free() * Eigen::Vector2d(y[i], w[i]) + one.held() * R.col(i).dot(force_N);
         y[i] = next[0];
         w[i] = next[1];
@@ -67,7 +67,7 @@ TEST(PrincipalPlant, StaysInThePlaneOfItsTwoDirections)
   const Mat3 R = anyTurn(random);
   PrincipalPart part = along(R);
   part.count = 2;
-  const PrincipalPlant plant(part, holder, step_s);
+  const PrincipalPlant plant(part, holder, tick_s);
   Vec3 p_D = 0.01 * R.col(2), v_D = Vec3::Zero();
   for (int tick = 0; tick < 200; ++tick)
   {

@@ -97,7 +97,7 @@ public:
   palpate::LoopReport Report;
   palpate::StabilityLimits Limits;
   std::string StabilityText;
-  std::string DeviceKind, DeviceNotes, LinkText, LossText, DeviceButton;
+  std::string DeviceKind, DeviceNotes, LinkText, FaultText, DeviceButton;
   std::string DeviceFile; ///< that a person chose for a device's step
   std::string Scheduling;
   std::string Warning;
