@@ -18,6 +18,7 @@ struct Error
 };
 
 std::atomic<double> force[3], lastPush[3]; // lastPush: the last force that was one
+std::atomic<double> place_mm[3] = { 10.0, 20.0, -30.0 }, speed_mm_per_s = 100.0;
 std::atomic<std::uint32_t> failure = 0;
 std::atomic<int> rate_Hz = 1000, outputOn = 0, calls = 0;
 std::atomic<bool> runs = false;
@@ -48,11 +49,11 @@ extern "C"
   {
     if (what == 0x2050)
     {
-      values[0] = 10.0, values[1] = 20.0, values[2] = -30.0;
+      values[0] = place_mm[0], values[1] = place_mm[1], values[2] = place_mm[2];
     }
     else if (what == 0x2051)
     {
-      values[0] = 100.0, values[1] = values[2] = 0.0;
+      values[0] = speed_mm_per_s, values[1] = values[2] = 0.0;
     }
     else if (what == 0x2052)
     {
@@ -129,9 +130,25 @@ extern "C"
   {
     return outputOn;
   }
+  /// 0: the scheduler makes no call by itself.
   void fakeRate(int Hz)
   {
     rate_Hz = Hz;
+  }
+  /// One call of the scheduler, now, in the thread of the test.
+  void fakeCall()
+  {
+    callback(data);
+    ++calls;
+  }
+  /// Place of the hand [m], and its speed along x [m/s].
+  void fakePlace(double x, double y, double z, double along_m_per_s)
+  {
+    constexpr double perMetre = 1000.0;
+    place_mm[0] = perMetre * x;
+    place_mm[1] = perMetre * y;
+    place_mm[2] = perMetre * z;
+    speed_mm_per_s = perMetre * along_m_per_s;
   }
   void fakeFail(std::uint32_t code)
   {

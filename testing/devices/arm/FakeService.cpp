@@ -49,7 +49,7 @@ struct FakeService::Parts
   Vec3 force_N = Vec3::Zero();
   bool identity = false;
   std::string name;
-  int messages = 0;
+  int messages = 0, answered = 0;
   std::vector<int> sockets;
   bool over = false;
   std::vector<std::thread> threads;
@@ -63,7 +63,7 @@ struct FakeService::Parts
     const Json arm{ { "device_id", this->says.answer == Answer::OtherArm ? "FFFF" : "049D" },
       { "config", { { "type", this->says.type }, { "preset", this->says.preset } } },
       { "state", { { "cursor_position", vectorOf(this->says.position_m) },
-                   { "cursor_velocity", vectorOf({ 0, 0.02, 0 }) }, { "transform", transform } } },
+                   { "cursor_velocity", vectorOf(this->says.velocity_m_per_s) }, { "transform", transform } } },
       { "status", { { "calibrated", this->says.calibrated }, { "ready", this->says.ready },
                     { "in_use", this->says.inUse }, { "power_supply", this->says.power } } } };
     const unsigned b = this->says.buttons;
@@ -168,6 +168,8 @@ struct FakeService::Parts
         {
           return;
         }
+        const std::lock_guard counting(this->mutex);
+        ++this->answered;
       }
     }
   }
@@ -281,6 +283,12 @@ int FakeService::messages() const
 {
   const std::lock_guard lock(this->parts_->mutex);
   return this->parts_->messages;
+}
+
+int FakeService::answered() const
+{
+  const std::lock_guard lock(this->parts_->mutex);
+  return this->parts_->answered;
 }
 
 } // namespace palpate::test

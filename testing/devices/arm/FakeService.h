@@ -26,7 +26,7 @@ public:
     std::string version = "3.5.2";
     std::string type = "inverse3";
     std::string preset = "defaults";
-    Vec3 position_m{ 0.01, -0.1, 0.15 };
+    Vec3 position_m{ 0.01, -0.1, 0.15 }, velocity_m_per_s{ 0.0, 0.02, 0.0 };
     Quat turn = Quat::Identity(); ///< of the grip
     bool ready = true, calibrated = true, inUse = false, power = true;
     bool keepsTransform = false; ///< of another program's
@@ -57,6 +57,8 @@ public:
   [[nodiscard]] bool transformIsIdentity() const;
   [[nodiscard]] std::string programsName() const;
   [[nodiscard]] int messages() const;
+  /// Those of them whose answers are on their way.
+  [[nodiscard]] int answered() const;
 
 private:
   struct Parts; ///< Boost's

@@ -11,8 +11,7 @@
 #include "devices/arm/kit/Kits.h"
 #include "devices/arm/link/WebSocketLink.h"
 #include "devices/arm/protocol/HaplyServiceWire.h"
-#include "testing/devices/arm/FakeService.h"
-#include "testing/devices/arm/ServoSide.h"
+#include "testing/devices/arm/HaplyRig.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/Random.h"
 
@@ -22,22 +21,8 @@ namespace
 {
 
 using test::FakeService;
+using test::HaplyRig;
 using Answers = FakeService::Says::Answer;
-
-/// An arm of that service: a tick of the servo, then an exchange, of a millisecond of the link's clock each.
-struct HaplyRig : test::ServoSide
-{
-  HaplyRig() { this->device.prove(); }
-
-  void run(int exchanges) { this->exchange(this->device, this->time, exchanges); }
-
-  FakeService service;
-  FakeService::Says says;
-  test::ModelTime time;
-  HaplyPorts ports{ service.port(), service.port(), service.eventPort(), "/nowhere" };
-  ArmKit kit = haplyKit(ports);
-  ArmDevice device{ "haply", kit.bus, { "049D", 0, 0, "049D", "Haply inverse3" }, kit.setup, { false, &time } };
-};
 
 TEST(HaplyService, IsListedByItsOwnNumberAndToldNothing)
 {

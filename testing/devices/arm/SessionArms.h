@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "devices/arm/kit/Kits.h"
+#include "testing/devices/arm/FalconRig.h"
+#include "testing/devices/arm/HaplyRig.h"
+#include "testing/devices/arm/LibraryRig.h"
+#include "testing/devices/arm/TwoDiyRig.h"
+#include "testing/devices/arm/WoodenHapticsRig.h"
+#include "testing/support/Eventually.h"
+
+namespace palpate::test
+{
+
+/// An arm of one kit, whose exchanges a test makes one by one in virtual time, and whose hand and force it has.
+class SessionArm
+{
+public:
+  virtual ~SessionArm() = default;
+
+  [[nodiscard]] virtual ArmDevice& device() = 0;
+  /// Opens it and brings it as far as to its first push. Empty, or why not.
+  [[nodiscard]] virtual std::string open() = 0;
+  /// Leads the hand to a place from the middle of the work space.
+  virtual void lead(const Vec3& from_m) = 0;
+  /// An exchange. False: this computer stalled so long that "no force" may have taken the order's place.
+  virtual bool pass() = 0;
+  [[nodiscard]] virtual Vec3 force_N() const = 0;
+  /// The largest change of the force by one step of the motors' numbers; 0 where the force is a number itself.
+  [[nodiscard]] virtual double step_N() const { return 0.0; }
+  /// Share of a force by which it is wrong where the place is that of the exchange before, in whole counts.
+  [[nodiscard]] virtual double ofThePlace() const { return 0.0; }
+  [[nodiscard]] virtual bool inPlane() const { return false; }
+};
+
+/// The three that have motors' numbers and counts.
+class CountingArm : public SessionArm
+{
+public:
+  [[nodiscard]] double ofThePlace() const override { return 0.015; }
+};
+
+class WoodenHapticsArm final : public CountingArm
+{
+public:
+  [[nodiscard]] ArmDevice& device() override { return this->rig_.device; }
+  [[nodiscard]] std::string open() override { return this->rig_.open(); }
+  void lead(const Vec3& from_m) override { ASSERT_TRUE(this->rig_.model->lead(from_m)); }
+  bool pass() override
+  {
+    this->rig_.pass();
+    return true;
+  }
+  [[nodiscard]] Vec3 force_N() const override { return this->rig_.model->force_N(); }
+  [[nodiscard]] double step_N() const override { return 2.0 * this->rig_.model->halfStep_N(); }
+
+private:
+  WoodenHapticsRig rig_;
+};
+
+class FalconArm final : public CountingArm
+{
+public:
+  [[nodiscard]] ArmDevice& device() override { return this->falcon_.rig.device; }
+  [[nodiscard]] std::string open() override
+  {
+    std::string problem = this->device().open();
+    this->falcon_.home();
+    return problem;
+  }
+  void lead(const Vec3& from_m) override
+  {
+    this->falcon_.model->place(FalconModel::anglesAt(from_m + Vec3(0.0, 0.0, 0.125)));
+  }
+  bool pass() override
+  {
+    this->falcon_.rig.pass();
+    return true;
+  }
+  [[nodiscard]] Vec3 force_N() const override { return this->falcon_.model->force_N(); }
+  [[nodiscard]] double step_N() const override { return this->falcon_.model->step_N(); }
+
+private:
+  FalconRig falcon_;
+};
+
+class TwoDiyArm final : public CountingArm
+{
+public:
+  [[nodiscard]] ArmDevice& device() override { return this->diy_.rig.device; }
+  [[nodiscard]] std::string open() override
+  {
+    std::string problem = this->device().open();
+    this->diy_.setInPose();
+    return problem;
+  }
+  void lead(const Vec3& from_m) override { ASSERT_TRUE(this->diy_.model->lead(from_m + Vec3(0.01, 0.085, 0.0))); }
+  bool pass() override
+  {
+    this->diy_.rig.pass();
+    return true;
+  }
+  [[nodiscard]] Vec3 force_N() const override { return this->diy_.model->force_N(); }
+  [[nodiscard]] double step_N() const override { return this->diy_.model->step_N(); }
+  [[nodiscard]] bool inPlane() const override { return true; }
+
+private:
+  TwoDiyRig diy_;
+};
+
+/// On real sockets: an answer that this computer's stall has kept back for 5 ms counts as none, and no force follows. A
+/// test waits for it, so that it answers no later message.
+class HaplyArm final : public SessionArm
+{
+public:
+  [[nodiscard]] ArmDevice& device() override { return this->rig_.device; }
+  [[nodiscard]] std::string open() override
+  {
+    this->rig_.says.velocity_m_per_s.setZero();
+    this->rig_.service.say(this->rig_.says);
+    std::string problem = this->device().open();
+    return problem.empty() && !this->allAnswered() ? "the service does not answer its greeting" : problem;
+  }
+  void lead(const Vec3& from_m) override
+  {
+    this->rig_.says.position_m = from_m + Vec3(0.0, -0.12, 0.15);
+    this->rig_.service.say(this->rig_.says);
+  }
+  bool pass() override
+  {
+    const bool doubted = this->missed_;
+    const std::uint64_t before = this->device().link().answers();
+    this->sent_ += this->device().link().pass() ? 1 : 0;
+    this->missed_ = this->device().link().answers() == before;
+    this->rig_.time.pass(perMs_ns);
+    return (!this->missed_ || this->allAnswered()) && !doubted;
+  }
+  [[nodiscard]] Vec3 force_N() const override { return this->rig_.service.force_N(); }
+
+private:
+  bool allAnswered()
+  {
+    return eventually([this] { return this->rig_.service.answered() >= this->sent_; });
+  }
+
+  HaplyRig rig_;
+  int sent_ = 1; ///< messages, of which the greeting is the first
+  bool missed_ = false;
+};
+
+class ForceDimensionArm final : public SessionArm
+{
+public:
+  ForceDimensionArm() = default;
+  ~ForceDimensionArm() override { this->place_(0.01, 0.02, -0.03, 0.1); } // as other tests have it
+  ForceDimensionArm(const ForceDimensionArm&) = delete;
+  ForceDimensionArm& operator=(const ForceDimensionArm&) = delete;
+
+  [[nodiscard]] ArmDevice& device() override { return this->rig_.device; }
+  [[nodiscard]] std::string open() override { return this->device().open(); }
+  void lead(const Vec3& from_m) override { this->place_(from_m.x(), from_m.y(), from_m.z(), 0.0); }
+  bool pass() override
+  {
+    EXPECT_TRUE(this->device().link().pass());
+    this->rig_.time.pass(perMs_ns);
+    return true;
+  }
+  [[nodiscard]] Vec3 force_N() const override { return { this->force_(0), this->force_(1), this->force_(2) }; }
+
+private:
+  LibraryRig rig_{ forceDimensionKit(PALPATE_FAKE_DHD) };
+  double (*force_)(int) = fakeFunction<double(int)>(PALPATE_FAKE_DHD, "fakeForce");
+  void (*place_)(double, double, double, double) = fakeFunction<void(double, double, double, double)>(
+    PALPATE_FAKE_DHD, "fakePlace");
+};
+
+/// Its scheduler calls once an exchange, with the order of that exchange. An order that waits for longer than 20 ms for
+/// the call, by this computer's clock, has ended.
+class OpenHapticsArm final : public SessionArm
+{
+public:
+  OpenHapticsArm() { this->rate_(0); }
+  ~OpenHapticsArm() override
+  {
+    this->place_(0.01, 0.02, -0.03, 0.1);
+    this->rate_(1000);
+  }
+  OpenHapticsArm(const OpenHapticsArm&) = delete;
+  OpenHapticsArm& operator=(const OpenHapticsArm&) = delete;
+
+  [[nodiscard]] ArmDevice& device() override { return this->rig_.device; }
+  [[nodiscard]] std::string open() override
+  {
+    std::string problem = this->device().open();
+    this->call_();
+    return problem;
+  }
+  void lead(const Vec3& from_m) override { this->place_(from_m.x(), from_m.y(), from_m.z(), 0.0); }
+  bool pass() override
+  {
+    const auto began = std::chrono::steady_clock::now();
+    EXPECT_TRUE(this->device().link().pass());
+    this->call_();
+    this->rig_.time.pass(perMs_ns);
+    return std::chrono::steady_clock::now() - began < std::chrono::milliseconds(20);
+  }
+  [[nodiscard]] Vec3 force_N() const override { return { this->force_(0), this->force_(1), this->force_(2) }; }
+
+private:
+  LibraryRig rig_{ openHapticsKit(PALPATE_FAKE_HD) };
+  double (*force_)(int) = fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeForce");
+  void (*rate_)(int) = fakeFunction<void(int)>(PALPATE_FAKE_HD, "fakeRate");
+  void (*call_)() = fakeFunction<void()>(PALPATE_FAKE_HD, "fakeCall");
+  void (*place_)(double, double, double, double) = fakeFunction<void(double, double, double, double)>(
+    PALPATE_FAKE_HD, "fakePlace");
+};
+
+} // namespace palpate::test
