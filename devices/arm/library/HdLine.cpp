@@ -124,13 +124,17 @@ std::uint32_t HdLine::called(void* line)
   return goOn;
 }
 
+/// None where the last one was not renewed.
+Vec3 HdLine::forceNow() const
+{
+  const std::lock_guard lock(this->mutex_);
+  const bool lasts = std::chrono::steady_clock::now() - this->ordered_ <= lastingOrder;
+  return lasts ? this->order_.wrench_D.force : Vec3(Vec3::Zero());
+}
+
+/// The order is taken last: the calls before may have blocked since it was given.
 void HdLine::frame()
 {
-  WireOrder order;
-  {
-    const std::lock_guard lock(this->mutex_);
-    order = std::chrono::steady_clock::now() - this->ordered_ > lastingOrder ? WireOrder{} : this->order_;
-  }
   Vec3 p, v;
   std::array<double, 16> transform{};
   int buttons = 0;
@@ -139,7 +143,8 @@ void HdLine::frame()
   this->hd_->getDoubles(Velocity, v.data());
   this->hd_->getDoubles(Transform, transform.data());
   this->hd_->getIntegers(Buttons, &buttons);
-  this->hd_->setDoubles(Force, order.wrench_D.force.data());
+  const Vec3 force_N = this->forceNow();
+  this->hd_->setDoubles(Force, force_N.data());
   this->hd_->endFrame(this->device_);
   const HdFunctions::Error failed = this->hd_->error();
   const Mat3 turn = Eigen::Map<const Eigen::Matrix4d>(transform.data()).topLeftCorner<3, 3>();

@@ -63,6 +63,7 @@ private:
   static std::uint32_t called(void* line);
   void begin();
   void frame();
+  [[nodiscard]] Vec3 forceNow() const;
 
   std::shared_ptr<HdFunctions> hd_;
   std::uint32_t device_;

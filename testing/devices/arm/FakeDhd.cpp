@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A library with the names of Force Dimension's. PALPATE_FAKE_OLD: without those of newer versions.
 #include <atomic>
-#include <chrono>
-#include <thread>
 
 namespace
 {
 std::atomic<double> force[6], place_m[3] = { 0.01, 0.02, -0.03 }, speed_m_per_s = 0.1;
-std::atomic<int> watchdog = -1, enabled = -1, opened = 0, failing = 0, blocking_ms = 0;
+std::atomic<int> watchdog = -1, enabled = -1, opened = 0, failing = 0;
+std::atomic<bool> holds = false, isHeld = false;
 } // namespace
 
 extern "C"
@@ -30,7 +29,12 @@ extern "C"
   }
   int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double (*frame)[3], char)
   {
-    std::this_thread::sleep_for(std::chrono::milliseconds(blocking_ms));
+    while (holds)
+    {
+      isHeld = true;
+      holds.wait(true);
+    }
+    isHeld = false;
     *x = place_m[0];
     *y = place_m[1];
     *z = place_m[2];
@@ -96,8 +100,14 @@ extern "C"
   {
     failing = on;
   }
-  void fakeBlock(int duration_ms)
+  /// The call for the place does not return any more, until 0 is given.
+  void fakeHold(int on)
   {
-    blocking_ms = duration_ms;
+    holds = on != 0;
+    holds.notify_all();
+  }
+  int fakeIsHeld()
+  {
+    return isHeld ? 1 : 0;
   }
 }

@@ -20,8 +20,8 @@ struct Error
 std::atomic<double> force[3], lastPush[3]; // lastPush: the last force that was one
 std::atomic<double> place_mm[3] = { 10.0, 20.0, -30.0 }, speed_mm_per_s = 100.0;
 std::atomic<std::uint32_t> failure = 0;
-std::atomic<int> rate_Hz = 1000, outputOn = 0, calls = 0;
-std::atomic<bool> runs = false;
+std::atomic<int> rate_Hz = 1000, outputOn = 0, calls = 0, pushes = 0, opened = 0;
+std::atomic<bool> runs = false, holds = false, isHeld = false;
 Callback callback = nullptr;
 void* data = nullptr;
 std::thread scheduler;
@@ -32,6 +32,7 @@ extern "C"
 {
   std::uint32_t hdInitDevice(const char*)
   {
+    ++opened;
     return 5;
   }
   void hdDisableDevice(std::uint32_t)
@@ -39,7 +40,15 @@ extern "C"
     outputOn = 0;
   }
   void hdMakeCurrentDevice(std::uint32_t) {}
-  void hdBeginFrame(std::uint32_t) {}
+  void hdBeginFrame(std::uint32_t)
+  {
+    while (holds)
+    {
+      isHeld = true;
+      holds.wait(true);
+    }
+    isHeld = false;
+  }
   void hdEndFrame(std::uint32_t) {}
   void hdEnable(std::uint32_t what)
   {
@@ -70,11 +79,12 @@ extern "C"
   }
   void hdSetDoublev(std::uint32_t what, const double* values)
   {
-    const bool pushes = values[0] != 0.0 || values[1] != 0.0 || values[2] != 0.0;
+    const bool isPush = values[0] != 0.0 || values[1] != 0.0 || values[2] != 0.0;
+    pushes += what == 0x2700 && isPush ? 1 : 0;
     for (int i = 0; i < 3 && what == 0x2700; ++i)
     {
       force[i] = values[i];
-      lastPush[i] = pushes ? values[i] : lastPush[i].load();
+      lastPush[i] = isPush ? values[i] : lastPush[i].load();
     }
   }
   std::uint64_t hdScheduleAsynchronous(Callback call, void* of, std::uint16_t)
@@ -126,6 +136,15 @@ extern "C"
   {
     return calls;
   }
+  /// Forces so far that were one, and devices that were opened.
+  int fakePushes()
+  {
+    return pushes;
+  }
+  int fakeOpened()
+  {
+    return opened;
+  }
   int fakeOutput()
   {
     return outputOn;
@@ -149,6 +168,16 @@ extern "C"
     place_mm[1] = perMetre * y;
     place_mm[2] = perMetre * z;
     speed_mm_per_s = perMetre * along_m_per_s;
+  }
+  /// A call does not return from the beginning of its frame any more, until 0 is given.
+  void fakeHold(int on)
+  {
+    holds = on != 0;
+    holds.notify_all();
+  }
+  int fakeIsHeld()
+  {
+    return isHeld ? 1 : 0;
   }
   void fakeFail(std::uint32_t code)
   {

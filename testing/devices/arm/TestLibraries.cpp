@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arms behind a vendor's library, against libraries that are made up.
-#include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -69,23 +67,57 @@ TEST(ForceDimension, ThatReportsAnErrorIsLostWithItsText)
   fail(0);
 }
 
+/// A device with its own threads, and a servo that asks it for a force, but for none now and then: so a force comes
+/// back after a loss.
+class AskingServo
+{
+public:
+  AskingServo(const test::LibraryRig& rig, const Vec3& force_N)
+    : device("arm", rig.kit.bus, rig.found[0].entry, rig.kit.setup), force_N_(force_N)
+  {
+    this->device.prove();
+  }
+  /// Goes on asking until that holds.
+  template<class Condition>
+  [[nodiscard]] bool until(Condition condition)
+  {
+    return test::eventually(
+      [&]
+      {
+        DeviceCommand command;
+        command.wrench_D.force = ++this->ticks_ % 16 == 0 ? Vec3(Vec3::Zero()) : this->force_N_;
+        this->status_ = this->device.read(1e-3 * this->ticks_, this->sample_);
+        this->device.write(command);
+        return condition();
+      });
+  }
+  [[nodiscard]] bool isStatus(DeviceStatus status)
+  {
+    return this->until([&] { return this->status_ == status; });
+  }
+
+  ArmDevice device;
+
+private:
+  Vec3 force_N_;
+  DeviceSample sample_;
+  DeviceStatus status_ = DeviceStatus::Waiting;
+  int ticks_ = 0;
+};
+
 TEST(ForceDimension, WhoseCallBlocksLosesTheDeviceForTheServoWithoutWaiting)
 {
-  test::LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
-  ArmDevice device("arm", rig.kit.bus, rig.found[0].entry, rig.kit.setup);
-  const auto block = test::fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeBlock");
-  ASSERT_EQ(device.open(), "");
-  DeviceSample sample;
-  int ms = 0;
-  const auto isStatus = [&](DeviceStatus status)
-  { return test::eventually([&] { return device.read(1e-3 * ++ms, sample) == status; }); };
-  EXPECT_TRUE(isStatus(DeviceStatus::Ok));
-  block(200);
-  EXPECT_TRUE(isStatus(DeviceStatus::Lost));
-  EXPECT_TRUE(test::eventually([&] { return device.linkReport().message == "the link to the device hangs"; }));
-  block(0);
-  EXPECT_TRUE(isStatus(DeviceStatus::Ok)) << "the servo latches the fault, not the device";
-  device.close();
+  const test::LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
+  const auto hold = test::fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeHold");
+  AskingServo servo(rig, Vec3::Zero());
+  ASSERT_EQ(servo.device.open(), "");
+  EXPECT_TRUE(servo.isStatus(DeviceStatus::Ok));
+  hold(1);
+  EXPECT_TRUE(servo.isStatus(DeviceStatus::Lost)) << "although the call does not return before it is let go";
+  EXPECT_TRUE(test::eventually([&] { return servo.device.linkReport().message == "the link to the device hangs"; }));
+  hold(0);
+  EXPECT_TRUE(servo.isStatus(DeviceStatus::Ok)) << "the servo latches the fault, not the device";
+  servo.device.close();
 }
 
 /// A force is asked for until the vendor's library has had it: on a busy machine its calls come too late at times.
@@ -133,6 +165,56 @@ TEST_P(OpenHapticsRates, ExchangesInTheVendorsCallsAtTheirRate)
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, OpenHapticsRates, testing::Values(500, 1000, 4000));
+
+TEST(OpenHaptics, ThatMissesAFunctionIsNotOpenedAndTheFunctionIsNamed)
+{
+  DeviceOptions options;
+  options.hid = std::make_shared<test::FakeHidBus>();
+  options.arms =
+    std::make_shared<const std::vector<ArmKit>>(std::vector<ArmKit>{ openHapticsKit(PALPATE_FAKE_OLD_HD) });
+  const std::string missing = "has no function hdUnschedule: install a newer version";
+  const KnownDevice listed = knownDevices(options).back();
+  EXPECT_EQ(listed.name, "openhaptics-0301-2988");
+  EXPECT_THAT(listed.problem, testing::HasSubstr(missing));
+  const MadeDevice made = makeDevice(listed.name, options);
+  ASSERT_NE(made.device, nullptr) << made.problem;
+  EXPECT_THAT(made.device->open(), testing::HasSubstr(missing));
+  EXPECT_EQ(test::fakeFunction<int()>(PALPATE_FAKE_OLD_HD, "fakeOpened")(), 0);
+}
+
+TEST(OpenHaptics, WithoutALicenceIsNotOpenedAndSaysSo)
+{
+  const auto fail = test::fakeFunction<void(std::uint32_t)>(PALPATE_FAKE_HD, "fakeFail");
+  test::LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
+  fail(0x0600);
+  EXPECT_THAT(rig.device.open(), testing::EndsWith("does not open the device: there is no licence"));
+  fail(0);
+  EXPECT_EQ(test::fakeFunction<int()>(PALPATE_FAKE_HD, "fakeOutput")(), 0);
+}
+
+TEST(OpenHaptics, WhoseCallBlocksLosesTheDeviceForTheServoWithoutWaitingAndPushesNoMoreWhenItGoesOn)
+{
+  const auto hold = test::fakeFunction<void(int)>(PALPATE_FAKE_HD, "fakeHold");
+  const auto isHeld = test::fakeFunction<int()>(PALPATE_FAKE_HD, "fakeIsHeld");
+  const auto pushes = test::fakeFunction<int()>(PALPATE_FAKE_HD, "fakePushes");
+  const test::LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
+  AskingServo servo(rig, { 0.0, 0.0, 1.0 });
+  ASSERT_EQ(servo.device.open(), "");
+  const int first = pushes();
+  ASSERT_TRUE(servo.until([&] { return pushes() > first; }));
+  hold(1);
+  ASSERT_TRUE(servo.until([&] { return isHeld() != 0; }));
+  const int before = pushes();
+  EXPECT_TRUE(servo.isStatus(DeviceStatus::Lost)) << "although the call does not return before it is let go";
+  const auto why = [&] { return servo.device.linkReport().lostFor; };
+  EXPECT_TRUE(servo.until([&] { return !why().empty(); }));
+  EXPECT_EQ(why(), "the vendor's scheduler does not call back");
+  hold(0);
+  EXPECT_TRUE(test::eventually([&] { return servo.device.linkReport().attached; })) << "it is found again";
+  EXPECT_EQ(pushes(), before) << "the order of before is not given any more";
+  EXPECT_TRUE(servo.isStatus(DeviceStatus::Ok));
+  servo.device.close();
+}
 
 TEST(OpenHaptics, EndsAForceThatNobodyAsksForAgainAlthoughTheVendorsSchedulerGoesOn)
 {
