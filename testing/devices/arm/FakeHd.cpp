@@ -38,6 +38,7 @@ extern "C"
   void hdDisableDevice(std::uint32_t)
   {
     outputOn = 0;
+    force[0] = force[1] = force[2] = 0.0;
   }
   void hdMakeCurrentDevice(std::uint32_t) {}
   void hdBeginFrame(std::uint32_t)
