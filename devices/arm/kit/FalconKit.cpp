@@ -45,12 +45,12 @@ ArmSetup falconSetup()
   return setup;
 }
 
-ArmKit falconKit(const std::string& sys)
+ArmKit falconKit(const std::string& sys, FileAccess access)
 {
   const UsbIds ids{ { 0x0403, 0xCB48 } };
   return { "falcon",
     std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [ids, sys] { return usbPlugs(ids, sys); }, openFalcon,
-      [](const HidEntry& entry) { return fileRefusal(entry.path); } }),
+      [access](const HidEntry& entry) { return fileRefusal(entry.path, access); } }),
     falconSetup() };
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "devices/arm/kit/ArmKit.h"
+#include "devices/arm/link/Plugs.h"
 #include "devices/arm/protocol/TwoDiyWire.h"
 
 namespace palpate
@@ -18,8 +19,8 @@ namespace palpate
 /// WoodenHaptics and Polhem arms on USB HID. `file`: the owner's woodenhaptics.json.
 [[nodiscard]] ArmKit woodenHapticsKit(const std::shared_ptr<HidBus>& hid, const std::string& file);
 
-/// Novint Falcons on USB, below `sys`.
-[[nodiscard]] ArmKit falconKit(const std::string& sys = "/sys");
+/// Novint Falcons on USB, below `sys`. `access`: whether this process may use their files.
+[[nodiscard]] ArmKit falconKit(const std::string& sys = "/sys", FileAccess access = ::access);
 [[nodiscard]] ArmSetup falconSetup();
 
 /// Where the service of Haply's arms listens on this computer.
@@ -39,8 +40,8 @@ struct HaplyPorts
 /// Touch and Phantom arms by OpenHaptics' library, likewise; plugs are looked for below `sys`.
 [[nodiscard]] ArmKit openHapticsKit(const std::string& library = "libHD.so", const std::string& sys = "/sys");
 
-/// Haply 2DIY boards on serial lines, below `sys`.
-[[nodiscard]] ArmKit twoDiyKit(const std::string& sys = "/sys");
+/// Haply 2DIY boards on serial lines, likewise.
+[[nodiscard]] ArmKit twoDiyKit(const std::string& sys = "/sys", FileAccess access = ::access);
 [[nodiscard]] ArmSetup twoDiySetup();
 [[nodiscard]] TwoDiyWire::Setup twoDiyBoard();
 /// Sets the board up, with a guard beside it.

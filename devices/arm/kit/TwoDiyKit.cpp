@@ -62,14 +62,14 @@ ArmSetup twoDiySetup()
   return setup;
 }
 
-ArmKit twoDiyKit(const std::string& sys)
+ArmKit twoDiyKit(const std::string& sys, FileAccess access)
 {
   // The native port of the boards' SAM3X and SAMD21 as Arduino numbers it.
   const UsbIds ids{ { 0x2341, 0x003E }, { 0x2341, 0x804D }, { 0x2A03, 0x003E }, { 0x2A03, 0x804D } };
   return { "2diy",
     std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [ids, sys] { return serialPlugs(ids, sys); },
       [](const HidEntry& entry) { return openTwoDiy(entry.path); },
-      [](const HidEntry& entry) { return fileRefusal(entry.path); } }),
+      [access](const HidEntry& entry) { return fileRefusal(entry.path, access); } }),
     twoDiySetup() };
 }
 

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
-#include <unistd.h>
 
 #include "devices/common/AttributeFile.h"
 #include "devices/hid/HidapiBus.h"
@@ -72,7 +71,7 @@ std::vector<HidEntry> serialPlugs(const UsbIds& ids, const std::string& sys)
   return plugs;
 }
 
-std::string fileRefusal(const std::string& path)
+std::string fileRefusal(const std::string& path, FileAccess access)
 {
   return access(path.c_str(), R_OK | W_OK) == 0 ? "" : openProblem(path, errno);
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -19,7 +20,9 @@ using UsbIds = std::vector<std::pair<std::uint16_t, std::uint16_t>>; ///< maker 
 /// Serial lines of USB devices with these numbers; a path is a file of /dev.
 [[nodiscard]] std::vector<HidEntry> serialPlugs(const UsbIds& ids, const std::string& sys = "/sys");
 
+/// Who answers whether this process may use a file, as access() of POSIX does.
+using FileAccess = int (*)(const char* path, int mode);
 /// The reason why the system would not open this file now, and the remedy; empty: it would.
-[[nodiscard]] std::string fileRefusal(const std::string& path);
+[[nodiscard]] std::string fileRefusal(const std::string& path, FileAccess access = ::access);
 
 } // namespace palpate
