@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The guard of a device that keeps its torque when its host dies: a process of its own, on a real serial line.
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -13,9 +14,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "devices/arm/WireLine.h"
 #include "devices/arm/kit/Kits.h"
 #include "devices/arm/link/Guard.h"
 #include "devices/arm/link/SerialPort.h"
+#include "devices/arm/protocol/FalconWire.h"
+#include "testing/devices/arm/FalconModel.h"
 #include "testing/devices/arm/PtyBoard.h"
 #include "testing/devices/arm/TwoDiyModel.h"
 #include "testing/support/Eventually.h"
@@ -30,10 +34,35 @@ namespace
 constexpr double pushed_Nm = 0.05;
 constexpr int generous_ms = 20000; ///< for an answer on a machine that is busy
 
-/// Pushes until it is killed. With a child that holds a copy of everything that it has.
-[[noreturn]] void pushForEver(const std::string& path, bool withChild)
+/// The two that keep their torque, on a serial line. A Falcon's guard writes to a USB endpoint in its stead, which a
+/// guest alone has (testing/vm/arm).
+struct KilledTwoDiy
 {
-  const ArmBus::Opened opened = openTwoDiy(path);
+  using Model = test::TwoDiyModel;
+  static ArmBus::Opened open(const std::string& path) { return openTwoDiy(path); }
+  static double torque(const Model& model) { return std::hypot(model.torque_Nm[0], model.torque_Nm[1]); }
+};
+
+struct KilledFalcon
+{
+  using Model = test::FalconModel;
+  static ArmBus::Opened open(const std::string& path)
+  {
+    Outcome<std::unique_ptr<SerialPort>> port = SerialPort::open(path);
+    const auto wire = std::make_shared<FalconWire>();
+    Outcome<Guard> guard = Guard::start(port.ok() ? port.value->handle() : -1, 0, wire->farewell());
+    return { guard.ok() ? std::make_unique<WireLine>(std::move(port.value), wire, std::move(guard.value)) : nullptr,
+      guard.problem };
+  }
+  static double torque(const Model& model)
+  {
+    return std::hypot(model.motor[0], model.motor[1], model.motor[2]) / std::abs(FalconWire::number_per_Nm);
+  }
+};
+
+/// Pushes until it is killed. With a child that holds a copy of everything that it has.
+[[noreturn]] void pushForEver(const ArmBus::Opened& opened, bool withChild)
+{
   if (opened.value == nullptr)
   {
     _exit(3);
@@ -54,16 +83,17 @@ constexpr int generous_ms = 20000; ///< for an answer on a machine that is busy
 /// A program that pushes a board, and is killed after it got that many answers. The time until then is printed alone:
 /// guard and board are processes on a machine that may be busy, and the board has no clock of its own here. Tests in a
 /// guest judge the time (testing/vm/arm).
+template<class Kit>
 void expectNoTorqueAfterDeath(bool withChild, int answers)
 {
-  test::TwoDiyModel model;
+  typename Kit::Model model;
   test::PtyBoard board(model);
   const pid_t program = fork();
   if (program == 0)
   {
     setsid();
     close(board.file());
-    pushForEver(board.path(), withChild);
+    pushForEver(Kit::open(board.path()), withChild);
   }
   const auto serveUntil = [&](auto over)
   {
@@ -74,10 +104,10 @@ void expectNoTorqueAfterDeath(bool withChild, int answers)
     }
     return over();
   };
-  ASSERT_TRUE(serveUntil([&] { return model.torque_Nm[0] > 0.9 * pushed_Nm && model.answers >= answers; }));
+  ASSERT_TRUE(serveUntil([&] { return Kit::torque(model) > 0.9 * pushed_Nm && model.answers >= answers; }));
   const auto killed = std::chrono::steady_clock::now();
   kill(program, SIGKILL);
-  EXPECT_TRUE(serveUntil([&] { return model.torque_Nm[0] == 0.0 && model.torque_Nm[1] == 0.0; }));
+  EXPECT_TRUE(serveUntil([&] { return Kit::torque(model) == 0.0; }));
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - killed;
   std::printf("no torque %.1f ms after the death of the program\n", took.count());
   kill(-program, SIGKILL);
@@ -85,26 +115,33 @@ void expectNoTorqueAfterDeath(bool withChild, int answers)
   for (int i = 0; i < 50; ++i)
   {
     board.serve(1);
+    ASSERT_EQ(Kit::torque(model), 0.0) << "and it stays so";
   }
-  EXPECT_EQ(model.torque_Nm[0], 0.0) << "and it stays so";
 }
 
-TEST(Guard, EndsTheTorqueOfAProgramThatIsKilled)
+template<class Kit>
+class GuardOfAKilledProgram : public testing::Test
 {
-  expectNoTorqueAfterDeath(false, 50);
-}
+};
+using KilledArms = testing::Types<KilledTwoDiy, KilledFalcon>;
+TYPED_TEST_SUITE(GuardOfAKilledProgram, KilledArms);
 
-TEST(Guard, EndsItAlsoWhereAChildOfTheProgramHoldsItsPipe)
+TYPED_TEST(GuardOfAKilledProgram, EndsTheTorque)
 {
-  expectNoTorqueAfterDeath(true, 50);
+  expectNoTorqueAfterDeath<TypeParam>(false, 50);
 }
 
-TEST(Guard, EndsItAlsoWhereTheProgramIsKilledAtItsFirstPush)
+TYPED_TEST(GuardOfAKilledProgram, EndsItAlsoWhereAChildOfTheProgramHoldsItsPipe)
+{
+  expectNoTorqueAfterDeath<TypeParam>(true, 50);
+}
+
+TYPED_TEST(GuardOfAKilledProgram, EndsItAlsoWhereTheProgramIsKilledAtItsFirstPush)
 {
   const std::size_t times = test::testCount(20);
   for (std::size_t i = 0; i < times && !testing::Test::HasFailure(); ++i)
   {
-    expectNoTorqueAfterDeath(true, 1);
+    expectNoTorqueAfterDeath<TypeParam>(true, 1);
   }
 }
 
