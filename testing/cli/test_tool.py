@@ -78,7 +78,7 @@ class Tool(CommandLineTest):
     def test_what_a_tool_does_not_feel_is_refused_by_name(self):
         self.write_path([(0, 0, 0, 3, *UPRIGHT)], header=POSES)
         base = ("touch", "plane.off", "--tool", "cube.off", "--path", "path.csv", "--csv", "out.csv")
-        for option in (("--radius", 1), ("--two-d",), ("--stiffness-array", "E"), ("--shading",), ("--young", 20000)):
+        for option in (("--radius", 1), ("--two-d",), ("--stiffness-array", "E"), ("--shading",)):
             self.refused(*base, *option, saying=(option[0], "tool"))
         for option in (("--strength", 1), ("--compare-with", "g"), ("--values", 1), ("--range", "0,1"), ("--snap", "points")):
             self.refused(*base, *option, saying=(option[0], "--field"))

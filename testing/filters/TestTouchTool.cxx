@@ -16,6 +16,7 @@
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSphereSource.h"
 #include "vtkTouchAlongPath.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -193,17 +194,39 @@ TEST(TouchTool, WhatCannotBeDoneIsSaidInWords)
   EXPECT_THAT(problemOf(*lever), HasSubstr("Lever: "));
 }
 
-TEST(TouchTool, OnABodyThatGivesWayItIsRefusedInWordsAndWithoutTheToolABallPressesTheBody)
+TEST(TouchTool, OnABodyThatGivesWayAMeshBallIsPushedAsABallIsAndAnOpenMeshIsRefused)
 {
-  constexpr double bodySide = 5.0, ball = 0.5, deep = 0.1; // 100 mm, 10 mm, 2 mm
-  const auto touch = touchWith(cubeHeldAt(Vec3::Zero()), { Vec3(0.0, 0.0, 1.5), Vec3(0.1, 0.05, ball - deep) });
+  constexpr double bodySide = 5.0, ball = 1.5, deep = 0.05; // 100 mm, 30 mm, 1 mm
+  std::vector<Vec3> hand{ Vec3(0.1, 0.05, ball + 0.05) };
+  for (int i = 0; i < 400; ++i) // at rest from a quarter of them on
+  {
+    hand.push_back(Vec3(0.1, 0.05, ball + 0.05 - (0.05 + deep) * std::min(1.0, i / 100.0)));
+  }
+  const auto touch = touchWith(cubeHeldAt(Vec3::Zero()), hand);
   touch->SetInputData(makeSoftBlock(bodySide, 1.0 / scale_u_per_m));
-  EXPECT_TRUE(test::says(problemOf(*touch), { "tool" }));
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(ball);
+  sphere->SetThetaResolution(80);
+  sphere->SetPhiResolution(80);
+  sphere->Update();
+  touch->SetToolData(sphere->GetOutput());
+  touch->Update();
+  const auto last = static_cast<vtkIdType>(hand.size()) - 1;
+  ASSERT_EQ(touch->GetOutput()->GetNumberOfPoints(), last + 1);
+  EXPECT_NE(touch->GetOutput()->GetPointData()->GetArray("Angle"), nullptr);
+  const double byMesh_N = vectorAt(*touch, "Force", last).z();
+  vtkNew<vtkPlaneSource> open;
+  touch->SetToolConnection(open->GetOutputPort());
+  EXPECT_TRUE(test::says(problemOf(*touch), { "the tool", "cannot be held", "open" }));
+
   touch->SetToolConnection(nullptr);
   touch->SetSetting("Radius", ball);
   touch->SetSetting("SoftRate", 0.0);
+  touch->SetPathData(makePath({ hand.front(), hand.back() }));
   touch->Update();
   ASSERT_EQ(touch->GetOutput()->GetNumberOfPoints(), 2);
+  const double byBall_N = vectorAt(*touch, "Force", 1).z();
   const double push_N = pushOfSoftBlock_N(ball / scale_u_per_m, deep / scale_u_per_m, stiffness_N_per_m);
-  EXPECT_NEAR(vectorAt(*touch, "Force", 1).z(), push_N, offLayer * push_N);
+  EXPECT_NEAR(byBall_N, push_N, offLayer * push_N);
+  EXPECT_NEAR(byMesh_N, byBall_N, 0.02 * byBall_N);
 }

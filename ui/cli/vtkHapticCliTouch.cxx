@@ -31,14 +31,18 @@ void CheckKinds(const vtkHapticCliTouchOptions& options, bool mechanism)
   const std::string asked = !mechanism && !tool && !soft            ? ""
                             : options.Field.Any()                   ? "--field"
                             : options.TwoD                          ? "--two-d"
-                            : (mechanism || tool) && soft           ? "--young"
+                            : mechanism && soft                     ? "--young"
                             : mechanism && tool                     ? "--tool"
+                            : soft && options.VirtualCoupling       ? "--virtual-coupling"
                             : (mechanism || soft) && options.Iso    ? "--iso"
                             : mechanism && options.Files.size() > 1 ? "another file"
                                                                     : "";
   if (!asked.empty())
   {
-    const char* const kind = mechanism ? "a mechanism" : tool ? "a tool" : "a soft body";
+    const char* const kind = mechanism      ? "a mechanism"
+                             : tool && soft ? "a tool on a soft body"
+                             : tool         ? "a tool"
+                                            : "a soft body";
     throw vtkHapticCliProblem(asked + ": " + kind + " does not feel it; omit one of the two");
   }
 }

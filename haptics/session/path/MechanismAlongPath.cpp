@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <numbers>
 #include <sstream>
 
 #include "haptics/session/mechanism/MechanismTouch.h"
+#include "haptics/session/mechanism/ToolOnBody.h"
 #include "haptics/session/path/PathKind.h"
+#include "haptics/session/path/ToolHold.h"
+#include "haptics/tool/mesh/ToolMesh.h"
 
 namespace palpate
 {
@@ -34,7 +38,7 @@ std::string lostBesideMechanism(const PathInputs& inputs)
   return beside.empty() ? "" : beside + " has no effect on a mechanism; omit this option";
 }
 
-class MechanismAlongPath final : public PathKind
+class MechanismAlongPath : public PathKind
 {
 public:
   MechanismAlongPath(std::unique_ptr<MechanismTouch> touch, const Mechanism& mechanism)
@@ -97,6 +101,9 @@ public:
     report.remarks.insert(report.remarks.end(), this->events_.begin(), this->events_.end());
   }
 
+protected:
+  [[nodiscard]] const MechanismTouch& touch() const noexcept { return *this->touch_; }
+
 private:
   void tellEvents(const MechanismResult& result, double time_s)
   {
@@ -136,7 +143,93 @@ private:
   int crowded_ = 0;
 };
 
+/// A mesh in the hand on one soft body, with the columns of a tool.
+class ToolOnBodyAlongPath final : public MechanismAlongPath
+{
+public:
+  ToolOnBodyAlongPath(std::unique_ptr<MechanismTouch> touch, const MechanismInputs& inputs)
+    : MechanismAlongPath(std::move(touch), inputs.mechanism), bodyName_(inputs.soft.front().name)
+  {
+  }
+
+  [[nodiscard]] std::vector<PathColumn> columns() const override
+  {
+    return { { "Turn", 4 }, { "Torque", 3 }, { "Angle", 1 } };
+  }
+
+  [[nodiscard]] const BodyMaker* body() const override { return &this->touch().bodies().maker(0); }
+
+  void next(const PathSample& sample, PathTick& tick) override
+  {
+    constexpr double degreesPerRadian = 180.0 / std::numbers::pi;
+    MechanismAlongPath::next(sample, tick);
+    tick.more.back() = degreesPerRadian * sample.hand_W.q.angularDistance(tick.proxy_W.q); // in place of the residual
+  }
+
+  void finish(PathReport& report) const override
+  {
+    MechanismAlongPath::finish(report);
+    if (this->body()->wentThroughItself())
+    {
+      report.notes.push_back(this->bodyName_ + ": " + throughItselfText);
+    }
+  }
+
+private:
+  std::string bodyName_;
+};
+
+/// A tool that presses a soft body feels that body alone: any other input would be lost.
+std::string lostBesideToolOnBody(const PathInputs& inputs)
+{
+  const std::string lost = setBeside(inputs.settings,
+    { "Stiffness", "Scale", "FrictionStatic", "FrictionKinetic", "ToolLever", "MechanismTurning", "SoftRate" });
+  const std::string beside = inputs.field               ? inputs.field->name
+                             : !inputs.surfaces.empty() ? inputs.surfaces.front().name
+                                                        : "";
+  return !lost.empty()     ? lost + " has no effect on a tool that presses a soft body; omit this option"
+         : !beside.empty() ? beside + ": a tool that presses a soft body touches nothing else; omit this input, or "
+                                      "touch the soft body without a tool"
+                           : "";
+}
+
+/// As the metric of a tool has it: its lever is that of the tool about the hand, unless one is set.
+MechanismHold mechanismHoldOf(const ToolHold& hold, const ToolMesh& tool, double lowRate_Hz)
+{
+  const double arm_m = hold.characteristic_u.value_or(tool.gyration_u) / hold.scale_u_per_m;
+  return { hold.stiffness_N_per_m, hold.stiffness_N_per_m * arm_m * arm_m, hold.scale_u_per_m, lowRate_Hz };
+}
+
 } // namespace
+
+/// A mesh that cannot be a tool on surfaces is none on a soft body either.
+std::unique_ptr<PathKind> toolOnBodyAlongPath(const PathInputs& inputs, PathReport& report)
+{
+  const ToolHold hold = toolHoldOf(inputs.settings);
+  report.refusal = lostBesideToolOnBody(inputs);
+  report.refusal = report.refusal.empty() ? refuseHold(hold) : report.refusal;
+  if (!report.refusal.empty())
+  {
+    return nullptr;
+  }
+  const Outcome<ToolMesh> tool = makeTool(*inputs.tool->mesh, Vec3(Vec3::Zero()));
+  const auto made =
+    toolOnBody(inputs.tool->name, *inputs.tool->mesh, { inputs.body->name, inputs.body->input }, hold.friction);
+  report.refusal = !tool.ok() ? tool.problem : made.problem;
+  if (!report.refusal.empty())
+  {
+    report.refusal = inputs.tool->name + ": cannot be held: " + report.refusal;
+    return nullptr;
+  }
+  auto touch = MechanismTouch::make(
+    *made.value, mechanismHoldOf(hold, tool.value, inputs.settings.number("SoftRate")), report.refusal);
+  const std::string left = touch ? touch->bodies().maker(0).checked().report.summary() : "";
+  if (!left.empty())
+  {
+    report.notes.push_back(inputs.body->name + ": " + left);
+  }
+  return touch ? std::make_unique<ToolOnBodyAlongPath>(std::move(touch), *made.value) : nullptr;
+}
 
 std::unique_ptr<PathKind> mechanismAlongPath(const PathInputs& inputs, PathReport& report)
 {

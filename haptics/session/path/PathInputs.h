@@ -58,7 +58,8 @@ struct PathMechanism
   std::shared_ptr<const MechanismInputs> inputs;
 };
 
-/// The input of a path that is known before. A mechanism is felt alone, a tool feels surfaces alone.
+/// The input of a path that is known before. A mechanism is felt alone; a tool feels surfaces alone, or a soft body
+/// alone.
 struct PathInputs
 {
   SettingStore settings = pathSettings();

@@ -21,9 +21,10 @@ std::unique_ptr<PathKind> kindOf(const PathInputs& inputs, PathReport& report)
   {
     return nullptr;
   }
-  return inputs.mechanism ? mechanismAlongPath(inputs, report)
-         : inputs.tool    ? toolAlongPath(inputs, report)
-                          : ballAlongPath(inputs, report);
+  return inputs.mechanism             ? mechanismAlongPath(inputs, report)
+         : inputs.tool && inputs.body ? toolOnBodyAlongPath(inputs, report)
+         : inputs.tool                ? toolAlongPath(inputs, report)
+                                      : ballAlongPath(inputs, report);
 }
 
 } // namespace

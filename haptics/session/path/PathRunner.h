@@ -50,7 +50,7 @@ struct PathReport
 class PathKind;
 
 /// The tick along a path, without a device and its limits: of a ball on surfaces and curves, in a field, on a soft
-/// body, of a tool, of a mechanism. For the filter and the program alike.
+/// body, of a tool on surfaces or on a soft body, of a mechanism. For the filter and the program alike.
 class PathRunner
 {
 public:

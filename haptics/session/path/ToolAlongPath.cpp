@@ -3,10 +3,9 @@
 #include <numbers>
 
 #include "haptics/session/path/PathKind.h"
+#include "haptics/session/path/ToolHold.h"
 #include "haptics/session/tool/NoWayOut.h"
 #include "haptics/tool/move/ToolMove.h"
-#include "haptics/tool/servo/FrictionTarget.h"
-#include "haptics/tool/servo/ToolForce.h"
 
 namespace palpate
 {
@@ -17,53 +16,15 @@ constexpr double degreesPerRadian = 180.0 / std::numbers::pi;
 constexpr std::uint64_t workOfUpdate = 10'000'000; // so much that an update ends by its steps
 constexpr int mostUpdates = 50;                    // a path across a scene takes a few
 
-/// How a hand holds a tool.
-struct ToolHold
-{
-  double stiffness_N_per_m; ///< of the spring from the hand to where the tool can be
-  double scale_u_per_m;
-  std::optional<double>
-    characteristic_u; ///< lever arm [u] of the tool's turns; none: that of the tool about its handle
-  ToolCoupling coupling;
-  double friction; ///< of each contact (settledTarget())
-};
-
-ToolHold toolHoldOf(const SettingStore& settings)
-{
-  const double stiffness_N_per_m = settings.number("Stiffness"), scale_u_per_m = settings.number("Scale");
-  const double characteristic_u = settings.number("ToolLever"),
-               turning_N_m_per_rad = settings.number("MechanismTurning");
-  // K_r = K_t (L / scale)^2.
-  const auto lever = turning_N_m_per_rad > 0.0
-                       ? std::optional(scale_u_per_m * std::sqrt(turning_N_m_per_rad / stiffness_N_per_m))
-                     : characteristic_u > 0.0 ? std::optional(characteristic_u)
-                                              : std::nullopt;
-  return { stiffness_N_per_m, scale_u_per_m, lever, static_cast<ToolCoupling>(settings.whole("ToolCoupling")),
-    settings.number("FrictionKinetic") };
-}
-
 /// A tool feels surfaces as they are: any other input would be lost.
 std::string lostBesideTool(const PathInputs& inputs)
 {
   const std::string lost = setBeside(inputs.settings,
     { "Stiffness", "Scale", "FrictionStatic", "FrictionKinetic", "ToolLever", "ToolCoupling", "MechanismTurning" });
-  return !lost.empty()  ? lost + " has no effect on a tool; omit this option or the tool"
-         : inputs.body  ? inputs.body->name + ": a tool cannot touch a soft body; leave out the tool, or give "
-                                              "the body's surface"
-         : inputs.field ? inputs.field->name + ": a tool cannot touch a field; omit the field or the tool"
+  return !lost.empty()             ? lost + " has no effect on a tool; omit this option or the tool"
+         : inputs.field            ? inputs.field->name + ": a tool cannot touch a field; omit the field or the tool"
          : inputs.surfaces.empty() ? "a tool needs surfaces, and there are none"
                                    : "";
-}
-
-std::string refuseHold(const ToolHold& hold)
-{
-  const bool stiff = hold.stiffness_N_per_m > 0.0;
-  const bool lever = hold.characteristic_u.value_or(1.0) > 0.0 && std::isfinite(hold.characteristic_u.value_or(1.0));
-  return !stiff                                ? "{Stiffness}: that of a tool is above 0"
-         : hold.friction > largestToolFriction ? "the friction of a tool must be a number from 0 to 1: where contacts "
-                                                 "wedge, more has no one answer"
-         : !lever                              ? "{ToolLever}: the lever of a tool must be a finite number above 0"
-                                               : "";
 }
 
 /// Each tick is as far as the tool comes in unlimited time. Poses are those of the frame in which the tool's mesh was

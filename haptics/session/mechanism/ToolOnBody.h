@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "haptics/core/Outcome.h"
+#include "haptics/session/mechanism/MechanismBodies.h"
+
+namespace palpate
+{
+
+struct TriangleMesh;
+
+/// The mechanism of a rigid mesh in the hand that presses a soft body: contacts between the two are found, with
+/// Coulomb's `friction`, and nothing else joins them. `mesh_H`: in the frame of the hand [u]. A tool of the body's name
+/// is called otherwise there. Refuses in one sentence a mesh that cannot be held (makeHeldMesh()). Takes milliseconds
+/// where the mesh is large; not real-time safe.
+[[nodiscard]] Outcome<std::shared_ptr<const MechanismInputs>> toolOnBody(
+  const std::string& tool, const TriangleMesh& mesh_H, const MechanismSoftInput& body, double friction);
+
+} // namespace palpate
