@@ -111,9 +111,11 @@ void vtkHapticSession::Internals::Feel(vtkHapticFeltSource& felt, const std::str
   const std::string why = problem.empty() ? felt.Refusal(this->Core) : problem;
   this->Refuse(why);
   this->Follow(felt.Subject(), why);
-  if (!felt.IsHeld() && this->Tool.Choice().tool) // beside it a tool may not be held
+  if (!felt.IsHeld() && this->Tool.Choice().tool) // on it a tool may not be held
   {
-    this->Follow(this->Tool.Subject(), this->Tool.Refusal(this->Core));
+    const std::string ofTool = this->Tool.Refusal(this->Core);
+    this->Refuse(ofTool);
+    this->Follow(this->Tool.Subject(), ofTool);
   }
   this->JudgeStability();
   this->FollowFelt();

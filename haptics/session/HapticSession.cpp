@@ -60,7 +60,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->device = std::move(device);
   run->virtualTime = options.virtualTime;
   run->period_s = options.period_s;
-  run->adapt(this->parameters_, this->characteristic_u(), true);
+  this->adapt(*run, true);
   run->pace(static_cast<std::int64_t>(options.period_s * 1e9 + 0.5));
   run->recordings.emplace(run->links.recorder, options.virtualTime);
   if (!options.recordFile.empty())
@@ -140,6 +140,7 @@ std::string HapticSession::setParameters(const HapticParameters& parameters, con
   {
     const bool otherMap = !isSame(parameters.map, this->parameters_.map);
     this->parameters_ = parameters;
+    this->pairTool();
     ++this->version_;
     if (this->run_)
     {
@@ -147,7 +148,7 @@ std::string HapticSession::setParameters(const HapticParameters& parameters, con
       {
         this->run_->leadFrom(this->scene().get(), comesFrom_W);
       }
-      this->run_->adapt(parameters, this->characteristic_u(), false);
+      this->adapt(*this->run_, false);
       this->run_->links.parameters.write({ this->version_, this->run_->adapted });
       this->orderWork(*this->run_);
     }
@@ -176,11 +177,9 @@ void HapticSession::setScene(std::shared_ptr<const Scene> scene, const std::opti
     r.adapted.ballLead = r.lead;
     r.links.parameters.write({ ++this->version_, r.adapted });
   }
+  const bool heldTool = this->toolBesideSoft().empty();
   this->setInput<input::Scenes>(std::move(scene));
-  if (this->run_)
-  {
-    this->orderWork(*this->run_);
-  }
+  this->followChoice(heldTool != this->toolBesideSoft().empty());
 }
 
 const std::shared_ptr<const Scene>& HapticSession::scene() const noexcept

@@ -75,9 +75,9 @@ public:
   [[nodiscard]] const std::shared_ptr<const Scene>& scene() const noexcept;
 
   /// The result of that task's worker is felt from a tick soon after on; none: nothing. Kept over stop() and start(). A
-  /// tool takes the place of the ball, but for one beside a soft body, which only a tool that is a ball feels. A soft
-  /// body is felt beside the scene. While a mechanism is felt, ball, tool and soft body rest. Include SessionWorkers.h
-  /// for these.
+  /// tool takes the place of the ball. A soft body is felt beside the scene by a ball, or by a tool that is one; any
+  /// other tool presses it as a mechanism of these two, and touches nothing else. While a mechanism is felt, ball, tool
+  /// and soft body rest. Include SessionWorkers.h for these.
   template<class Task>
   void choose(const typename Task::Choice& choice);
   template<class Task>
@@ -87,6 +87,7 @@ public:
   /// Why the tool is not held or cannot touch the scene; "": it can. And how its thread does.
   [[nodiscard]] std::string toolRefusal() const;
   [[nodiscard]] std::string toolBesideSoft() const; ///< why the tool is not held beside the soft body; "": it is
+  [[nodiscard]] bool toolPresses() const;           ///< whether tool and soft body are felt as a mechanism
   [[nodiscard]] const ToolReport& toolReport();
   /// The faults that a mechanism would have in this hand, or "". `atRest`: its soft bodies.
   [[nodiscard]] std::string refuseMechanism(
@@ -137,10 +138,13 @@ private:
   [[nodiscard]] double characteristic_u() const noexcept;
   [[nodiscard]] MechanismGrip grip(const HapticParameters& adapted) const noexcept;
   [[nodiscard]] const SessionWorkers* workers() const noexcept; ///< null: nothing runs
+  void pairTool();                                              ///< with the soft body
+  [[nodiscard]] std::string besideSoft() const;
   void followChoice(bool handChanges);
+  void adapt(Run& run, bool first) const;
   void orderWork(Run& run) const;
   void storePublished(bool again = false);
-  /// A tool would feel a soft body's surface of before.
+  /// A tool beside a soft body that it does not press would feel its surface of before.
   [[nodiscard]] ToolChoice heldTool() const;
 
   HapticParameters parameters_;

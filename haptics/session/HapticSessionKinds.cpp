@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "haptics/force/StabilityLimits.h"
@@ -7,6 +8,7 @@
 #include "haptics/session/SessionRun.h"
 #include "haptics/session/SessionWorkers.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
+#include "haptics/tool/servo/FrictionTarget.h"
 
 // The choices that workers compute: tool, soft body, mechanism.
 
@@ -18,9 +20,27 @@ const SessionWorkers* HapticSession::workers() const noexcept
   return this->run_ ? this->run_->workers.get() : nullptr;
 }
 
+/// A tool that is to press stays in the hand until its mechanism is computed.
 ToolChoice HapticSession::heldTool() const
 {
-  return this->toolBesideSoft().empty() ? this->chosen<ToolTask>() : ToolChoice{};
+  return !this->chosen_->pressing.isPair() || this->toolPresses() ? this->chosen<ToolTask>() : ToolChoice{};
+}
+
+void HapticSession::pairTool()
+{
+  const double friction = std::min(this->parameters_.contact.friction.kinetic, largestToolFriction);
+  this->chosen_->pressing.follow(this->chosen<ToolTask>(), this->chosen<SoftTask>(), friction);
+}
+
+/// The hand turns a tool that presses by the metric of tools, whatever torque the device has.
+void HapticSession::adapt(Run& run, bool first) const
+{
+  run.adapt(this->parameters_, this->characteristic_u(), first);
+  if (this->toolPresses())
+  {
+    const double lever_m = this->heldTool().weighs_u() / this->parameters_.map.scale_u_per_m;
+    run.adapted.mechanismTurning_N_m_per_rad = this->parameters_.stiffness_N_per_m * lever_m * lever_m;
+  }
 }
 
 void HapticSession::followChoice(bool handChanges)
@@ -29,7 +49,7 @@ void HapticSession::followChoice(bool handChanges)
   {
     if (handChanges)
     {
-      this->run_->adapt(this->parameters_, this->characteristic_u(), false);
+      this->adapt(*this->run_, false);
       this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
     }
     this->orderWork(*this->run_);
@@ -41,6 +61,11 @@ void HapticSession::orderWork(Run& run) const
 {
   SessionTasks::Choices choices = *this->chosen_;
   std::get<ToolChoice>(choices) = this->heldTool();
+  if (this->toolPresses())
+  {
+    std::get<SoftChoice>(choices) = {};
+    std::get<MechanismChoice>(choices) = this->chosen_->pressing.made();
+  }
   run.workers->order(choices, { this->scene(), this->parameters_.known, this->grip(run.adapted), run.period_s });
 }
 
@@ -74,15 +99,32 @@ MechanismGrip HapticSession::grip(const HapticParameters& adapted) const noexcep
 
 std::string HapticSession::toolBesideSoft() const
 {
-  const std::shared_ptr<const ToolMesh>& tool = this->chosen<ToolTask>().tool;
-  const bool refused = this->chosen<SoftTask>().input && tool && !(tool->ball_u() > 0.0);
-  return refused ? "a tool cannot touch a soft body: release the tool, or remove the soft body" : "";
+  const PressingTool& pressing = this->chosen_->pressing;
+  const std::string beside = pressing.isPair() ? this->besideSoft() : "";
+  return beside.empty() ? pressing.refusal()
+                        : "a tool that presses a soft body touches nothing else: hide " + beside +
+                            ", or release the tool to touch both with the proxy sphere";
+}
+
+bool HapticSession::toolPresses() const
+{
+  return this->chosen_->pressing.isPair() && this->toolBesideSoft().empty() && !this->chosen<MechanismTask>().inputs;
+}
+
+/// The first surface of the scene that is not the soft body's own; "": there is none.
+std::string HapticSession::besideSoft() const
+{
+  const std::string& body = this->chosen<SoftTask>().name;
+  const auto surfaces = this->scene() ? std::span(this->scene()->surfaces()) : std::span<const Surface>();
+  const auto other = std::ranges::find_if(surfaces, [&body](const Surface& s) { return s.name != body; });
+  return other == surfaces.end() ? "" : other->name;
 }
 
 std::string HapticSession::toolRefusal() const
 {
   const std::string beside = this->toolBesideSoft();
-  return beside.empty() ? this->status<ToolTask>().problem : beside;
+  const bool presses = this->toolPresses();
+  return !beside.empty() ? beside : presses ? this->status<MechanismTask>().problem : this->status<ToolTask>().problem;
 }
 
 const ToolReport& HapticSession::toolReport()

@@ -6,6 +6,7 @@
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/background/WorkerList.h"
 #include "haptics/session/mechanism/MechanismWorker.h"
+#include "haptics/session/mechanism/PressingTool.h"
 #include "haptics/session/soft/SoftWorker.h"
 #include "haptics/session/tool/ToolWorker.h"
 
@@ -22,14 +23,16 @@ struct SessionWorkers : SessionTasks
 /// The choices that the workers compute.
 struct HapticSession::Chosen : SessionTasks::Choices
 {
+  PressingTool pressing; ///< of tool and soft body
 };
 
 template<class Task>
 void HapticSession::choose(const typename Task::Choice& choice)
 {
-  const bool heldTool = this->toolBesideSoft().empty();
+  const bool heldTool = this->toolBesideSoft().empty(), pressed = this->toolPresses();
   std::get<typename Task::Choice>(*this->chosen_) = choice;
-  this->followChoice(Task::isHeld || heldTool != this->toolBesideSoft().empty());
+  this->pairTool();
+  this->followChoice(Task::isHeld || heldTool != this->toolBesideSoft().empty() || pressed != this->toolPresses());
 }
 
 template<class Task>

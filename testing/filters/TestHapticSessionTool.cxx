@@ -20,8 +20,10 @@
 #include "vtkHapticToolProps.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
+#include "vtkTouchAlongPath.h"
 #include "vtkUnstructuredGrid.h"
 
 using namespace palpate;
@@ -206,37 +208,114 @@ TEST_F(HapticSessionTool, WithoutItsSourceOrWithDataThatCannotBeHeldSaysSoAndThe
   EXPECT_NEAR(this->session_->GetForce()[2], springOfTool * 1.0 / scale, 1e-9) << "by the ball";
 }
 
-TEST_F(HapticSessionTool, BesideABodyThatGivesWayItIsRefusedInWhicheverOrderTheyComeAndTheBallPresses)
+/// A session in virtual time with the tool Cube1 and the soft body "block", whose top is z = 0.
+struct ToolOnBlock
+{
+  ToolOnBlock()
+  {
+    this->session->SetSetting("VirtualTime", true);
+    this->session->SetSetting("Passivity", false);
+    this->session->SetSetting("Stiffness", springOfTool);
+    this->session->SetSetting("Scale", scale);
+    this->session->SetSetting("ToolSource", "Cube1");
+    this->session->SetSetting("SoftSource", "block");
+  }
+
+  void touch(double z)
+  {
+    this->session->SetHandPosition(3.0, 1.0, z);
+    this->session->TouchingOn();
+    this->session->Step(ticksToEngage);
+  }
+
+  /// By a tenth of a unit in two ticks, so that contacts are looked for in time.
+  void lower(double from, double to)
+  {
+    for (double z = from; z > to; z -= 0.1)
+    {
+      this->session->SetHandPosition(3.0, 1.0, z);
+      this->session->Step(2);
+    }
+    this->session->SetHandPosition(3.0, 1.0, to);
+    this->session->Step(ticksToRest);
+  }
+
+  vtkNew<vtkHapticSession> session;
+  vtkSmartPointer<vtkUnstructuredGrid> body = makeSoftBlock(100.0, 1.0 / scale);
+};
+
+TEST_F(HapticSessionTool, PressesABodyThatGivesWayInWhicheverOrderTheyComeAsTheFilterSaysAndTheBodyIsBent)
+{
+  constexpr double deep = 2.0;
+  vtkNew<vtkCubeSource> cube; // over nine vertices of the block
+  cube->SetXLength(70.0);
+  cube->SetYLength(70.0);
+  cube->SetZLength(2.0 * halfSide);
+  cube->Update();
+  double felt_N = 0.0;
+  for (const bool toolFirst : { true, false })
+  {
+    ToolOnBlock on;
+    const auto session = vtkSmartPointer<vtkHapticSession>(on.session);
+    const auto hold = [&] { return session->AddTool("Cube1", cube->GetOutput()); };
+    EXPECT_TRUE(toolFirst ? hold() : session->AddSoftBody("block", on.body));
+    EXPECT_TRUE(toolFirst ? session->AddSoftBody("block", on.body) : hold());
+    EXPECT_STREQ(session->GetProblem(), "");
+    on.touch(halfSide + 1.0);
+    EXPECT_THAT(session->GetToolText(), HasSubstr("presses block"));
+    EXPECT_THAT(session->GetToolText(), HasSubstr("0 contacts"));
+    on.lower(halfSide + 1.0, halfSide - deep);
+    felt_N = session->GetForce()[2];
+    EXPECT_GT(felt_N, 0.02);
+    EXPECT_LT(felt_N, 0.99 * springOfTool * deep / scale) << "it gives way";
+    EXPECT_GE(session->GetContacts(), 4);
+    EXPECT_NEAR(session->GetToolHandPose()[2], halfSide - deep, 1e-9);
+    const double yields = halfSide - session->GetToolPose()[2];
+    EXPECT_NEAR(felt_N, springOfTool * (deep - yields) / scale, 1e-6);
+    EXPECT_THAT(session->GetSoftText(), HasSubstr("ms old"));
+    EXPECT_GT(session->GetSoftStrain(), 0.0);
+    vtkNew<vtkUnstructuredGrid> shown;
+    shown->DeepCopy(on.body);
+    EXPECT_TRUE(session->BendSoftBody(shown));
+    const Vec3 top(shown->GetPoint(shown->FindPoint(0.0, 0.0, 0.0)));
+    EXPECT_NEAR(-top.z(), yields, 0.3 * yields) << "the vertex below the cube goes with it";
+  }
+  std::vector<Vec3> way;
+  for (int i = 0; i < 1200; ++i)
+  {
+    way.push_back(Vec3(3.0, 1.0, halfSide + 1.0 - (1.0 + deep) * std::min(1.0, i / 200.0)));
+  }
+  vtkNew<vtkTouchAlongPath> filter;
+  filter->SetInputData(makeSoftBlock(100.0, 1.0 / scale));
+  filter->SetPathData(makePath(way));
+  filter->SetToolData(cube->GetOutput());
+  filter->SetSetting("Stiffness", springOfTool);
+  filter->SetSetting("Scale", scale);
+  filter->Update();
+  EXPECT_NEAR(filter->GetOutput()->GetPointData()->GetArray("Force")->GetComponent(1199, 2), felt_N, 0.01 * felt_N);
+}
+
+TEST_F(HapticSessionTool, ThatIsOpenIsRefusedOnABodyThatGivesWayInWhicheverOrderTheyComeAndTheBallPresses)
 {
   constexpr double ball = 10.0, deep = 2.0;
   for (const bool toolFirst : { true, false })
   {
-    vtkNew<vtkHapticSession> session;
-    session->SetSetting("VirtualTime", true);
-    session->SetSetting("Stiffness", springOfTool);
-    session->SetSetting("Scale", scale);
-    session->SetSetting("ToolSource", "Cube1");
-    session->SetSetting("SoftSource", "block");
-    const auto body = makeSoftBlock(100.0, 1.0 / scale);
-    const auto hold = [&] { return errorsOf(session, [&] { session->AddTool("Cube1", cubeFarAway()); }); };
-    const auto press = [&] { return errorsOf(session, [&] { session->AddSoftBody("block", body); }); };
+    ToolOnBlock on;
+    const auto session = vtkSmartPointer<vtkHapticSession>(on.session);
+    const auto hold = [&] { return errorsOf(session, [&] { session->AddTool("Cube1", makePlane(2.0 * halfSide)); }); };
+    const auto press = [&] { return errorsOf(session, [&] { session->AddSoftBody("block", on.body); }); };
     const std::vector<std::string> first = toolFirst ? hold() : press();
     EXPECT_TRUE(first.empty()) << first.front();
     const std::vector<std::string> second = toolFirst ? press() : hold();
-    if (!toolFirst)
-    {
-      EXPECT_THAT(second, ElementsAre(HasSubstr("a tool cannot touch a soft body")));
-      EXPECT_THAT(session->GetProblem(), HasSubstr("a tool cannot touch a soft body"));
-    }
-    EXPECT_THAT(session->GetToolText(), HasSubstr("a tool cannot touch a soft body"));
+    EXPECT_THAT(second, ElementsAre(HasSubstr("the tool cannot press a soft body: the mesh is open")));
+    EXPECT_THAT(session->GetProblem(), HasSubstr("cannot press a soft body"));
+    EXPECT_THAT(session->GetToolText(), HasSubstr("cannot press a soft body"));
 
     session->SetSetting("Radius", ball);
-    session->SetHandPosition(3.0, 1.0, ball + 5.0);
-    session->TouchingOn();
-    session->Step(ticksToEngage);
+    on.touch(ball + 5.0);
     session->SetHandPosition(3.0, 1.0, ball - deep);
     session->Step(ticksToRest);
-    EXPECT_THAT(session->GetToolText(), HasSubstr("a tool cannot touch a soft body"));
+    EXPECT_THAT(session->GetToolText(), HasSubstr("cannot press a soft body"));
     const double push_N = pushOfSoftBlock_N(ball / scale, deep / scale, springOfTool);
     EXPECT_NEAR(session->GetForce()[2], push_N, offLayer * push_N);
 

@@ -129,16 +129,17 @@ class Kinds(unittest.TestCase):
         Touch()
         self.assertIn("hole: kept", GetHapticSession().GetSceneReport())
 
-    def test_what_is_held_is_let_go_for_tissue_and_for_a_mechanism(self):
+    def test_a_tool_and_tissue_are_touched_together_and_let_go_for_a_mechanism(self):
         self.show(simple.Box(registrationName="box"))
         body = simple.SoftBody(registrationName="block", Input=simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-2, 2, -2, 2, 0, 2])), Fixed="zmin")
         self.show(body)
         TouchAs("box", "tool")
-        self.assertEqual(TouchAs("block"), "block is pressed as tissue. box is let go.")
-        self.assertEqual((self.text("SoftSource"), self.text("ToolSource")), ("block", ""))
+        self.assertEqual(TouchAs("block"), "block is pressed as tissue.")
+        self.assertEqual((self.text("SoftSource"), self.text("ToolSource")), ("block", "box"))
         self.show(simple.HapticMechanism(registrationName="needle", FileName=NEEDLE))
-        self.assertEqual(TouchAs("needle"), "needle is held as mechanism. block is let go.")
-        self.assertEqual((self.text("SoftSource"), self.text("MechanismSource")), ("", "needle"))
+        self.assertEqual(TouchAs("needle"), "needle is held as mechanism. box is let go. block is let go.")
+        self.assertEqual((self.text("SoftSource"), self.text("ToolSource"), self.text("MechanismSource")), ("", "", "needle"))
+        self.assertEqual(TouchAs("box", "tool"), "box is held as tool. needle is let go.")
 
     def test_a_source_is_touched_in_one_kind_at_a_time(self):
         shown = self.show(simple.Box(registrationName="box"))

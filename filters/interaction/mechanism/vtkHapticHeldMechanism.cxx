@@ -279,7 +279,7 @@ int vtkHapticHeldMechanism::IndexOf(const std::string& name) const
 
 void vtkHapticHeldMechanism::Look(palpate::HapticSession& core, const palpate::HapticState& state, double /*now_s*/)
 {
-  this->Status = core.status<palpate::MechanismTask>();
+  this->Status = this->Inputs ? core.status<palpate::MechanismTask>() : palpate::MechanismStatus(); // else of a tool
   this->Felt = !this->Status.building && this->Status.plan != 0 && state.mechanism.revision == this->Status.plan;
   this->Now = this->Felt ? state.mechanism : palpate::MechanismNow{};
   this->AtRest = !this->Status.building && this->Status.plan != 0 && this->Inputs ? this->Status.atRest : this->AtRest;

@@ -18,6 +18,19 @@ std::string Rounded(double value, int digits)
   text << value;
   return text.str();
 }
+
+/// Of a body that a tool presses.
+palpate::SoftStatus StatusOf(const palpate::MechanismStatus& made)
+{
+  palpate::SoftStatus status;
+  static_cast<palpate::WorkStatus&>(status) = made;
+  if (!made.soft.empty())
+  {
+    status.shape = made.soft.front().shape;
+    status.asMade = made.soft.front().asMade;
+  }
+  return status;
+}
 } // namespace
 
 void vtkHapticPressedBody::Choose(palpate::HapticSession& core) const
@@ -52,7 +65,11 @@ void vtkHapticPressedBody::CountPackets(double now_s)
 
 void vtkHapticPressedBody::Look(palpate::HapticSession& core, const palpate::HapticState& state, double now_s)
 {
-  this->Status = core.status<palpate::SoftTask>();
+  const bool byTool = core.toolPresses();
+  this->Status = byTool ? StatusOf(core.status<palpate::MechanismTask>()) : core.status<palpate::SoftTask>();
+  this->Pressed = byTool ? state.mechanism.touching > 0 : state.soft.pressed;
+  this->IsFelt = byTool ? state.mechanism.held : state.soft.felt;
+  this->Age_s = byTool ? state.mechanism.age_s : state.soft.age_s;
   this->CountPackets(now_s);
   this->Hand_W = this->Status.shape ? this->Status.shape->hand_W : state.device_W.p;
   const double radius_u = state.tool.ball_u > 0.0 ? state.tool.ball_u : core.parameters().contact.radius_u;
@@ -65,7 +82,8 @@ const char* vtkHapticPressedBody::Absent() const
   return " does not exist: choose another source as the soft body, or none";
 }
 
-std::string vtkHapticPressedBody::Sentence(palpate::HapticSession& /*core*/, const palpate::HapticState& state) const
+std::string vtkHapticPressedBody::Sentence(
+  palpate::HapticSession& /*core*/, const palpate::HapticState& /*state*/) const
 {
   const std::string text = this->Name + ": " + this->Material;
   if (!this->Status.problem.empty())
@@ -77,15 +95,14 @@ std::string vtkHapticPressedBody::Sentence(palpate::HapticSession& /*core*/, con
     return text + (this->Status.building ? "; is being computed; rigid until then" : "");
   }
   return text + "; " + Rounded(this->PacketsPerSecond, 3) + " solves per second, " +
-         (state.soft.felt ? palpate::quantity(1e3 * state.soft.age_s, "ms") + " old" : "not used yet") +
-         ", largest strain " + vtkHapticStrainText(*this->Status.shape) +
-         (state.soft.pressed && this->Status.shape->struck
+         (this->IsFelt ? palpate::quantity(1e3 * this->Age_s, "ms") + " old" : "not used yet") + ", largest strain " +
+         vtkHapticStrainText(*this->Status.shape) +
+         (this->Pressed && this->Status.shape->struck
              ? "; hit faster than a body of " + palpate::quantity(this->Input->density_kg_per_m3, "kg/m3") +
                  " could respond; inertia is not modelled"
              : "") +
-         (state.soft.pressed && this->Status.shape->throughItself_u > 0.0
-             ? std::string("; ") + palpate::throughItselfText
-             : "");
+         (this->Pressed && this->Status.shape->throughItself_u > 0.0 ? std::string("; ") + palpate::throughItselfText
+                                                                     : "");
 }
 
 bool vtkHapticPressedBody::Bend(vtkUnstructuredGrid& body)

@@ -42,6 +42,8 @@ private:
   std::string Material; ///< in words
   std::shared_ptr<const palpate::SoftBodyInput> Input;
   palpate::SoftStatus Status;
+  bool Pressed = false, IsFelt = false; ///< by the ball, or by a tool
+  double Age_s = 0.0;                   ///< of the state at which its snapshot was made
   std::shared_ptr<const palpate::BodyShape> Shown;
   vtkHapticBall Ball; ///< that presses it
   std::uint64_t CountedPackets = 0;

@@ -9,6 +9,23 @@
 #include "haptics/tool/servo/FrictionTarget.h"
 #include "vtkHapticConversion.h"
 
+namespace
+{
+std::string ContactsText(double lever_u, int contacts)
+{
+  return ", lever " + palpate::quantity(lever_u, "u") + ", " + std::to_string(contacts) +
+         (contacts == 1 ? " contact" : " contacts");
+}
+
+/// "", or that the force does not grow any more.
+std::string TooFarText(const palpate::HapticState& state)
+{
+  return state.clamped && state.contacts > 0
+           ? "; the hand is further from the tool than the largest force allows: move the hand back to the tool"
+           : "";
+}
+} // namespace
+
 void vtkHapticTool::Choose(palpate::HapticSession& core) const
 {
   core.choose<palpate::ToolTask>(this->Chosen);
@@ -124,8 +141,9 @@ void vtkHapticTool::PutPose(const palpate::Pose& centre_W, double pose[7]) const
 void vtkHapticTool::Look(palpate::HapticSession& core, const palpate::HapticState& state, double /*now_s*/)
 {
   const palpate::WorkspaceMap& map = core.parameters().map;
-  this->PutPose(state.tool.held ? state.proxy_W : palpate::Pose{}, this->Pose);
-  this->PutPose(state.tool.hand_W, this->HandPose);
+  const bool presses = core.toolPresses() && state.mechanism.held;
+  this->PutPose(state.tool.held || presses ? state.proxy_W : palpate::Pose{}, this->Pose);
+  this->PutPose(presses ? state.mechanism.hand_W : state.tool.hand_W, this->HandPose);
   const Eigen::Map<const Eigen::Vector4d> turn(this->Pose + 3); // w, x, y, z
   Eigen::Map<palpate::Vec3>{ this->Tip } =
     Eigen::Map<const palpate::Vec3>(this->Pose) + palpate::Quat(turn[0], turn[1], turn[2], turn[3]) * this->TipPoint_T;
@@ -147,6 +165,10 @@ std::string vtkHapticTool::Sentence(palpate::HapticSession& core, const palpate:
   }
   const std::size_t triangles = this->Chosen.tool->shape_B->mesh().triangles.size();
   std::string text = this->Name + ", " + std::to_string(triangles) + " triangles";
+  if (core.toolPresses() && core.running())
+  {
+    return text + this->PressingText(core, state);
+  }
   const std::string felt = palpate::describeFelt(*this->Chosen.tool, state.tool.ball_u > 0.0);
   text += felt.empty() ? "" : ", " + felt;
   if (!state.tool.held || !core.running())
@@ -161,13 +183,23 @@ std::string vtkHapticTool::Sentence(palpate::HapticSession& core, const palpate:
   {
     return text + ", " + noWayOut + ", then hold the tool again";
   }
-  const double characteristic_u = state.tool.lever_m * core.parameters().map.scale_u_per_m;
-  text += ", lever " + palpate::quantity(characteristic_u, "u") + ", " + std::to_string(state.contacts) +
-          (state.contacts == 1 ? " contact" : " contacts");
+  text += ContactsText(state.tool.lever_m * core.parameters().map.scale_u_per_m, state.contacts);
   text += core.parameters().contact.friction.kinetic > palpate::largestToolFriction
             ? "; tool friction is limited to 1; the kinetic friction set for the session is higher"
             : "";
-  return state.clamped && state.contacts > 0
-           ? text + "; the hand is further from the tool than the largest force allows: move the hand back to the tool"
-           : text;
+  return text + TooFarText(state);
+}
+
+/// On a soft body, as a mechanism.
+std::string vtkHapticTool::PressingText(const palpate::HapticSession& core, const palpate::HapticState& state) const
+{
+  const palpate::MechanismNow& now = state.mechanism;
+  const std::string body = core.chosen<palpate::SoftTask>().name;
+  if (!now.held)
+  {
+    return ", " + body + " is being computed; the tool feels it rigid until then";
+  }
+  return ", presses " + body + ContactsText(this->Chosen.weighs_u(), now.touching) +
+         (now.ahead ? "; the hand is faster than contacts are looked for, so that the tool stays behind" : "") +
+         (now.leftOut > 0 ? "; the tool touches in more places than a tick can solve" : "") + TooFarText(state);
 }

@@ -29,7 +29,7 @@ public:
   const char* Subject() const override { return "tool"; }
   bool IsHeld() const override { return true; }
   void Choose(palpate::HapticSession& core) const override;
-  std::string Refusal(const palpate::HapticSession& core) const override; ///< beside a soft body
+  std::string Refusal(const palpate::HapticSession& core) const override; ///< on a soft body
   /// The same data by other settings, or only with another lever.
   std::string TakeAgain();
   std::string TakeLever();
@@ -52,6 +52,7 @@ private:
   void Look(palpate::HapticSession& core, const palpate::HapticState& state, double now_s) override;
   std::string Sentence(palpate::HapticSession& core, const palpate::HapticState& state) const override;
   const char* Absent() const override;
+  std::string PressingText(const palpate::HapticSession& core, const palpate::HapticState& state) const;
   std::string Make();
   std::string MakeTool();
   double LeverNow_u() const;

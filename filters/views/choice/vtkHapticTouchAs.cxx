@@ -194,14 +194,20 @@ void vtkHapticTouchAs::Free()
   }
 }
 
+/// A tool and a soft body are felt together, a mechanism by itself.
 void vtkHapticTouchAs::Take(const char* setting)
 {
+  const auto isMechanism = [](std::string_view name) { return name == "MechanismSource"; };
   for (const char* const other : HandedSettings)
   {
-    const std::string before = std::string_view(other) == setting ? "" : TextOf(this->Session, other);
-    this->Text += before.empty() ? "" : " " + before + " is let go.";
-    Put(this->Session, other, std::string_view(other) == setting ? this->Name : "");
+    const std::string before = TextOf(this->Session, other);
+    if (isMechanism(setting) != isMechanism(other) && !before.empty())
+    {
+      this->Text += " " + before + " is let go.";
+      Put(this->Session, other, "");
+    }
   }
+  Put(this->Session, setting, this->Name);
 }
 
 vtkSMProxy* vtkHapticTouchAs::Representation() const

@@ -60,7 +60,8 @@ private:
 
   /// The source is of no kind any more.
   void Free();
-  /// The hand, or a soft body, takes the place of the source that is held or pressed now.
+  /// The source is held or pressed from now on. A mechanism takes the place of tool and soft body, either of these that
+  /// of a mechanism.
   void Take(const char* setting);
   void Show(bool shown);
   void FollowStreamlines(const std::string& array);

@@ -12,7 +12,6 @@
 #include "haptics/session/soft/BodyMaker.h"
 #include "haptics/session/soft/SoftChoice.h"
 #include "haptics/session/soft/SoftWorker.h"
-#include "haptics/session/tool/ToolChoice.h"
 #include "testing/haptics/recording/FlippedBits.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Eventually.h"
@@ -131,25 +130,6 @@ TEST_F(SoftInLoop, ATicksForceIsThatOfTheBallItShowsBesideWhatTheEnergyBalanceAd
       EXPECT_LE((state.force_W - spring_N).norm(), std::abs(state.soft.added_N) + 1e-12 * spring_N.norm() + 1e-12);
     });
   EXPECT_GT(pressed, 300);
-}
-
-TEST_F(SoftInLoop, AToolBesideItIsNotHeldAndSaysSoAndTheBallPressesAsWithoutIt)
-{
-  const ToolChoice cube{
-    std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-0.01), Vec3::Constant(0.01))).value), 0.0
-  };
-  this->begin(blockOf20kPa());
-  (void)this->hold(Vec3(0, 0, 0.001), 200);
-  const double alone_N = this->hold(Vec3(0, 0, -0.004), 600).force_W.norm();
-  ASSERT_GT(alone_N, 0.1);
-  this->session.choose<ToolTask>(cube);
-  EXPECT_NE(this->session.toolRefusal().find("cannot touch a soft body"), std::string::npos);
-  const HapticState& beside = this->hold(Vec3(0, 0, -0.004), 200);
-  EXPECT_FALSE(beside.tool.held);
-  EXPECT_NEAR(beside.force_W.norm(), alone_N, 1e-3 * alone_N);
-  this->session.choose<SoftTask>({});
-  EXPECT_EQ(this->session.toolRefusal(), "");
-  EXPECT_TRUE(this->hold(Vec3(0, 0, 0.05), 400).tool.held);
 }
 
 TEST_F(SoftInLoop, WithoutItsPacketsSaysThatItCannotBeRecomputed)
