@@ -122,7 +122,23 @@ TEST(ToolOnBody, InASessionAMeshBallPressesAsTheExactBallOfTheSessionDoes)
     EXPECT_LT(state.force_W.head<2>().norm(), 0.01 * state.force_W.z());
     EXPECT_LT(state.force_W.z(), 0.1 * firm_N_per_m * depth_m) << "it is not rigid";
     EXPECT_EQ(mesh.session.status<MechanismTask>().soft.size(), 1U);
+    const std::uint64_t ofBall = mesh.session.status<SoftTask>().snapshots;
+    mesh.hold(above(2.0 * ball_m), 200);
+    EXPECT_EQ(mesh.session.status<SoftTask>().snapshots, ofBall) << "the body is computed once";
   }
+}
+
+TEST(ToolOnBody, InASessionAToolThatIsABallStaysTheExactBall)
+{
+  SurfaceInput own;
+  own.name = "block";
+  own.mesh = std::make_shared<const TriangleMesh>(makeBox(Vec3::Zero(), 2.0 * middleOfPad() - Vec3(0, 0, 0.05)));
+  PressingHand hand;
+  hand.session.setScene(SceneBuilder().build({ own }).scene);
+  hand.session.choose<ToolTask>({ std::make_shared<const ToolMesh>(makeTool(makeIcosphere(4, ball_m)).value), 0.0 });
+  EXPECT_FALSE(hand.session.toolPresses());
+  EXPECT_EQ(hand.session.toolRefusal(), "");
+  EXPECT_TRUE(hand.press(1e-3).soft.pressed);
 }
 
 TEST(ToolOnBody, InASessionAHandThatTurnsItIsTurnedBackByTheMetricOfTools)
@@ -153,10 +169,10 @@ TEST(ToolOnBody, InASessionAHandThatTurnsItIsTurnedBackByTheMetricOfTools)
 TEST(ToolOnBody, InASessionFrictionIsThatOfTheSession)
 {
   PressingHand hand;
+  hand.session.choose<ToolTask>(ballTool());
   HapticParameters parameters = hand.session.parameters();
   parameters.contact.friction = { 0.3, 0.3 };
   ASSERT_EQ(hand.session.setParameters(parameters), "");
-  hand.session.choose<ToolTask>(ballTool());
   hand.press(1e-3);
   Pose at = above(ball_m - 1e-3);
   for (int i = 0; i < 600; ++i)
