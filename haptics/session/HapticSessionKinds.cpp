@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -8,12 +9,16 @@
 #include "haptics/session/SessionRun.h"
 #include "haptics/session/SessionWorkers.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
+#include "haptics/session/mechanism/PressingTool.h"
 #include "haptics/tool/servo/FrictionTarget.h"
 
 // The choices that workers compute: tool, soft body, mechanism.
 
 namespace palpate
 {
+
+HapticSession::Chosen::Chosen() : pressing(std::make_unique<PressingTool>()) {}
+HapticSession::Chosen::~Chosen() = default;
 
 const SessionWorkers* HapticSession::workers() const noexcept
 {
@@ -23,13 +28,13 @@ const SessionWorkers* HapticSession::workers() const noexcept
 /// A tool that is to press stays in the hand until its mechanism is computed.
 ToolChoice HapticSession::heldTool() const
 {
-  return !this->chosen_->pressing.isPair() || this->toolPresses() ? this->chosen<ToolTask>() : ToolChoice{};
+  return !this->chosen_->pressing->isPair() || this->toolPresses() ? this->chosen<ToolTask>() : ToolChoice{};
 }
 
 void HapticSession::pairTool()
 {
   const double friction = std::min(this->parameters_.contact.friction.kinetic, largestToolFriction);
-  this->chosen_->pressing.follow(this->chosen<ToolTask>(), this->chosen<SoftTask>(), friction);
+  this->chosen_->pressing->follow(this->chosen<ToolTask>(), this->chosen<SoftTask>(), friction);
 }
 
 /// The hand turns a tool that presses by the metric of tools, whatever torque the device has.
@@ -64,7 +69,7 @@ void HapticSession::orderWork(Run& run) const
   if (this->toolPresses())
   {
     std::get<SoftChoice>(choices) = {};
-    std::get<MechanismChoice>(choices) = this->chosen_->pressing.made();
+    std::get<MechanismChoice>(choices) = this->chosen_->pressing->made();
   }
   run.workers->order(choices, { this->scene(), this->parameters_.known, this->grip(run.adapted), run.period_s });
 }
@@ -99,7 +104,7 @@ MechanismGrip HapticSession::grip(const HapticParameters& adapted) const noexcep
 
 std::string HapticSession::toolBesideSoft() const
 {
-  const PressingTool& pressing = this->chosen_->pressing;
+  const PressingTool& pressing = *this->chosen_->pressing;
   const std::string beside = pressing.isPair() ? this->besideSoft() : "";
   return beside.empty() ? pressing.refusal()
                         : "a tool that presses a soft body touches nothing else: hide " + beside +
@@ -108,7 +113,7 @@ std::string HapticSession::toolBesideSoft() const
 
 bool HapticSession::toolPresses() const
 {
-  return this->chosen_->pressing.isPair() && this->toolBesideSoft().empty() && !this->chosen<MechanismTask>().inputs;
+  return this->chosen_->pressing->isPair() && this->toolBesideSoft().empty() && !this->chosen<MechanismTask>().inputs;
 }
 
 /// The first surface of the scene that is not the soft body's own; "": there is none.

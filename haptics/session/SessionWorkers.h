@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <tuple>
 
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/background/WorkerList.h"
 #include "haptics/session/mechanism/MechanismWorker.h"
-#include "haptics/session/mechanism/PressingTool.h"
 #include "haptics/session/soft/SoftWorker.h"
 #include "haptics/session/tool/ToolWorker.h"
 
 namespace palpate
 {
+
+class PressingTool;
 
 using SessionTasks = WorkerList<ToolTask, SoftTask, MechanismTask>;
 
@@ -23,7 +25,9 @@ struct SessionWorkers : SessionTasks
 /// The choices that the workers compute.
 struct HapticSession::Chosen : SessionTasks::Choices
 {
-  PressingTool pressing; ///< of tool and soft body
+  Chosen();
+  ~Chosen();
+  std::unique_ptr<PressingTool> pressing; ///< of tool and soft body
 };
 
 template<class Task>
