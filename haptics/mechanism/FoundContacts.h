@@ -11,14 +11,15 @@
 namespace palpate
 {
 
-/// A contact of the held mesh with a soft body that nobody has named: the mesh's point stays on the outer side of the
+/// A contact of a rigid mesh with a soft body that nobody has named: the mesh's point stays on the outer side of the
 /// plane through the soft body's.
 struct FoundContact
 {
   static constexpr double alike = 0.9; ///< cosine between the normals of contacts that press in much the same direction
 
   std::uint64_t name = 0;        ///< of the features that meet: the same from answer to answer
-  std::int32_t body = 0;         ///< the soft one, in the plan
+  std::int32_t mesh = 0;         ///< the body with the mesh, in the plan
+  std::int32_t body = 0;         ///< the soft one
   Vec3 point_A = Vec3::Zero();   ///< of the mesh, in its frame
   SurfacePoint place_B;          ///< of the soft body
   Vec3 normal_W = Vec3::UnitZ(); ///< out of the soft body
@@ -29,6 +30,7 @@ template<class Visit, class Contact>
 void membersOf(const Visit& visit, Contact& found) requires std::is_same_v<std::remove_const_t<Contact>, FoundContact>
 {
   visit(found.name);
+  visit(found.mesh);
   visit(found.body);
   visit(found.point_A);
   visit(found.place_B);
@@ -43,8 +45,8 @@ struct FoundContacts
 
   std::uint64_t answer = 0; ///< another one for each; 0: none
   double friction = 0.0;    ///< Coulomb's, of all of them
-  double reach_u = 0.0;     ///< surfaces that were further apart are not in it
-  Pose held_W;              ///< of the mesh, when they were looked for
+  double reach_u = 0.0;     ///< so far the mesh in the hand may go until the next answer; infinite without such a mesh
+  Pose held_W;              ///< of that mesh, when they were looked for
   std::int32_t count = 0;
   std::int32_t leftOut = 0; ///< places where the mesh touches, or nearly, for which a tick has no room
   std::array<FoundContact, most> contacts{};

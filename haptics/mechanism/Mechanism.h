@@ -20,7 +20,7 @@ enum class MechanismBodyKind : std::uint8_t
          ///< to its tip, or its mesh is given in that frame
   Rigid, ///< rests on others, or is joined to them; its frame has its centre as origin
   Soft,  ///< a soft body of the session, by its name; its frame is W, in which it is at rest
-  World, ///< does not move; its frame is W
+  World, ///< does not move; its frame is W; it may have a mesh
 };
 
 /// A body, as described by a person.
@@ -30,7 +30,7 @@ struct MechanismBody
   MechanismBodyKind kind = MechanismBodyKind::World;
   double length_u = 0.0;                    ///< of a held rod
   double diameter_u = 0.0;                  ///< likewise
-  std::shared_ptr<const SidedSurface> mesh; ///< of a held body in place of a rod; null: it is a rod
+  std::shared_ptr<const SidedSurface> mesh; ///< of a held body in place of a rod, or of one that does not move; or null
   Vec3 halfSize_u = Vec3::Zero();           ///< of a rigid box, along its own axes
   Pose pose_W;                              ///< where a rigid one is at first; how a held one is turned in the hand
   Vec3 load_W = Vec3::Zero();               ///< on a rigid one's centre, its weight say [N]
@@ -86,7 +86,7 @@ struct Mechanism
 
   std::vector<MechanismBody> bodies;
   std::vector<MechanismConstraint> laws;
-  bool findsContacts = false; ///< of the held mesh with soft bodies, wherever they meet
+  bool findsContacts = false; ///< of meshes with soft bodies, wherever they meet
   double foundFriction = 0.0; ///< Coulomb's coefficient there
 };
 

@@ -172,9 +172,10 @@ class Mechanism(CommandLineTest):
         self.assertAlmostEqual(last["stops_fx"], -stop * (drawer - most), delta=1e-3 * -last["stops_fx"])
         self.assertAlmostEqual(last["force_x"], last["felt_fx"] + last["stops_fx"], delta=1e-6)
 
-    def spatula(self, change=lambda scene: None):
-        shutil.copy(SCENES / "spatula.obj", self.folder)
-        scene = json.loads((SCENES / "spatula.json").read_text())
+    def spatula(self, change=lambda scene: None, file="spatula.json"):
+        for mesh in ("spatula.obj", "rib.obj"):
+            shutil.copy(SCENES / mesh, self.folder)
+        scene = json.loads((SCENES / file).read_text())
         change(scene)
         self.write("scene.json", json.dumps(scene))
         return "scene.json"
@@ -203,7 +204,24 @@ class Mechanism(CommandLineTest):
         self.assertIn("contacts are found, at most 16 at once", self.succeed("check", self.spatula()).stdout)
         ground = {"name": "ground", "kind": "soft", "box": [80, 10, 80], "at": [0, -48, 125], "fixed": "ymin", "young_Pa": 1e5}
         said = self.succeed("check", self.spatula(lambda scene: scene["bodies"].append(ground))).stdout
-        self.assertIn('found between "spatula" and soft bodies only', said)
+        self.assertIn("found between meshes and soft bodies only", said)
+        self.assertNotIn("only", self.succeed("check", self.spatula()).stdout)
+
+    def test_a_liver_is_held_up_by_the_rib_that_it_is_pressed_onto(self):
+        gap, close, deep = 1.0, 2.0, 6.0  # mm: spatula to liver, liver to rib, the spatula's way into the liver
+        down = [(0, -0.02 * i, 0) for i in range(int(50 * (gap + deep)))]
+        options = ("--stiffness", 5000, "--scale", 1000, "--torque-stiffness", 20)
+        on, _ = self.touch(self.spatula(file="rib.json"), down, *options)
+        off, _ = self.touch(self.spatula(lambda scene: scene["bodies"].pop(), "rib.json"), down, *options)
+        first = next(i for i, (a, b) in enumerate(zip(on, off)) if abs(a["force_y"] - b["force_y"]) > 1e-3)
+        met = gap + close  # the liver bends as a whole under the blade before its end: it is not far from the blade's way
+        self.assertAlmostEqual(0.02 * first, met, delta=0.25 * close)
+        self.assertGreater(on[-1]["force_y"], 3 * off[-1]["force_y"], "a rib does not yield")
+        self.assertLess(on[-1]["force_y"], 50)
+
+    def test_a_liver_and_a_rib_in_one_another_are_named_by_a_check(self):
+        said = self.succeed("check", self.spatula(lambda scene: scene["bodies"][1].update(at=[0, -16, 125]), "rib.json")).stdout
+        self.assertIn('"liver" and "rib" overlap in the scene file: the contacts push them apart at once', said)
 
     def test_a_mesh_that_cannot_be_held_is_refused_in_words(self):
         self.write_path([(0, 0, 0, 0)])

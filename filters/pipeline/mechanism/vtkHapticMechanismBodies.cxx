@@ -72,7 +72,7 @@ vtkHapticDescribedSoft vtkHapticMakeSoft(const vtkHapticSoftDescription& descrip
   return made;
 }
 
-palpate::Outcome<std::shared_ptr<const palpate::SidedSurface>> vtkHapticReadHeldMesh(
+palpate::Outcome<std::shared_ptr<const palpate::SidedSurface>> vtkHapticReadRigidMesh(
   const std::string& file, const std::string& folder)
 {
   const std::string path = (std::filesystem::path(folder) / file).string();
@@ -86,7 +86,7 @@ palpate::Outcome<std::shared_ptr<const palpate::SidedSurface>> vtkHapticReadHeld
   {
     return { nullptr, path + ": " + converted.Problem };
   }
-  auto made = palpate::makeHeldMesh(*converted.Mesh);
+  auto made = palpate::makeRigidMesh(*converted.Mesh);
   made.problem = made.ok() ? "" : path + ": " + made.problem;
   return made;
 }

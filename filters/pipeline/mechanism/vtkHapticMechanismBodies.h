@@ -33,7 +33,7 @@ struct vtkHapticDescribedSoft
   const vtkHapticSoftDescription& description, const std::string& folder);
 
 /// A surface in the hand, read from a file; a relative one is looked for in `folder`.
-[[nodiscard]] palpate::Outcome<std::shared_ptr<const palpate::SidedSurface>> vtkHapticReadHeldMesh(
+[[nodiscard]] palpate::Outcome<std::shared_ptr<const palpate::SidedSurface>> vtkHapticReadRigidMesh(
   const std::string& file, const std::string& folder);
 
 #endif

@@ -90,6 +90,7 @@ vtkSmartPointer<vtkPolyData> ShapeOf(const palpate::MechanismBody& body, vtkUnst
 {
   using enum palpate::MechanismBodyKind;
   return body.kind == Held    ? Placed(*vtkHapticHeldShape(body), body)
+         : body.mesh          ? vtkHapticToPolyData(body.mesh->rightHanded())
          : body.kind == Rigid ? BoxOf(body)
          : grid               ? BorderOf(*grid)
                               : nullptr;

@@ -82,7 +82,7 @@ palpate::MechanismBody BodyOf(const Node& node, const std::string& folder)
         { "name", "kind", "file", "box", "at", "edge", "fixed", "young_Pa", "poisson", "model", "tip_diameter" });
       break;
     case World:
-      node.knows({ "name", "kind" });
+      node.knows({ "name", "kind", "file" });
       break;
   }
   body.length_u = node.number("length", 0.0);
@@ -90,9 +90,9 @@ palpate::MechanismBody BodyOf(const Node& node, const std::string& folder)
   body.halfSize_u = node.vector("half_size", palpate::Vec3::Zero());
   body.load_W = node.vector("load_N", palpate::Vec3::Zero());
   body.pose_W.q = node.turn("turn");
-  if (body.kind == Held && node.has("file"))
+  if ((body.kind == Held || body.kind == World) && node.has("file"))
   {
-    const auto read = vtkHapticReadHeldMesh(node.text("file", ""), folder);
+    const auto read = vtkHapticReadRigidMesh(node.text("file", ""), folder);
     node.accept("file", read.problem);
     body.mesh = read.value;
   }

@@ -241,6 +241,7 @@ public:
 
   std::span<const Pose> pose_W; ///< none: bodies are as they stand, and nothing is held
   bool meshes = false;          ///< a held mesh is looked at as well
+  bool worlds = false;          ///< so is one that stands
 
 private:
   template<class With>
@@ -262,7 +263,7 @@ private:
                  : moved &&
                      with(Rod{ { body.pose_W.p, body.pose_W.p + body.length_u * (body.pose_W.q * Vec3::UnitZ()) } });
       case MechanismBodyKind::World:
-        return false;
+        return this->worlds && body.mesh && with(standing(*body.mesh, body.pose_W));
     }
     return false;
   }
@@ -288,7 +289,10 @@ bool isBetween(const MechanismConstraint& law, const BodyPair& pair)
 
 std::vector<BodyPair> overlapsOf(const Mechanism& mechanism, std::span<const MechanismSoft> soft)
 {
-  return Looked(mechanism, soft).pairs([](std::size_t, std::size_t) { return true; });
+  Looked looked(mechanism, soft);
+  looked.worlds = true;
+  const auto moves = [&mechanism](std::size_t b) { return mechanism.bodies[b].kind != MechanismBodyKind::World; };
+  return looked.pairs([&moves](std::size_t a, std::size_t b) { return moves(a) || moves(b); });
 }
 
 std::vector<BodyPair> overlapsOfHeld(

@@ -16,10 +16,10 @@ namespace palpate
 /// Two bodies, by their names.
 using BodyPair = std::pair<std::string, std::string>;
 
-/// Pairs of rigid and soft bodies that overlap as they stand, by their names, each pair once. Bodies that only touch do
-/// not overlap; the held body has no pose yet. For surfaces: a part of an edge of one lies in the other. The edges of a
-/// closed surface are taken a millionth of their length inside of it, so that coplanar faces and coinciding vertices
-/// decide nothing. Not real-time safe.
+/// Pairs of rigid, soft and standing bodies that overlap as they stand, by their names, each pair once. Bodies that
+/// only touch do not overlap; the held body has no pose yet. For surfaces: a part of an edge of one lies in the other.
+/// The edges of a closed surface are taken a millionth of their length inside of it, so that coplanar faces and
+/// coinciding vertices decide nothing. Not real-time safe.
 [[nodiscard]] std::vector<BodyPair> overlapsOf(const Mechanism& mechanism, std::span<const MechanismSoft> soft);
 
 /// In which bodies that which the hand holds lies where the hand is, at first where its frame is at W's, left out such

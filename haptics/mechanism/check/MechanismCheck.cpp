@@ -287,11 +287,14 @@ private:
 void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> soft, MechanismCheck& check)
 {
   check.overlaps = overlapsOf(mechanism, soft);
+  const auto isMesh = [&mechanism](const std::string& name)
+  { return mechanism.bodies[static_cast<std::size_t>(bodyNamed(mechanism, name))].mesh != nullptr; };
   for (const auto& [a, b] : check.overlaps)
   {
-    check.remarks.push_back(
-      "Bodies \"" + a + "\" and \"" + b +
-      "\" overlap in the scene file: bodies without a constraint between them pass through each other.");
+    const bool found = softNamed(soft, a) ? isMesh(b) : softNamed(soft, b) && isMesh(a);
+    check.remarks.push_back("Bodies \"" + a + "\" and \"" + b + "\" overlap in the scene file: " +
+                            (found ? "the contacts push them apart at once."
+                                   : "bodies without a constraint between them pass through each other."));
   }
   check.heldOverlaps = overlapsOfHeld(mechanism, soft);
   for (const auto& [a, b] : check.heldOverlaps)
@@ -302,19 +305,18 @@ void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> sof
   }
 }
 
-/// The pairs of bodies whose contacts are not found.
+/// The pairs of bodies whose contacts are not found: all but those of a mesh with a soft body.
 void tellUnfound(const Mechanism& mechanism, MechanismCheck& check)
 {
-  const auto isHeld = [](const MechanismBody& body) { return body.kind == MechanismBodyKind::Held; };
-  const auto others = std::ranges::count_if(mechanism.bodies, [](const MechanismBody& body)
-    { return body.kind == MechanismBodyKind::Rigid || body.kind == MechanismBodyKind::Soft; });
-  const auto soft = std::ranges::count(mechanism.bodies, MechanismBodyKind::Soft, &MechanismBody::kind);
-  const auto held = std::ranges::find_if(mechanism.bodies, isHeld);
-  if (mechanism.findsContacts && (others > 1 || soft != others))
+  const auto kinds = [&mechanism](MechanismBodyKind kind)
+  { return std::ranges::count(mechanism.bodies, kind, &MechanismBody::kind); };
+  const auto meshes =
+    std::ranges::count_if(mechanism.bodies, [](const MechanismBody& body) { return body.mesh != nullptr; });
+  if (mechanism.findsContacts &&
+      (kinds(MechanismBodyKind::Soft) > 1 || meshes > 1 || kinds(MechanismBodyKind::Rigid) > 0))
   {
-    check.remarks.push_back("Contacts are found between \"" + held->name +
-                            "\" and soft bodies only: soft and rigid bodies pass through one another, and \"" +
-                            held->name + "\" through rigid ones.");
+    check.remarks.emplace_back("Contacts are found between meshes and soft bodies only: soft bodies pass through one "
+                               "another, and rigid ones through one another.");
   }
 }
 

@@ -158,7 +158,7 @@ private:
     this->judgeBodies(law, this->mechanism_.bodies[a], this->mechanism_.bodies[b], name);
   }
 
-  /// Contacts are found between the one mesh that is held and soft bodies.
+  /// Contacts are found between the meshes of rigid bodies and soft bodies.
   void judgeFound()
   {
     if (!this->mechanism_.findsContacts)
@@ -167,8 +167,9 @@ private:
     }
     const bool mesh =
       std::ranges::any_of(this->mechanism_.bodies, [](const MechanismBody& b) { return b.mesh != nullptr; });
-    this->require(mesh, "Contacts are found for a mesh in the hand, and no held body has a file: give one, or name the "
-                        "contacts of the rod.");
+    this->require(mesh,
+      "Contacts are found for a mesh that is held or stands in the world, and no such body has a file: "
+      "give one, or name the contacts of the rod.");
     this->require(
       this->countOf(MechanismBodyKind::Soft) > 0, "Contacts are found with soft bodies, and there are none: add one.");
     const double friction = this->mechanism_.foundFriction;

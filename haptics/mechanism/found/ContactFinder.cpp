@@ -68,9 +68,8 @@ ChosenPlaces spread(const std::vector<NearPlace>& sorted, std::size_t most, doub
 /// Leaves a vertex of the soft body on the plane of the mesh that it had in the last answer while another plane is
 /// hardly nearer. Where two of the mesh's facets meet bluntly, the vertex goes along the plane that it has beyond their
 /// edge, where the other one is nearer: the next answer would lead it back, and so on.
-void keepPlanes(const FoundContacts& before, const Pose& held_W, std::vector<NearPlace>& near)
+void keepPlanes(const FoundContacts& before, const Quat& turned, const Pose& mesh_W, std::vector<NearPlace>& near)
 {
-  const Quat turned = held_W.q * before.held_W.q.conjugate();
   const auto end = before.contacts.begin() + before.count;
   for (NearPlace& place : near)
   {
@@ -81,14 +80,14 @@ void keepPlanes(const FoundContacts& before, const Pose& held_W, std::vector<Nea
     {
       continue;
     }
-    const Vec3 normal_W = turned * was->normal_W, on_W = held_W * contact.point_A;
-    const double gap_u = normal_W.dot(held_W * was->point_A - on_W + place.gap_u * contact.normal_W);
+    const Vec3 normal_W = turned * was->normal_W, on_W = mesh_W * contact.point_A;
+    const double gap_u = normal_W.dot(mesh_W * was->point_A - on_W + place.gap_u * contact.normal_W);
     if (std::abs(gap_u - place.gap_u) > kept * was->apart_u || normal_W.dot(contact.normal_W) < FoundContact::alike)
     {
       continue;
     }
-    const Vec3 onPlane_W = on_W + normal_W.dot(held_W * was->point_A - on_W) * normal_W;
-    contact.point_A = into(held_W, onPlane_W);
+    const Vec3 onPlane_W = on_W + normal_W.dot(mesh_W * was->point_A - on_W) * normal_W;
+    contact.point_A = into(mesh_W, onPlane_W);
     contact.normal_W = normal_W;
     place.gap_u = gap_u;
     place.free_u = normal_W.dot(onPlane_W - contact.place_B.x_W);
@@ -110,12 +109,12 @@ double edgeAround(const SidedSurface& surface, const SurfacePoint& place)
   return edge_u;
 }
 
-double forceOn(int soft, std::span<const MechanismPress> presses)
+double forceOn(int soft, int from, std::span<const MechanismPress> presses)
 {
   Vec3 sum_N = Vec3::Zero();
   for (const MechanismPress& press : presses)
   {
-    sum_N += press.soft == soft ? press.force_N : Vec3(Vec3::Zero());
+    sum_N += press.soft == soft && press.from == from ? press.force_N : Vec3(Vec3::Zero());
   }
   return sum_N.norm();
 }
@@ -129,17 +128,17 @@ struct Roundness
 };
 
 /// A sphere of radius R that touches a plane at a point is h above it at a distance d where d^2 + h^2 = 2 R h.
-Roundness roundness(const std::vector<NearPlace>& near, const Pose& held_W, double within_u)
+Roundness roundness(const std::vector<NearPlace>& near, const Pose& mesh_W, double within_u)
 {
   const FoundContact& nearest = std::ranges::min_element(near, {}, &NearPlace::free_u)->contact;
   const auto heightOf = [&](const FoundContact& contact)
-  { return nearest.normal_W.dot(held_W * contact.point_A - contact.place_B.x_W); };
+  { return nearest.normal_W.dot(mesh_W * contact.point_A - contact.place_B.x_W); };
   const double least_u = heightOf(nearest);
   double rise = 0.0, square = 0.0;
   Roundness round;
   for (const NearPlace& place : near)
   {
-    const Vec3 way_W = held_W.q * (place.contact.point_A - nearest.point_A);
+    const Vec3 way_W = mesh_W.q * (place.contact.point_A - nearest.point_A);
     const double away_u = (way_W - nearest.normal_W.dot(way_W) * nearest.normal_W).norm();
     if (away_u <= within_u && place.contact.normal_W.dot(nearest.normal_W) > FoundContact::alike)
     {
@@ -156,10 +155,10 @@ Roundness roundness(const std::vector<NearPlace>& near, const Pose& held_W, doub
 
 /// Radius of the contact of a mesh that is as round as a ball as far as that goes (Hertz), under the force it has; 0:
 /// it is not, or has none yet.
-double ballContact(const std::vector<NearPlace>& near, const Pose& held_W, double edge_u, double last_u, double force_N,
+double ballContact(const std::vector<NearPlace>& near, const Pose& mesh_W, double edge_u, double last_u, double force_N,
   double stiffness_N_per_u2)
 {
-  const Roundness round = roundness(near, held_W, std::max(seenEdges * edge_u, last_u));
+  const Roundness round = roundness(near, mesh_W, std::max(seenEdges * edge_u, last_u));
   if (!std::isfinite(round.radius_u))
   {
     return 0.0;
@@ -202,59 +201,103 @@ ChosenPlaces choosePlaces(
   return chosen;
 }
 
-ContactFinder::ContactFinder(std::shared_ptr<const SidedSurface> held, double friction, std::size_t most)
-  : held_(std::move(held)), most_(std::min(most, static_cast<std::size_t>(FoundContacts::most)))
+ContactFinder::ContactFinder(std::vector<FinderMesh> meshes, int held, double friction, std::size_t most)
+  : meshes_(std::move(meshes)), held_(held), most_(std::min(most, static_cast<std::size_t>(FoundContacts::most)))
 {
+  std::ranges::stable_partition(this->meshes_, [held](const FinderMesh& mesh) { return mesh.body == held; });
   this->last_.friction = friction;
 }
 
 void ContactFinder::add(int body, const PressedBody& atRest, double stiffness)
 {
-  this->bodies_.push_back({ body, makeSided(atRest.scene->surfaces()[atRest.touch.surface].tree), stiffness });
+  this->bodies_.push_back({ body, makeSided(atRest.scene->surfaces()[atRest.touch.surface].tree), stiffness, 0.0,
+    std::vector<double>(this->meshes_.size(), 0.0) });
+}
+
+const SidedSurface* ContactFinder::held() const noexcept
+{
+  return !this->meshes_.empty() && this->isHeld(0) ? this->meshes_.front().surface.get() : nullptr;
+}
+
+std::vector<ContactFinder::Meeting> ContactFinder::meetings(const FinderView& view) const
+{
+  std::vector<Meeting> met;
+  for (std::size_t m = 0; m < this->meshes_.size(); ++m)
+  {
+    const Pose& mesh_W = view.pose_W[static_cast<std::size_t>(this->meshes_[m].body)];
+    const double reach_u = (this->isHeld(m) ? view.held : view.standing).reach_u;
+    const Quat turned = this->isHeld(m) ? mesh_W.q * this->last_.held_W.q.conjugate() : Quat::Identity();
+    for (std::size_t s = 0; s < this->bodies_.size(); ++s)
+    {
+      if (view.soft[s] == nullptr)
+      {
+        continue;
+      }
+      const int pair = static_cast<int>(m * this->bodies_.size() + s);
+      std::vector<NearPlace> near = nearPlaces({ *this->meshes_[m].surface, mesh_W, *this->bodies_[s].surface,
+        *view.soft[s], pair, static_cast<int>(s), reach_u, view.presses });
+      keepPlanes(this->last_, turned, mesh_W, near);
+      if (!near.empty())
+      {
+        met.push_back({ m, s, std::move(near) });
+      }
+    }
+  }
+  return met;
+}
+
+/// A soft body that the mesh in the hand is near has patches for that mesh: other contacts are as far apart as these
+/// patches are wide.
+void ContactFinder::choose(const Meeting& meeting, std::size_t most, const FinderView& view, FoundContacts& found)
+{
+  const auto& [m, s, near] = meeting;
+  Body& body = this->bodies_[s];
+  const Pose& mesh_W = view.pose_W[static_cast<std::size_t>(this->meshes_[m].body)];
+  const auto nearest = std::ranges::min_element(near, {}, &NearPlace::gap_u);
+  const double edge_u = edgeAround(*body.surface, nearest->contact.place_B);
+  const double force_N = forceOn(static_cast<int>(s), this->meshes_[m].body, view.presses);
+  double& ball_u = body.ball_u[m];
+  ball_u = ballContact(near, mesh_W, edge_u, seenOfBall * ball_u, force_N, body.stiffness);
+  const bool second = std::any_of(found.contacts.begin(), found.contacts.begin() + found.count,
+    [&body](const FoundContact& other) { return other.body == body.body; });
+  const double apart_u = std::max({ edge_u, acrossBall * ball_u, second ? body.tip_u / tipOfPlace : 0.0 });
+  const FinderReach& reach = this->isHeld(m) ? view.held : view.standing;
+  const ChosenPlaces chosen = choosePlaces(near, most, apart_u, reach.touches_u, this->last_);
+  if (!second)
+  {
+    body.tip_u = ball_u > 0.0 ? std::max(leastTip * edge_u, tipOfBall * ball_u) : tipOfPlace * chosen.apart_u;
+  }
+  if (this->isHeld(m))
+  {
+    // Beyond, places may touch that lie aside of those that are near now.
+    found.reach_u = std::min(found.reach_u, std::max(nearest->gap_u, 0.0) + strides * edge_u);
+  }
+  found.leftOut += chosen.leftOut;
+  for (const NearPlace& place : chosen.places)
+  {
+    FoundContact& contact = found.contacts[static_cast<std::size_t>(found.count++)];
+    contact = place.contact;
+    contact.mesh = this->meshes_[m].body;
+    contact.body = body.body;
+    contact.apart_u = chosen.apart_u;
+  }
 }
 
 const FoundContacts& ContactFinder::find(const FinderView& view)
 {
-  std::vector<std::vector<NearPlace>> near;
-  for (std::size_t s = 0; s < this->bodies_.size(); ++s)
-  {
-    near.push_back(view.soft[s]
-                     ? nearPlaces(*this->held_, *this->bodies_[s].surface, *view.soft[s], static_cast<int>(s), view)
-                     : std::vector<NearPlace>());
-    keepPlanes(this->last_, view.held_W, near.back());
-  }
-  const auto met =
-    static_cast<std::size_t>(std::ranges::count_if(near, [](const auto& places) { return !places.empty(); }));
+  const std::vector<Meeting> met = this->meetings(view);
   FoundContacts found;
   found.answer = this->last_.answer + 1;
   found.friction = this->last_.friction;
-  found.reach_u = view.reach_u;
-  found.held_W = view.held_W;
-  for (std::size_t s = 0; s < near.size(); ++s)
+  found.reach_u = std::numeric_limits<double>::infinity();
+  if (this->held() != nullptr)
   {
-    if (near[s].empty())
-    {
-      continue;
-    }
-    const auto nearest = std::ranges::min_element(near[s], {}, &NearPlace::gap_u);
-    Body& body = this->bodies_[s];
-    const double edge_u = edgeAround(*body.surface, nearest->contact.place_B);
-    const double force_N = forceOn(static_cast<int>(s), view.presses);
-    body.ball_u = ballContact(near[s], view.held_W, edge_u, seenOfBall * body.ball_u, force_N, body.stiffness);
-    const double apart_u = std::max(edge_u, acrossBall * body.ball_u);
-    const ChosenPlaces chosen = choosePlaces(near[s], this->most_ / met, apart_u, view.touches_u, this->last_);
-    body.tip_u = body.ball_u > 0.0 ? std::max(leastTip * edge_u, tipOfBall * body.ball_u) : tipOfPlace * chosen.apart_u;
-    // Beyond, places may touch that lie aside of those that are near now.
-    const double ahead_u = std::max(nearest->gap_u, 0.0) + strides * edge_u;
-    found.reach_u = std::min(found.reach_u, ahead_u);
-    found.leftOut += chosen.leftOut;
-    for (const NearPlace& place : chosen.places)
-    {
-      FoundContact& contact = found.contacts[static_cast<std::size_t>(found.count++)];
-      contact = place.contact;
-      contact.body = this->bodies_[s].body;
-      contact.apart_u = chosen.apart_u;
-    }
+    found.reach_u = view.held.reach_u;
+    found.held_W = view.pose_W[static_cast<std::size_t>(this->held_)];
+  }
+  for (const Meeting& meeting : met)
+  {
+    this->choose(meeting, this->most_ / met.size(), view, found);
   }
   this->last_ = found;
   return this->last_;

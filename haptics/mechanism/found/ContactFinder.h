@@ -13,14 +13,41 @@
 namespace palpate
 {
 
+/// The mesh of a rigid body.
+struct FinderMesh
+{
+  int body = 0; ///< in the plan
+  std::shared_ptr<const SidedSurface> surface;
+};
+
+/// How near a mesh and the soft bodies have to be.
+struct FinderReach
+{
+  double reach_u = 0.0;   ///< surfaces that are further apart do not meet until the next answer
+  double touches_u = 0.0; ///< those that are no further apart touch, or will soon
+};
+
 /// The bodies as a finder looks at them.
 struct FinderView
 {
-  Pose held_W;
-  double reach_u = 0.0;                     ///< surfaces that are further apart do not meet until the next answer
-  double touches_u = 0.0;                   ///< those that are no further apart touch, or will soon
+  std::span<const Pose> pose_W;             ///< of the rigid bodies, in the plan's order
+  FinderReach held;                         ///< of the mesh in the hand
+  FinderReach standing;                     ///< of the others
   std::span<const PressedBody* const> soft; ///< in the plan's order
   std::span<const MechanismPress> presses;  ///< the forces under which the soft bodies are bent
+};
+
+/// A mesh and a soft body as a finder looks at the two.
+struct PairView
+{
+  const SidedSurface& mesh;
+  Pose mesh_W;
+  const SidedSurface& soft;
+  const PressedBody& body;
+  int index = 0; ///< of the pair: another name for each place
+  int soft_i = 0;
+  double reach_u = 0.0;
+  std::span<const MechanismPress> presses;
 };
 
 /// A place where two surfaces meet, or may.
@@ -31,10 +58,9 @@ struct NearPlace
   double free_u = 0.0; ///< the same to the soft body as it is without forces
 };
 
-/// All places of a view where a held mesh may meet one soft body: a vertex of the body before the mesh, a vertex of the
-/// mesh before the body, and two edges that cross, of the mesh's those that are sharp. In the order of their features.
-[[nodiscard]] std::vector<NearPlace> nearPlaces(
-  const SidedSurface& held, const SidedSurface& soft, const PressedBody& body, int soft_i, const FinderView& view);
+/// All places where a mesh may meet one soft body: a vertex of the body before the mesh, a vertex of the mesh before
+/// the body, and two edges that cross, of the mesh's those that are sharp. In the order of their features.
+[[nodiscard]] std::vector<NearPlace> nearPlaces(const PairView& view);
 
 /// Of those at most so many, one for each `apart_u` and each direction: of those that touch the deepest in the body as
 /// it is without forces, or almost the deepest if it was chosen before. `apart_u` is made larger until those that touch
@@ -48,13 +74,13 @@ struct ChosenPlaces
 [[nodiscard]] ChosenPlaces choosePlaces(
   const std::vector<NearPlace>& near, std::size_t most, double apart_u, double touches_u, const FoundContacts& before);
 
-/// Finds where the mesh in the hand meets the soft bodies. Beside the tick, at the rate of the bodies' snapshots; the
-/// same view gives the same answer on any number of threads. Not real-time safe.
+/// Finds where the meshes of rigid bodies meet the soft bodies. Beside the tick, at the rate of the bodies' snapshots;
+/// the same view gives the same answer on any number of threads. Not real-time safe.
 class ContactFinder
 {
 public:
-  /// `most`: contacts that the tick has room for.
-  ContactFinder(std::shared_ptr<const SidedSurface> held, double friction, std::size_t most);
+  /// `held`: the body of the plan that is in the hand; `most`: contacts that the tick has room for.
+  ContactFinder(std::vector<FinderMesh> meshes, int held, double friction, std::size_t most);
 
   /// `body`: in the plan; `stiffness`: E / (1 - nu^2) of its softest material [N/u^2]. In the order in which views have
   /// them.
@@ -63,11 +89,13 @@ public:
   [[nodiscard]] const FoundContacts& find(const FinderView& view);
   [[nodiscard]] const FoundContacts& last() const noexcept { return this->last_; }
   /// Radius of the patches through which a soft body is pressed: as wide as the contacts are apart, and no wider than a
-  /// ball's contact, where the mesh is as round as one. The last one, where nothing was near.
+  /// ball's contact, where the mesh is as round as one. That of the mesh in the hand, while it is near; the last one,
+  /// where nothing was near.
   [[nodiscard]] double tip_u(std::size_t soft) const noexcept { return this->bodies_[soft].tip_u; }
   /// Which body of the plan that is.
   [[nodiscard]] int bodyOf(std::size_t soft) const noexcept { return this->bodies_[soft].body; }
-  [[nodiscard]] const SidedSurface& held() const noexcept { return *this->held_; }
+  /// The mesh in the hand; null: the hand has none.
+  [[nodiscard]] const SidedSurface* held() const noexcept;
 
 private:
   struct Body
@@ -76,10 +104,21 @@ private:
     std::shared_ptr<const SidedSurface> surface;
     double stiffness = 0.0;
     double tip_u = 0.0;
-    double ball_u = 0.0; ///< radius of the contact of a mesh as round as a ball; 0: it is not
+    std::vector<double> ball_u; ///< of each mesh that is as round as a ball, radius of the contact; 0: it is not
+  };
+  /// A mesh and a soft body that are near one another.
+  struct Meeting
+  {
+    std::size_t mesh = 0, soft = 0;
+    std::vector<NearPlace> near;
   };
 
-  std::shared_ptr<const SidedSurface> held_;
+  [[nodiscard]] bool isHeld(std::size_t mesh) const noexcept { return this->meshes_[mesh].body == this->held_; }
+  [[nodiscard]] std::vector<Meeting> meetings(const FinderView& view) const;
+  void choose(const Meeting& meeting, std::size_t most, const FinderView& view, FoundContacts& found);
+
+  std::vector<FinderMesh> meshes_; ///< that in the hand first
+  int held_;
   std::size_t most_;
   std::vector<Body> bodies_;
   FoundContacts last_;

@@ -35,15 +35,17 @@ constexpr double crossed = 0.3;
 enum class Features : std::uint64_t
 {
   SoftVertex,
-  HeldVertex,
+  MeshVertex,
   Edges,
 };
 
 /// Three numbers of 19 bits.
-std::uint64_t nameOf(Features features, int soft, std::uint64_t a, std::uint64_t b = 0, std::uint64_t c = 0)
+std::uint64_t nameOf(Features features, int pair, std::uint64_t a, std::uint64_t b = 0, std::uint64_t c = 0)
 {
   constexpr std::uint64_t mask = (1u << 19) - 1;
-  return ((static_cast<std::uint64_t>(features) * Mechanism::mostBodies + static_cast<std::uint64_t>(soft)) << 57) |
+  constexpr std::uint64_t mostPairs = Mechanism::mostBodies * Mechanism::mostBodies / 4; // half meshes, half soft
+  static_assert(3 * mostPairs <= 1u << 7);
+  return ((static_cast<std::uint64_t>(features) * mostPairs + static_cast<std::uint64_t>(pair)) << 57) |
          ((a & mask) << 38) | ((b & mask) << 19) | (c & mask);
 }
 
@@ -101,21 +103,20 @@ Nearest nearestOn(const SidedSurface& surface, const std::vector<Vec3>& vertices
   return best;
 }
 
-/// One held mesh and one soft body.
+/// One mesh and one soft body.
 class Meeting
 {
 public:
-  Meeting(
-    const SidedSurface& held, const SidedSurface& soft, const PressedBody& body, int soft_i, const FinderView& view)
-    : held_(held), soft_(soft), body_(body), index_(soft_i), view_(view), bent_W_(body.snapshot->free_W)
+  explicit Meeting(const PairView& view)
+    : view_(view), mesh_(view.mesh), soft_(view.soft), bent_W_(view.body.snapshot->free_W)
   {
-    const SurfaceData& data = held.tree->data();
-    this->held_W_.reserve(data.mesh.vertices_W.size());
+    const SurfaceData& data = this->mesh_.tree->data();
+    this->mesh_W_.reserve(data.mesh.vertices_W.size());
     this->around_ = Box::empty();
     for (const Vec3& p : data.mesh.vertices_W)
     {
-      this->held_W_.push_back(view.held_W * p);
-      this->around_.include(this->held_W_.back());
+      this->mesh_W_.push_back(view.mesh_W * p);
+      this->around_.include(this->mesh_W_.back());
     }
     this->bend();
   }
@@ -130,9 +131,9 @@ public:
     {
       this->lookFromSoft(v);
     }
-    for (std::uint32_t v = 0; v < this->held_W_.size(); ++v)
+    for (std::uint32_t v = 0; v < this->mesh_W_.size(); ++v)
     {
-      this->lookFromHeld(v);
+      this->lookFromMesh(v);
     }
     this->lookAlongEdges();
     return std::move(this->places_);
@@ -147,11 +148,11 @@ private:
   /// Where the vertices near the mesh are under the forces, by the same compliance as in the tick.
   void bend()
   {
-    const ComplianceSnapshot& snapshot = *this->body_.snapshot;
+    const ComplianceSnapshot& snapshot = *this->view_.body.snapshot;
     std::vector<std::pair<CompliantPoint, Vec3>> forces;
     for (const MechanismPress& press : this->view_.presses)
     {
-      if (press.soft == this->index_ && press.force_N != Vec3::Zero())
+      if (press.soft == this->view_.soft_i && press.force_N != Vec3::Zero())
       {
         forces.emplace_back(compliantPoint(snapshot, press.at), press.force_N);
       }
@@ -190,19 +191,20 @@ private:
         this->bent_W_[v] +=
           forces.empty() ? Vec3(Vec3::Zero()) : bentBy(compliantPoint(snapshot, placeAt(v, snapshot.free_W)));
         this->bent_u_ = std::max(this->bent_u_, (this->bent_W_[v] - snapshot.free_W[v]).norm());
+        this->bentAround_.include(this->bent_W_[v]);
       }
     }
   }
 
-  void add(std::uint64_t name, const Vec3& onHeld_W, const SurfacePoint& place, const Vec3& normal_W, double gap_u)
+  void add(std::uint64_t name, const Vec3& onMesh_W, const SurfacePoint& place, const Vec3& normal_W, double gap_u)
   {
     NearPlace near;
     near.contact.name = name;
-    near.contact.point_A = into(this->view_.held_W, onHeld_W);
+    near.contact.point_A = into(this->view_.mesh_W, onMesh_W);
     near.contact.place_B = place;
     near.contact.normal_W = normal_W;
     near.gap_u = gap_u;
-    near.free_u = normal_W.dot(onHeld_W - place.x_W);
+    near.free_u = normal_W.dot(onMesh_W - place.x_W);
     this->places_.push_back(near);
   }
 
@@ -218,31 +220,31 @@ private:
     }
     const Vec3 out_W = this->soft_.normalAt(v, this->bent_W_);
     const auto any = [](const Vec3&) { return true; };
-    const Vec3 x = into(this->view_.held_W, x_W);
-    const std::vector<Vec3>& held = this->held_.tree->mesh().vertices_W;
-    const Nearest nearest = nearestOn(this->held_, held, x, this->view_.reach_u, 0.0, any);
+    const Vec3 x = into(this->view_.mesh_W, x_W);
+    const std::vector<Vec3>& vertices = this->mesh_.tree->mesh().vertices_W;
+    const Nearest nearest = nearestOn(this->mesh_, vertices, x, this->view_.reach_u, 0.0, any);
     if (nearest.triangle == SurfaceData::none)
     {
       return;
     }
-    const std::uint64_t name = nameOf(Features::SoftVertex, this->index_, v);
-    const SurfacePoint place = placeAt(v, this->body_.snapshot->free_W);
-    if (nearest.above > 0.0 && nearest.away_u > rounding * this->held_.diagonal_u)
+    const std::uint64_t name = nameOf(Features::SoftVertex, this->view_.index, v);
+    const SurfacePoint place = placeAt(v, this->view_.body.snapshot->free_W);
+    if (nearest.above > 0.0 && nearest.away_u > rounding * this->mesh_.diagonal_u)
     {
-      const Vec3 normal_W = this->view_.held_W.q * Vec3((nearest.p - x) / nearest.away_u);
+      const Vec3 normal_W = this->view_.mesh_W.q * Vec3((nearest.p - x) / nearest.away_u);
       if (normal_W.dot(out_W) > facingApart)
       {
-        this->add(name, this->view_.held_W * nearest.p, place, normal_W, nearest.away_u);
+        this->add(name, this->view_.mesh_W * nearest.p, place, normal_W, nearest.away_u);
       }
       return;
     }
-    const Vec3 out = this->view_.held_W.q.conjugate() * out_W;
-    const Nearest side = nearestOn(
-      this->held_, held, x, this->view_.reach_u, 0.0, [&out](const Vec3& normal) { return normal.dot(out) < -facing; });
+    const Vec3 out = this->view_.mesh_W.q.conjugate() * out_W;
+    const Nearest side = nearestOn(this->mesh_, vertices, x, this->view_.reach_u, 0.0,
+      [&out](const Vec3& normal) { return normal.dot(out) < -facing; });
     if (side.triangle != SurfaceData::none)
     {
-      const Vec3 normal_W = this->view_.held_W.q * Vec3(-side.normal);
-      this->add(name, this->view_.held_W * side.p, place, normal_W, side.above);
+      const Vec3 normal_W = this->view_.mesh_W.q * Vec3(-side.normal);
+      this->add(name, this->view_.mesh_W * side.p, place, normal_W, side.above);
     }
   }
 
@@ -250,27 +252,31 @@ private:
   [[nodiscard]] bool facesAt(std::uint32_t v, const Vec3& normal_W) const
   {
     bool turned = false;
-    this->held_.tree->data().forEachAround(v, [&](std::uint32_t t)
-      { turned = turned || this->held_.areaOf(t, this->held_W_).normalized().dot(normal_W) < -facing; });
+    this->mesh_.tree->data().forEachAround(v, [&](std::uint32_t t)
+      { turned = turned || this->mesh_.areaOf(t, this->mesh_W_).normalized().dot(normal_W) < -facing; });
     return turned;
   }
 
-  void lookFromHeld(std::uint32_t v)
+  void lookFromMesh(std::uint32_t v)
   {
-    const Vec3& y_W = this->held_W_[v];
+    const Vec3& y_W = this->mesh_W_[v];
+    if (outsideOf(this->bentAround_, y_W) > this->view_.reach_u)
+    {
+      return;
+    }
     const auto any = [](const Vec3&) { return true; };
     const Nearest nearest = nearestOn(this->soft_, this->bent_W_, y_W, this->view_.reach_u, this->bent_u_, any);
     if (nearest.triangle == SurfaceData::none)
     {
       return;
     }
-    const bool apart = nearest.above > 0.0 && nearest.away_u > rounding * this->held_.diagonal_u;
+    const bool apart = nearest.above > 0.0 && nearest.away_u > rounding * this->mesh_.diagonal_u;
     // In a dent the surface is as steep as its triangles happen to be: pressed, it is taken as it is without forces.
-    const Vec3 free_W = this->soft_.areaOf(nearest.triangle, this->body_.snapshot->free_W).normalized();
+    const Vec3 free_W = this->soft_.areaOf(nearest.triangle, this->view_.body.snapshot->free_W).normalized();
     const Vec3 normal_W = apart ? Vec3((y_W - nearest.p) / nearest.away_u) : free_W;
     if (this->facesAt(v, normal_W) && (!apart || normal_W.dot(nearest.normal) > facingApart))
     {
-      this->add(nameOf(Features::HeldVertex, this->index_, v), y_W, this->placeOn(nearest.triangle, nearest.p),
+      this->add(nameOf(Features::MeshVertex, this->view_.index, v), y_W, this->placeOn(nearest.triangle, nearest.p),
         normal_W, normal_W.dot(y_W - nearest.p));
     }
   }
@@ -279,7 +285,7 @@ private:
   [[nodiscard]] SurfacePoint placeOn(std::uint32_t triangle, const Vec3& bent_W) const
   {
     const auto& corners = this->soft_.tree->data().corners(triangle);
-    const std::vector<Vec3>& free_W = this->body_.snapshot->free_W;
+    const std::vector<Vec3>& free_W = this->view_.body.snapshot->free_W;
     const Vec3 weights =
       weightsOnTriangle(this->bent_W_[corners[0]], this->bent_W_[corners[1]], this->bent_W_[corners[2]], bent_W);
     return { corners, weights,
@@ -288,11 +294,11 @@ private:
 
   void lookAlongEdges()
   {
-    for (std::uint32_t e = 0; e < this->held_.edges.size(); ++e)
+    for (std::uint32_t e = 0; e < this->mesh_.edges.size(); ++e)
     {
-      const SidedSurface::Edge& edge = this->held_.edges[e];
-      const Vec3 one_W = this->held_.areaOf(edge.triangles[0], this->held_W_).normalized();
-      const Vec3 other_W = this->held_.areaOf(edge.triangles[1], this->held_W_).normalized();
+      const SidedSurface::Edge& edge = this->mesh_.edges[e];
+      const Vec3 one_W = this->mesh_.areaOf(edge.triangles[0], this->mesh_W_).normalized();
+      const Vec3 other_W = this->mesh_.areaOf(edge.triangles[1], this->mesh_W_).normalized();
       if (one_W.dot(other_W) < sharpBelow)
       {
         this->lookAlong(e, other_W);
@@ -302,15 +308,15 @@ private:
 
   void lookAlong(std::uint32_t e, const Vec3& other_W)
   {
-    const auto [i, j] = this->held_.edges[e].ends;
+    const auto [i, j] = this->mesh_.edges[e].ends;
     const double slack_u = this->bent_u_ + this->view_.reach_u;
     Box reached = Box::empty();
-    reached.include(this->held_W_[i]);
-    reached.include(this->held_W_[j]);
+    reached.include(this->mesh_W_[i]);
+    reached.include(this->mesh_W_[j]);
     reached = { reached.low_W.array() - slack_u, reached.high_W.array() + slack_u };
-    const auto& edge = this->held_.edges[e];
-    const Vec3 inOne_W = inward(this->held_, this->held_W_, edge.triangles[0], i, j);
-    const Vec3 inOther_W = inward(this->held_, this->held_W_, edge.triangles[1], i, j);
+    const auto& edge = this->mesh_.edges[e];
+    const Vec3 inOne_W = inward(this->mesh_, this->mesh_W_, edge.triangles[0], i, j);
+    const Vec3 inOther_W = inward(this->mesh_, this->mesh_W_, edge.triangles[1], i, j);
     if (inOne_W.dot(other_W) > 0.0) // a groove: no body but a sharper one reaches its bottom
     {
       return;
@@ -352,8 +358,8 @@ private:
   /// Two edges that cross: one line stands on both.
   void cross(std::uint32_t e, std::uint32_t t, std::uint32_t a, std::uint32_t b, const std::array<Vec3, 2>& inward_W)
   {
-    const auto [i, j] = this->held_.edges[e].ends;
-    const Vec3 u = this->held_W_[j] - this->held_W_[i];
+    const auto [i, j] = this->mesh_.edges[e].ends;
+    const Vec3 u = this->mesh_W_[j] - this->mesh_W_[i];
     const Vec3 v = this->bent_W_[b] - this->bent_W_[a];
     Vec3 normal_W = u.cross(v);
     const double size = normal_W.norm();
@@ -364,7 +370,7 @@ private:
     normal_W /= size;
     const Vec3 out_W = this->soft_.areaOf(t, this->bent_W_).normalized();
     normal_W = normal_W.dot(out_W) < 0.0 ? Vec3(-normal_W) : normal_W;
-    const Vec3 from_W = this->bent_W_[a] - this->held_W_[i];
+    const Vec3 from_W = this->bent_W_[a] - this->mesh_W_[i];
     const double s = from_W.cross(v).dot(u.cross(v)) / (size * size);
     const double r = from_W.cross(u).dot(u.cross(v)) / (size * size);
     const bool inside = s > 0.0 && s < 1.0 && r > 0.0 && r < 1.0;
@@ -373,25 +379,24 @@ private:
     {
       return;
     }
-    const Vec3 onHeld_W = this->held_W_[i] + s * u;
+    const Vec3 onMesh_W = this->mesh_W_[i] + s * u;
     const Vec3 onSoft_W = this->bent_W_[a] + r * v;
-    const double gap_u = normal_W.dot(onHeld_W - onSoft_W);
+    const double gap_u = normal_W.dot(onMesh_W - onSoft_W);
     if (gap_u <= this->view_.reach_u && gap_u > -crossed * std::min(u.norm(), v.norm()))
     {
-      const std::vector<Vec3>& free_W = this->body_.snapshot->free_W;
+      const std::vector<Vec3>& free_W = this->view_.body.snapshot->free_W;
       const SurfacePoint place{ { a, b, b }, Vec3(1.0 - r, r, 0.0), (1.0 - r) * free_W[a] + r * free_W[b] };
-      this->add(nameOf(Features::Edges, this->index_, e, a, b), onHeld_W, place, normal_W, gap_u);
+      this->add(nameOf(Features::Edges, this->view_.index, e, a, b), onMesh_W, place, normal_W, gap_u);
     }
   }
 
-  const SidedSurface& held_;
+  const PairView& view_;
+  const SidedSurface& mesh_;
   const SidedSurface& soft_;
-  const PressedBody& body_;
-  int index_;
-  const FinderView& view_;
-  std::vector<Vec3> held_W_;            ///< vertices of the mesh
+  std::vector<Vec3> mesh_W_;            ///< vertices of the mesh
   Box around_;                          ///< them
   std::vector<Vec3> bent_W_;            ///< of the soft body, where they are near the mesh
+  Box bentAround_ = Box::empty();       ///< of these
   double bent_u_ = 0.0;                 ///< none of them is further from where it is free
   std::vector<std::uint32_t> vertices_; ///< of the soft body, near the mesh
   std::vector<NearPlace> places_;
@@ -399,10 +404,9 @@ private:
 
 } // namespace
 
-std::vector<NearPlace> nearPlaces(
-  const SidedSurface& held, const SidedSurface& soft, const PressedBody& body, int soft_i, const FinderView& view)
+std::vector<NearPlace> nearPlaces(const PairView& view)
 {
-  return Meeting(held, soft, body, soft_i, view).places();
+  return Meeting(view).places();
 }
 
 } // namespace palpate

@@ -112,22 +112,22 @@ std::shared_ptr<const SidedSurface> makeSided(std::shared_ptr<const SurfaceTree>
   return made;
 }
 
-Outcome<std::shared_ptr<const SidedSurface>> makeHeldMesh(const TriangleMesh& raw)
+Outcome<std::shared_ptr<const SidedSurface>> makeRigidMesh(const TriangleMesh& raw)
 {
   if (raw.triangles.size() > SidedSurface::mostTriangles)
   {
-    return { nullptr, "the mesh has " + std::to_string(raw.triangles.size()) + " triangles, a held one may have " +
+    return { nullptr, "the mesh has " + std::to_string(raw.triangles.size()) + " triangles, a rigid body's may have " +
                         std::to_string(SidedSurface::mostTriangles) };
   }
   CleanResult clean = cleanMesh(raw);
   if (!clean.ok())
   {
-    return { nullptr, "the mesh cannot be held: " + clean.refusal };
+    return { nullptr, "the mesh cannot be used: " + clean.refusal };
   }
   if (clean.report.boundaryEdges > 0)
   {
     return { nullptr, "the mesh is open: " + std::to_string(clean.report.boundaryEdges) +
-                        " of its edges have one triangle, and a held mesh needs an inside" };
+                        " of its edges have one triangle, and a rigid body needs an inside" };
   }
   if (clean.report.nonManifoldEdges > 0)
   {

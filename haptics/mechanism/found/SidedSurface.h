@@ -15,7 +15,7 @@ namespace palpate
 /// Immutable.
 struct SidedSurface
 {
-  static constexpr std::size_t mostTriangles = 20000; ///< of one that is held: a finder looks at all of them
+  static constexpr std::size_t mostTriangles = 20000; ///< of a rigid body: a finder looks at all of them
 
   /// An edge of two triangles.
   struct Edge
@@ -46,8 +46,8 @@ struct SidedSurface
 /// positive. Meant for closed surfaces. Not real-time safe.
 [[nodiscard]] std::shared_ptr<const SidedSurface> makeSided(std::shared_ptr<const SurfaceTree> tree);
 
-/// Of a mesh that is to be held, in the frame of the hand. Refuses, in one sentence without an end, no mesh, an open
+/// Of the mesh of a rigid body, in the frame of the body. Refuses, in one sentence without an end, no mesh, an open
 /// one, one in which an edge has more than two triangles, and one of too many triangles. Not real-time safe.
-[[nodiscard]] Outcome<std::shared_ptr<const SidedSurface>> makeHeldMesh(const TriangleMesh& raw);
+[[nodiscard]] Outcome<std::shared_ptr<const SidedSurface>> makeRigidMesh(const TriangleMesh& raw);
 
 } // namespace palpate

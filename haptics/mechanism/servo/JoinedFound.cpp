@@ -17,9 +17,9 @@ int roomFor(const FoundContacts& found, int named) noexcept
 }
 
 /// From B's point to A's, both rigid.
-Vec3 apartOf(const FoundContact& contact, const Pose& held_W) noexcept
+Vec3 apartOf(const FoundContact& contact, const PosesOfBodies& pose_W) noexcept
 {
-  return held_W * contact.point_A - contact.place_B.x_W;
+  return pose_W[static_cast<std::size_t>(contact.mesh)] * contact.point_A - contact.place_B.x_W;
 }
 
 Vec3 across(const Vec3& way, const Vec3& normal) noexcept
@@ -40,7 +40,8 @@ int sameAs(const FoundContact& contact, const FoundContacts& before, int count) 
       return i;
     }
     const double away_u = (other.place_B.x_W - contact.place_B.x_W).norm();
-    const bool alike = other.body == contact.body && other.normal_W.dot(contact.normal_W) > FoundContact::alike;
+    const bool alike = other.mesh == contact.mesh && other.body == contact.body &&
+                       other.normal_W.dot(contact.normal_W) > FoundContact::alike;
     if (alike && away_u <= other.apart_u && away_u < least_u)
     {
       best = i;
@@ -51,12 +52,12 @@ int sameAs(const FoundContact& contact, const FoundContacts& before, int count) 
 }
 
 /// A contact's state, from that of another whose points were elsewhere: the surfaces have slipped as far as before.
-ConstraintState goOn(
-  const FoundContact& contact, const FoundContact& other, const ConstraintState& before, const Pose& held_W) noexcept
+ConstraintState goOn(const FoundContact& contact, const FoundContact& other, const ConstraintState& before,
+  const PosesOfBodies& pose_W) noexcept
 {
   ConstraintState state = before;
-  const Vec3 slipped_W = across(apartOf(other, held_W) - before.stuck_u, other.normal_W);
-  state.stuck_u = apartOf(contact, held_W) - across(slipped_W, contact.normal_W);
+  const Vec3 slipped_W = across(apartOf(other, pose_W) - before.stuck_u, other.normal_W);
+  state.stuck_u = apartOf(contact, pose_W) - across(slipped_W, contact.normal_W);
   return state;
 }
 
@@ -72,7 +73,7 @@ void joinFound(const MechanismPlan& plan, const FoundContacts& found, MechanismP
     PlannedConstraint& law = joined.laws[static_cast<std::size_t>(joined.lawCount++)];
     law = {};
     law.kind = found.friction > 0.0 ? ConstraintKind::Friction : ConstraintKind::Contact;
-    law.a = plan.held;
+    law.a = contact.mesh;
     law.b = contact.body;
     law.point_A = contact.point_A;
     law.axis_B = contact.normal_W;
@@ -81,7 +82,7 @@ void joinFound(const MechanismPlan& plan, const FoundContacts& found, MechanismP
   }
 }
 
-void takeFound(const FoundContacts& found, int named, const Pose& held_W, MechanismState& state) noexcept
+void takeFound(const FoundContacts& found, int named, const PosesOfBodies& pose_W, MechanismState& state) noexcept
 {
   const auto before = state.laws;
   const int had = roomFor(state.found, named);
@@ -95,7 +96,7 @@ void takeFound(const FoundContacts& found, int named, const Pose& held_W, Mechan
     if (same >= 0)
     {
       law = goOn(contact, state.found.contacts[static_cast<std::size_t>(same)],
-        before[static_cast<std::size_t>(named + same)], held_W);
+        before[static_cast<std::size_t>(named + same)], pose_W);
       if (taken[static_cast<std::size_t>(same)])
       {
         law.force_W.setZero(); // it is only a first guess, and is counted once

@@ -12,7 +12,7 @@ void joinFound(const MechanismPlan& plan, const FoundContacts& found, MechanismP
 
 /// Takes another answer into the state, whose constraints from `named` on are those of the answer before. A contact of
 /// the same features, or else of a place nearby, goes on with the force and the slip of the one before, though its
-/// points are others. Real-time safe.
-void takeFound(const FoundContacts& found, int named, const Pose& held_W, MechanismState& state) noexcept;
+/// points are others. `pose_W`: of the bodies now. Real-time safe.
+void takeFound(const FoundContacts& found, int named, const PosesOfBodies& pose_W, MechanismState& state) noexcept;
 
 } // namespace palpate

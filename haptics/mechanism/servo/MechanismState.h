@@ -11,12 +11,14 @@
 namespace palpate
 {
 
+using PosesOfBodies = std::array<Pose, Mechanism::mostBodies>; ///< in the plan's order
+
 /// State of a mechanism between ticks.
 struct MechanismState
 {
   std::uint64_t revision = 0;                                     ///< of the plan
   std::array<std::uint64_t, Mechanism::mostBodies> snapshot{};    ///< revisions of the soft bodies' snapshots
-  std::array<Pose, Mechanism::mostBodies> pose_W{};               ///< of held and rigid bodies, left by the constraints
+  PosesOfBodies pose_W{};                                         ///< of held and rigid bodies, left by the constraints
   std::array<ConstraintState, Mechanism::mostConstraints> laws{}; ///< the plan's, then those that were found
   FoundContacts found;                                            ///< the answer that these are of
   bool placed = false;                                            ///< the held body has been somewhere

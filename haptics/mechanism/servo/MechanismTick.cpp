@@ -89,8 +89,12 @@ private:
   /// The answer before ends here: the step that this makes in the force is spread as others are.
   void takeFound() noexcept
   {
-    const Pose& held_W = this->state_.placed ? this->state_.pose_W[this->plan_.held] : this->laws_.lead_W();
-    palpate::takeFound(*this->input_.found, this->named_.lawCount, held_W, this->state_);
+    PosesOfBodies pose_W = this->state_.pose_W;
+    if (this->plan_.held >= 0 && !this->state_.placed)
+    {
+      pose_W[this->plan_.held] = this->laws_.lead_W();
+    }
+    palpate::takeFound(*this->input_.found, this->named_.lawCount, pose_W, this->state_);
     joinFound(this->named_, this->state_.found, this->joined_);
   }
 
@@ -98,7 +102,7 @@ private:
   void slowDown() noexcept
   {
     const FoundContacts& found = this->state_.found;
-    if (found.answer == 0)
+    if (found.answer == 0 || std::isinf(found.reach_u))
     {
       return;
     }
@@ -291,8 +295,8 @@ private:
       const Vec3& force_W = this->state_.laws[l].force_W;
       if (end.soft >= 0 && force_W != Vec3::Zero())
       {
-        this->result_.presses[this->result_.pressCount++] = { end.soft, end.point.at,
-          side == 0 ? force_W : Vec3(-force_W) };
+        this->result_.presses[this->result_.pressCount++] = { end.soft, this->laws_.rows().ends[l][1 - side].body,
+          end.point.at, side == 0 ? force_W : Vec3(-force_W) };
       }
     }
   }

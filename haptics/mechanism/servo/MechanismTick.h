@@ -45,6 +45,7 @@ struct ConstraintNow
 struct MechanismPress
 {
   int soft = 0; ///< in the plan's order
+  int from = 0; ///< the other body of the constraint, in the plan
   SurfacePoint at;
   Vec3 force_N = Vec3::Zero(); ///< on the body
 };
@@ -59,7 +60,7 @@ struct MechanismResult
   std::uint32_t work = 0;  ///< of the solver in all solves of the tick, in the unit of ContactPlan::workBudget
   bool capped = false;     ///< the constraints are not met, by lawWorkBudget or by any place: the next tick goes on
   double residual_u = 0.0; ///< largest of the constraints'
-  std::array<Pose, Mechanism::mostBodies> pose_W{};             ///< of held and rigid bodies
+  PosesOfBodies pose_W{};  ///< of held and rigid bodies
   std::array<ConstraintNow, Mechanism::mostConstraints> laws{}; ///< the plan's, then those that were found
   int found = 0;                                                ///< how many of these were found
   bool ahead = false; ///< the hand is ahead of the mesh, which goes no further than contacts were looked for

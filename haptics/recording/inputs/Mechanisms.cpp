@@ -138,7 +138,7 @@ bool hasVertices(const SurfacePoint& at, int body, const RecordedMechanism& mech
 bool isUsable(const FoundContacts& found)
 {
   const bool counts = found.count >= 0 && found.count <= FoundContacts::most && found.leftOut >= 0;
-  const bool numbers = std::isfinite(found.friction) && found.friction >= 0.0 && std::isfinite(found.reach_u);
+  const bool numbers = std::isfinite(found.friction) && found.friction >= 0.0 && !std::isnan(found.reach_u);
   return counts && numbers && isPlace(found.held_W) &&
          std::ranges::all_of(found.contacts,
            [](const FoundContact& contact)
@@ -149,14 +149,15 @@ bool isUsable(const FoundContacts& found)
            });
 }
 
-/// Whether they are on soft bodies of the mechanism, at vertices that these have.
+/// Whether they are of rigid bodies of the mechanism with soft ones, at vertices that these have.
 bool fits(const FoundContacts& found, const RecordedMechanism& mechanism)
 {
   return std::all_of(found.contacts.begin(), found.contacts.begin() + found.count,
     [&mechanism](const FoundContact& contact)
     {
-      const bool there = contact.body >= 0 && contact.body < mechanism.plan.bodyCount;
-      return there && mechanism.plan.bodies[static_cast<std::size_t>(contact.body)].soft >= 0 &&
+      const auto softOf = [&mechanism](int body) { return mechanism.plan.bodies[static_cast<std::size_t>(body)].soft; };
+      const auto there = [&mechanism](int body) { return body >= 0 && body < mechanism.plan.bodyCount; };
+      return there(contact.mesh) && there(contact.body) && softOf(contact.mesh) < 0 && softOf(contact.body) >= 0 &&
              hasVertices(contact.place_B, contact.body, mechanism);
     });
 }

@@ -15,6 +15,8 @@ namespace
 
 /// Of the mesh's size: a hand that rested goes no further until the next answer but one; so near, surfaces touch.
 constexpr double usualReach = 0.25, usualTouch = 0.005;
+/// Of a soft body's size: so near to a mesh that stands, its surface may meet the mesh until the next answer but one.
+constexpr double standingReach = 0.05;
 /// Of the motion since the answer before: an answer is up to two periods old, and a hand may grow faster.
 constexpr double reachOfMotion = 3.0, touchOfMotion = 2.0;
 
@@ -25,11 +27,11 @@ double stiffnessOf(const SoftBodyInput& input)
   return young_Pa * input.unit_m * input.unit_m / (1.0 - input.poisson * input.poisson);
 }
 
-/// Motion of a mesh from pose to pose: no point of it goes further.
-double motionOf(const SidedSurface& mesh, const Pose& from_W, const Pose& to_W)
+/// Motion of a body from pose to pose: no point of it goes further.
+double motionOf(double radius_u, const Pose& from_W, const Pose& to_W)
 {
   const double turn = (to_W.q * from_W.q.conjugate()).vec().norm(); // half the chord of a unit arm
-  return (to_W.p - from_W.p).norm() + 2.0 * mesh.radius_u * turn;
+  return (to_W.p - from_W.p).norm() + 2.0 * radius_u * turn;
 }
 
 } // namespace
@@ -71,18 +73,28 @@ void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan
   this->finder_.reset();
   this->found_ = this->underWay_ = {};
   this->looked_W_.reset();
+  this->diagonal_u_ = 0.0;
   this->told_ = {};
   this->held_ = plan.held;
   this->plan_ = plan.revision;
   if (mechanism.findsContacts)
   {
     const auto most = static_cast<std::size_t>(roomForFound(mechanism));
-    this->finder_ = std::make_unique<ContactFinder>(
-      mechanism.bodies[static_cast<std::size_t>(plan.held)].mesh, mechanism.foundFriction, most);
+    std::vector<FinderMesh> meshes;
+    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b)
+    {
+      if (mechanism.bodies[b].mesh)
+      {
+        meshes.push_back({ static_cast<int>(b), mechanism.bodies[b].mesh });
+      }
+    }
+    this->finder_ = std::make_unique<ContactFinder>(std::move(meshes), plan.held, mechanism.foundFriction, most);
     for (std::size_t s = 0; s < this->first_.size(); ++s)
     {
       const auto body = std::ranges::find(plan.bodies, static_cast<int>(s), &PlannedBody::soft);
       this->finder_->add(static_cast<int>(body - plan.bodies.begin()), *this->first_[s], this->stiffness_[s]);
+      const SurfaceData& surface = this->first_[s]->scene->surfaces()[this->first_[s]->touch.surface].tree->data();
+      this->diagonal_u_ = std::max(this->diagonal_u_, (surface.high_W - surface.low_W).norm());
     }
   }
   this->places_.assign(this->makers_.size(), {});
@@ -131,7 +143,8 @@ void MechanismBodies::tell(const MechanismHand& told)
   }
 }
 
-/// The snapshot answers where contacts were found, and around their middle; where there are none, around the mesh.
+/// The snapshot answers where contacts were found, and around the middle of those of the mesh in the hand; where that
+/// has none, around the mesh.
 void MechanismBodies::lookAround(std::size_t body, BodyHand& hand) const
 {
   if (!this->looks())
@@ -140,14 +153,15 @@ void MechanismBodies::lookAround(std::size_t body, BodyHand& hand) const
   }
   const FoundContacts& found = this->finder_->last();
   Vec3 sum_W = Vec3::Zero();
-  int count = 0;
+  int count = 0; // of the mesh in the hand
   for (int i = 0; i < found.count; ++i)
   {
     const FoundContact& contact = found.contacts[static_cast<std::size_t>(i)];
     if (contact.body == this->finder_->bodyOf(body))
     {
-      sum_W += contact.place_B.x_W;
-      ++count;
+      const bool isHeld = contact.mesh == this->held_;
+      sum_W += isHeld ? contact.place_B.x_W : Vec3(Vec3::Zero());
+      count += isHeld ? 1 : 0;
       if (hand.count < BodyHand::most)
       {
         hand.forceAt[hand.count] = contact.place_B;
@@ -155,9 +169,12 @@ void MechanismBodies::lookAround(std::size_t body, BodyHand& hand) const
       }
     }
   }
-  const SurfaceData& data = this->finder_->held().tree->data();
-  const Pose& held_W = this->told_.pose_W[static_cast<std::size_t>(this->held_)];
-  hand.ball_W = count > 0 ? Vec3(sum_W / count) : held_W * Vec3(0.5 * (data.low_W + data.high_W));
+  if (const SidedSurface* const mesh = this->finder_->held())
+  {
+    const SurfaceData& data = mesh->tree->data();
+    const Pose& held_W = this->told_.pose_W[static_cast<std::size_t>(this->held_)];
+    hand.ball_W = count > 0 ? Vec3(sum_W / count) : held_W * Vec3(0.5 * (data.low_W + data.high_W));
+  }
   hand.tip_u = this->tips_u_[body] > 0.0 ? this->tips_u_[body] : this->finder_->tip_u(body);
 }
 
@@ -190,14 +207,19 @@ void MechanismBodies::findAt(double time_s)
 const FoundContacts& MechanismBodies::find()
 {
   FinderView view;
-  view.held_W = this->told_.pose_W[static_cast<std::size_t>(this->held_)];
-  const SidedSurface& mesh = this->finder_->held();
-  const double motion_u = this->looked_W_ ? motionOf(mesh, *this->looked_W_, view.held_W) : 0.0;
-  view.reach_u = usualReach * mesh.diagonal_u + reachOfMotion * motion_u;
-  view.touches_u = usualTouch * mesh.diagonal_u + touchOfMotion * motion_u;
+  view.pose_W = this->told_.pose_W;
+  const Pose& held_W = view.pose_W[static_cast<std::size_t>(this->held_)];
+  const SidedSurface* const mesh = this->finder_->held();
+  const double radius_u = mesh ? mesh->radius_u : 0.0, diagonal_u = mesh ? mesh->diagonal_u : 0.0;
+  const double motion_u = this->looked_W_ ? motionOf(radius_u, *this->looked_W_, held_W) : 0.0;
+  view.held = { usualReach * diagonal_u + reachOfMotion * motion_u,
+    usualTouch * diagonal_u + touchOfMotion * motion_u };
+  // What the hand presses goes no faster than the hand.
+  view.standing = { standingReach * this->diagonal_u_ + reachOfMotion * motion_u,
+    usualTouch * this->diagonal_u_ + touchOfMotion * motion_u };
   view.soft = this->given_;
   view.presses = this->told_.pressing();
-  this->looked_W_ = view.held_W;
+  this->looked_W_ = held_W;
   return this->finder_->find(view);
 }
 

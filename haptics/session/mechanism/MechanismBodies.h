@@ -56,7 +56,7 @@ public:
   /// The same, for who judges other constraints.
   [[nodiscard]] const BodiesAtRest& first() const noexcept { return this->first_; }
   /// Where a plan's constraints are on the bodies: snapshots are made around these places from now on, and around those
-  /// where its held mesh meets the bodies.
+  /// where meshes meet the bodies.
   void hold(const Mechanism& mechanism, const MechanismPlan& plan);
 
   /// The forces of the mechanism in a tick, and the place of the held body's tip: of each body the next snapshot
@@ -98,7 +98,8 @@ private:
   std::vector<std::shared_ptr<const CheckedTetras>> asMade_;
   std::vector<std::vector<SurfacePoint>> places_; ///< of constraints, of each body
   std::unique_ptr<ContactFinder> finder_;         ///< null: nothing is looked for
-  int held_ = -1;                                 ///< body of the plan whose contacts it looks for
+  int held_ = -1;                                 ///< body of the plan that is in the hand
+  double diagonal_u_ = 0.0;                       ///< of the largest soft body
   std::uint64_t plan_ = 0;                        ///< revision of the one that is held
   FoundContacts found_;                           ///< as the tick has it
   FoundContacts underWay_;                        ///< arrives with the next snapshots; in virtual time

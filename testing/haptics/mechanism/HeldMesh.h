@@ -15,7 +15,7 @@ inline constexpr double padYoung_Pa = 20e3, padPoisson = 0.4;
 
 inline std::shared_ptr<const SidedSurface> heldMesh(const TriangleMesh& mesh)
 {
-  auto made = makeHeldMesh(mesh);
+  auto made = makeRigidMesh(mesh);
   if (!made.ok())
   {
     throw std::runtime_error(made.problem);
@@ -110,6 +110,8 @@ struct Range
     this->plan = planMechanism(m, soft, 1);
     this->friction = friction;
   }
+
+  [[nodiscard]] std::vector<FinderMesh> meshes() const { return { { this->plan.held, this->mesh } }; }
 
   const PressedBody& body;
   std::shared_ptr<const SidedSurface> mesh;

@@ -22,7 +22,7 @@ TEST(SidedSurface, OfAMeshInAnyOrderTheNormalsPointOut)
   const Vec3 middle(3.0, -1.0, 2.0);
   TriangleMesh both = shuffled(shifted(makeIcosphere(2, 1.0), middle), random);
   append(both, shifted(both, Vec3(5, 0, 0)));
-  const auto made = makeHeldMesh(both);
+  const auto made = makeRigidMesh(both);
   ASSERT_TRUE(made.ok()) << made.problem;
   const TriangleMesh& mesh = made.value->tree->mesh();
   const TriangleMesh right = made.value->rightHanded();
@@ -39,16 +39,16 @@ TEST(SidedSurface, OfAMeshInAnyOrderTheNormalsPointOut)
   EXPECT_EQ(made.value->edges.size(), 3 * mesh.triangles.size() / 2);
 }
 
-TEST(SidedSurface, AMeshThatIsOpenOrPinchedOrTooLargeIsNotHeld)
+TEST(SidedSurface, AMeshThatIsOpenOrPinchedOrTooLargeIsRefused)
 {
   TriangleMesh open = makeBox(Vec3::Zero(), Vec3::Ones());
   open.triangles.pop_back();
-  EXPECT_NE(makeHeldMesh(open).problem.find("open: 3 of its edges"), std::string::npos) << makeHeldMesh(open).problem;
+  EXPECT_NE(makeRigidMesh(open).problem.find("open: 3 of its edges"), std::string::npos) << makeRigidMesh(open).problem;
   TriangleMesh pinched = makeBox(Vec3::Zero(), Vec3::Ones());
   append(pinched, makeBox(Vec3(1, 1, 0), Vec3(2, 2, 1))); // along an edge of both
-  EXPECT_NE(makeHeldMesh(pinched).problem.find("more than two triangles"), std::string::npos);
-  EXPECT_NE(makeHeldMesh(makeIcosphere(6, 1.0)).problem.find("81920 triangles"), std::string::npos);
-  EXPECT_NE(makeHeldMesh({}).problem, "");
+  EXPECT_NE(makeRigidMesh(pinched).problem.find("more than two triangles"), std::string::npos);
+  EXPECT_NE(makeRigidMesh(makeIcosphere(6, 1.0)).problem.find("81920 triangles"), std::string::npos);
+  EXPECT_NE(makeRigidMesh({}).problem, "");
 }
 
 /// A surface that nothing bends.
@@ -62,10 +62,7 @@ struct Rigid
 
   [[nodiscard]] std::vector<NearPlace> near(const SidedSurface& held, const Pose& held_W, double reach_u) const
   {
-    FinderView view;
-    view.held_W = held_W;
-    view.reach_u = reach_u;
-    return nearPlaces(held, *this->sided, *this->body, 0, view);
+    return nearPlaces({ held, held_W, *this->sided, *this->body, 0, 0, reach_u, {} });
   }
 
   std::shared_ptr<const PressedBody> body;
@@ -266,7 +263,7 @@ TEST(CheckedMeshes, WithoutWhatTheyNeedAreRefusedInOneSentence)
   expectFault("friction of found contacts", [](Mechanism& m) { m.foundFriction = -0.1; });
   expectFault("friction of found contacts", [](Mechanism& m) { m.foundFriction = std::nan(""); });
   expectFault("there are none", [](Mechanism& m) { m.bodies.pop_back(); });
-  expectFault("no held body has a file",
+  expectFault("no such body has a file",
     [](Mechanism& m)
     {
       m.bodies[0].mesh.reset();

@@ -279,7 +279,7 @@ TEST(FoundContacts, ATickWithThemAllocatesNothing)
 {
   const MeshTouch first(meshOnPad(makeIcosphere(2, 0.02), 8, 0.4));
   const Range range(makeIcosphere(2, 0.02), *first.touch().bodies().newest().front(), 0.4);
-  ContactFinder finder(range.mesh, range.friction, range.most);
+  ContactFinder finder(range.meshes(), range.plan.held, range.friction, range.most);
   finder.add(1, range.body, padYoung_Pa);
   MechanismTick tick;
   const std::array<const PressedBody*, 1> soft{ &range.body };
@@ -296,9 +296,9 @@ TEST(FoundContacts, ATickWithThemAllocatesNothing)
     if (i % 25 == 0)
     {
       FinderView view;
-      view.held_W = i == 0 ? input.hand_W : result.pose_W[0];
-      view.reach_u = 0.02;
-      view.touches_u = 1e-3;
+      const Pose held_W = i == 0 ? input.hand_W : result.pose_W[0];
+      view.pose_W = { &held_W, 1 };
+      view.held = { 0.02, 1e-3 };
       view.soft = soft;
       view.presses = { result.presses.data(), static_cast<std::size_t>(result.pressCount) };
       (void)finder.find(view);

@@ -113,7 +113,8 @@ double deepest(
 class Shot
 {
 public:
-  Shot(const Range& range, Random& random) : range_(range), finder_(range.mesh, range.friction, range.most)
+  Shot(const Range& range, Random& random)
+    : range_(range), finder_(range.meshes(), range.plan.held, range.friction, range.most)
   {
     this->finder_.add(1, range.body, padYoung_Pa);
     const Vec3 aim = middleOfPad() + Vec3(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), -0.008);
@@ -162,9 +163,8 @@ private:
   {
     const Pose at = i == 0 ? this->handAt(0) : this->result_.pose_W[0];
     FinderView view;
-    view.held_W = at;
-    view.reach_u = 0.25 * this->range_.mesh->diagonal_u + 0.05;
-    view.touches_u = 0.03 * this->range_.mesh->diagonal_u;
+    view.pose_W = { &at, 1 };
+    view.held = { 0.25 * this->range_.mesh->diagonal_u + 0.05, 0.03 * this->range_.mesh->diagonal_u };
     view.soft = this->soft_;
     view.presses = { this->result_.presses.data(), static_cast<std::size_t>(this->result_.pressCount) };
     (void)this->finder_.find(view);
