@@ -11,18 +11,18 @@
 namespace palpate
 {
 
-/// A contact of a rigid mesh with a soft body that nobody has named: the mesh's point stays on the outer side of the
-/// plane through the soft body's.
+/// A contact of a rigid mesh with a soft body, or with a mesh that stands, that nobody has named: the mesh's point
+/// stays on the outer side of the plane through the other body's.
 struct FoundContact
 {
   static constexpr double alike = 0.9; ///< cosine between the normals of contacts that press in much the same direction
 
   std::uint64_t name = 0;        ///< of the features that meet: the same from answer to answer
   std::int32_t mesh = 0;         ///< the body with the mesh, in the plan
-  std::int32_t body = 0;         ///< the soft one
+  std::int32_t body = 0;         ///< the other one
   Vec3 point_A = Vec3::Zero();   ///< of the mesh, in its frame
-  SurfacePoint place_B;          ///< of the soft body
-  Vec3 normal_W = Vec3::UnitZ(); ///< out of the soft body
+  SurfacePoint place_B;          ///< of the other body
+  Vec3 normal_W = Vec3::UnitZ(); ///< out of the other body
   double apart_u = 0.0;          ///< other contacts in this direction are as far away, or further
 };
 

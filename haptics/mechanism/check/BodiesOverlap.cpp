@@ -308,7 +308,7 @@ std::vector<BodyPair> overlapsOfHeld(
   }
   Looked looked(mechanism, soft);
   looked.pose_W = pose_W;
-  looked.meshes = true;
+  looked.meshes = looked.worlds = true;
   std::vector<BodyPair> pairs = looked.pairs([&](std::size_t a, std::size_t b) { return isHeld(a) || isHeld(b); });
   std::erase_if(pairs,
     [&](const BodyPair& pair) {

@@ -305,18 +305,20 @@ void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> sof
   }
 }
 
-/// The pairs of bodies whose contacts are not found: all but those of a mesh with a soft body.
+/// The pairs of bodies whose contacts are not found.
 void tellUnfound(const Mechanism& mechanism, MechanismCheck& check)
 {
-  const auto kinds = [&mechanism](MechanismBodyKind kind)
+  const auto count = [&mechanism](MechanismBodyKind kind)
   { return std::ranges::count(mechanism.bodies, kind, &MechanismBody::kind); };
-  const auto meshes =
-    std::ranges::count_if(mechanism.bodies, [](const MechanismBody& body) { return body.mesh != nullptr; });
-  if (mechanism.findsContacts &&
-      (kinds(MechanismBodyKind::Soft) > 1 || meshes > 1 || kinds(MechanismBodyKind::Rigid) > 0))
+  if (mechanism.findsContacts && count(MechanismBodyKind::Soft) > 1)
   {
-    check.remarks.emplace_back("Contacts are found between meshes and soft bodies only: soft bodies pass through one "
-                               "another, and rigid ones through one another.");
+    check.remarks.emplace_back("Contacts between two soft bodies are not found: they pass through one another.");
+  }
+  if (mechanism.findsContacts && count(MechanismBodyKind::Rigid) > 0)
+  {
+    check.remarks.emplace_back(
+      "Contacts with boxes of the kind \"rigid\" are not found: they pass through other bodies "
+      "where no constraint stops them.");
   }
 }
 

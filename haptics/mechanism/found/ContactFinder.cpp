@@ -222,24 +222,34 @@ const SidedSurface* ContactFinder::held() const noexcept
 std::vector<ContactFinder::Meeting> ContactFinder::meetings(const FinderView& view) const
 {
   std::vector<Meeting> met;
-  for (std::size_t m = 0; m < this->meshes_.size(); ++m)
+  int pair = 0;
+  const auto look = [&](std::size_t m, std::size_t other, const SidedSurface& surface, const PressedBody* soft)
   {
     const Pose& mesh_W = view.pose_W[static_cast<std::size_t>(this->meshes_[m].body)];
     const double reach_u = (this->isHeld(m) ? view.held : view.standing).reach_u;
     const Quat turned = this->isHeld(m) ? mesh_W.q * this->last_.held_W.q.conjugate() : Quat::Identity();
+    std::vector<NearPlace> near = nearPlaces(
+      { *this->meshes_[m].surface, mesh_W, surface, soft, pair++, static_cast<int>(other), reach_u, view.presses });
+    keepPlanes(this->last_, turned, mesh_W, near);
+    if (!near.empty())
+    {
+      met.push_back({ m, other, std::move(near) });
+    }
+  };
+  for (std::size_t m = 0; m < this->meshes_.size(); ++m)
+  {
     for (std::size_t s = 0; s < this->bodies_.size(); ++s)
     {
-      if (view.soft[s] == nullptr)
+      if (view.soft[s] != nullptr)
       {
-        continue;
+        look(m, s, *this->bodies_[s].surface, view.soft[s]);
       }
-      const int pair = static_cast<int>(m * this->bodies_.size() + s);
-      std::vector<NearPlace> near = nearPlaces({ *this->meshes_[m].surface, mesh_W, *this->bodies_[s].surface,
-        *view.soft[s], pair, static_cast<int>(s), reach_u, view.presses });
-      keepPlanes(this->last_, turned, mesh_W, near);
-      if (!near.empty())
+    }
+    for (std::size_t other = 0; this->isHeld(m) && other < this->meshes_.size(); ++other)
+    {
+      if (other != m)
       {
-        met.push_back({ m, s, std::move(near) });
+        look(m, this->bodies_.size() + other, *this->meshes_[other].surface, nullptr);
       }
     }
   }
@@ -248,24 +258,34 @@ std::vector<ContactFinder::Meeting> ContactFinder::meetings(const FinderView& vi
 
 /// A soft body that the mesh in the hand is near has patches for that mesh: other contacts are as far apart as these
 /// patches are wide.
+double ContactFinder::apartOnSoft(const Meeting& meeting, double edge_u, const FinderView& view, bool isFirst)
+{
+  Body& body = this->bodies_[meeting.other];
+  const int mesh = this->meshes_[meeting.mesh].body;
+  const double force_N = forceOn(static_cast<int>(meeting.other), mesh, view.presses);
+  double& ball_u = body.ball_u[meeting.mesh];
+  ball_u = ballContact(
+    meeting.near, view.pose_W[static_cast<std::size_t>(mesh)], edge_u, seenOfBall * ball_u, force_N, body.stiffness);
+  return std::max({ edge_u, acrossBall * ball_u, isFirst ? 0.0 : body.tip_u / tipOfPlace });
+}
+
 void ContactFinder::choose(const Meeting& meeting, std::size_t most, const FinderView& view, FoundContacts& found)
 {
-  const auto& [m, s, near] = meeting;
-  Body& body = this->bodies_[s];
-  const Pose& mesh_W = view.pose_W[static_cast<std::size_t>(this->meshes_[m].body)];
+  const auto& [m, other, near] = meeting;
+  Body* const soft = other < this->bodies_.size() ? &this->bodies_[other] : nullptr;
+  const FinderMesh* const stands = soft ? nullptr : &this->meshes_[other - this->bodies_.size()];
+  const int body = soft ? soft->body : stands->body;
   const auto nearest = std::ranges::min_element(near, {}, &NearPlace::gap_u);
-  const double edge_u = edgeAround(*body.surface, nearest->contact.place_B);
-  const double force_N = forceOn(static_cast<int>(s), this->meshes_[m].body, view.presses);
-  double& ball_u = body.ball_u[m];
-  ball_u = ballContact(near, mesh_W, edge_u, seenOfBall * ball_u, force_N, body.stiffness);
-  const bool second = std::any_of(found.contacts.begin(), found.contacts.begin() + found.count,
-    [&body](const FoundContact& other) { return other.body == body.body; });
-  const double apart_u = std::max({ edge_u, acrossBall * ball_u, second ? body.tip_u / tipOfPlace : 0.0 });
+  const double edge_u = edgeAround(soft ? *soft->surface : *stands->surface, nearest->contact.place_B);
+  const bool isFirst = std::none_of(found.contacts.begin(), found.contacts.begin() + found.count,
+    [body](const FoundContact& contact) { return contact.body == body; });
+  const double apart_u = soft ? this->apartOnSoft(meeting, edge_u, view, isFirst) : edge_u;
   const FinderReach& reach = this->isHeld(m) ? view.held : view.standing;
   const ChosenPlaces chosen = choosePlaces(near, most, apart_u, reach.touches_u, this->last_);
-  if (!second)
+  if (soft && isFirst)
   {
-    body.tip_u = ball_u > 0.0 ? std::max(leastTip * edge_u, tipOfBall * ball_u) : tipOfPlace * chosen.apart_u;
+    const double ball_u = soft->ball_u[m];
+    soft->tip_u = ball_u > 0.0 ? std::max(leastTip * edge_u, tipOfBall * ball_u) : tipOfPlace * chosen.apart_u;
   }
   if (this->isHeld(m))
   {
@@ -278,7 +298,7 @@ void ContactFinder::choose(const Meeting& meeting, std::size_t most, const Finde
     FoundContact& contact = found.contacts[static_cast<std::size_t>(found.count++)];
     contact = place.contact;
     contact.mesh = this->meshes_[m].body;
-    contact.body = body.body;
+    contact.body = body;
     contact.apart_u = chosen.apart_u;
   }
 }

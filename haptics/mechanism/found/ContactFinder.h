@@ -37,14 +37,14 @@ struct FinderView
   std::span<const MechanismPress> presses;  ///< the forces under which the soft bodies are bent
 };
 
-/// A mesh and a soft body as a finder looks at the two.
+/// A mesh and the body that it may meet, as a finder looks at the two.
 struct PairView
 {
   const SidedSurface& mesh;
   Pose mesh_W;
-  const SidedSurface& soft;
-  const PressedBody& body;
-  int index = 0; ///< of the pair: another name for each place
+  const SidedSurface& other;         ///< a soft body's, or a mesh that stands
+  const PressedBody* soft = nullptr; ///< null: a mesh that stands
+  int index = 0;                     ///< of the pair: another name for each place
   int soft_i = 0;
   double reach_u = 0.0;
   std::span<const MechanismPress> presses;
@@ -58,7 +58,7 @@ struct NearPlace
   double free_u = 0.0; ///< the same to the soft body as it is without forces
 };
 
-/// All places where a mesh may meet one soft body: a vertex of the body before the mesh, a vertex of the mesh before
+/// All places where a mesh may meet another body: a vertex of the body before the mesh, a vertex of the mesh before
 /// the body, and two edges that cross, of the mesh's those that are sharp. In the order of their features.
 [[nodiscard]] std::vector<NearPlace> nearPlaces(const PairView& view);
 
@@ -74,8 +74,9 @@ struct ChosenPlaces
 [[nodiscard]] ChosenPlaces choosePlaces(
   const std::vector<NearPlace>& near, std::size_t most, double apart_u, double touches_u, const FoundContacts& before);
 
-/// Finds where the meshes of rigid bodies meet the soft bodies. Beside the tick, at the rate of the bodies' snapshots;
-/// the same view gives the same answer on any number of threads. Not real-time safe.
+/// Finds where the meshes of rigid bodies meet the soft bodies, and the mesh in the hand those that stand. Beside the
+/// tick, at the rate of the bodies' snapshots; the same view gives the same answer on any number of threads. Not
+/// real-time safe.
 class ContactFinder
 {
 public:
@@ -106,15 +107,17 @@ private:
     double tip_u = 0.0;
     std::vector<double> ball_u; ///< of each mesh that is as round as a ball, radius of the contact; 0: it is not
   };
-  /// A mesh and a soft body that are near one another.
+  /// A mesh and another body that are near one another.
   struct Meeting
   {
-    std::size_t mesh = 0, soft = 0;
+    std::size_t mesh = 0, other = 0; ///< `other`: a soft body, or after these a mesh
     std::vector<NearPlace> near;
   };
 
   [[nodiscard]] bool isHeld(std::size_t mesh) const noexcept { return this->meshes_[mesh].body == this->held_; }
   [[nodiscard]] std::vector<Meeting> meetings(const FinderView& view) const;
+  /// Least distance between contacts, from what the mesh and the soft body are like there.
+  [[nodiscard]] double apartOnSoft(const Meeting& meeting, double edge_u, const FinderView& view, bool isFirst);
   void choose(const Meeting& meeting, std::size_t most, const FinderView& view, FoundContacts& found);
 
   std::vector<FinderMesh> meshes_; ///< that in the hand first

@@ -43,8 +43,7 @@ enum class Features : std::uint64_t
 std::uint64_t nameOf(Features features, int pair, std::uint64_t a, std::uint64_t b = 0, std::uint64_t c = 0)
 {
   constexpr std::uint64_t mask = (1u << 19) - 1;
-  constexpr std::uint64_t mostPairs = Mechanism::mostBodies * Mechanism::mostBodies / 4; // half meshes, half soft
-  static_assert(3 * mostPairs <= 1u << 7);
+  constexpr std::uint64_t mostPairs = 42; // of eight bodies 19 at most: one held, four soft, three that stand
   return ((static_cast<std::uint64_t>(features) * mostPairs + static_cast<std::uint64_t>(pair)) << 57) |
          ((a & mask) << 38) | ((b & mask) << 19) | (c & mask);
 }
@@ -103,12 +102,13 @@ Nearest nearestOn(const SidedSurface& surface, const std::vector<Vec3>& vertices
   return best;
 }
 
-/// One mesh and one soft body.
+/// One mesh and one other body, which is soft or stands.
 class Meeting
 {
 public:
   explicit Meeting(const PairView& view)
-    : view_(view), mesh_(view.mesh), soft_(view.soft), bent_W_(view.body.snapshot->free_W)
+    : view_(view), mesh_(view.mesh), other_(view.other),
+      free_W_(view.soft ? view.soft->snapshot->free_W : view.other.tree->mesh().vertices_W), bent_W_(free_W_)
   {
     const SurfaceData& data = this->mesh_.tree->data();
     this->mesh_W_.reserve(data.mesh.vertices_W.size());
@@ -148,13 +148,12 @@ private:
   /// Where the vertices near the mesh are under the forces, by the same compliance as in the tick.
   void bend()
   {
-    const ComplianceSnapshot& snapshot = *this->view_.body.snapshot;
     std::vector<std::pair<CompliantPoint, Vec3>> forces;
     for (const MechanismPress& press : this->view_.presses)
     {
-      if (press.soft == this->view_.soft_i && press.force_N != Vec3::Zero())
+      if (this->view_.soft && press.soft == this->view_.soft_i && press.force_N != Vec3::Zero())
       {
-        forces.emplace_back(compliantPoint(snapshot, press.at), press.force_N);
+        forces.emplace_back(compliantPoint(*this->view_.soft->snapshot, press.at), press.force_N);
       }
     }
     const auto bentBy = [&](const CompliantPoint& at)
@@ -162,7 +161,7 @@ private:
       Vec3 sum = Vec3::Zero();
       for (const auto& [from, force_N] : forces)
       {
-        sum += complianceBetween(snapshot, at, from) * force_N;
+        sum += complianceBetween(*this->view_.soft->snapshot, at, from) * force_N;
       }
       return sum;
     };
@@ -175,10 +174,10 @@ private:
     Box reached{ this->around_.low_W.array() - slack_u, this->around_.high_W.array() + slack_u };
     std::vector<char> is(this->bent_W_.size(), 0);
     forEachMeeting(
-      this->soft_.tree->data(), [&](const Box& box) { return overlap(box, reached); },
+      this->other_.tree->data(), [&](const Box& box) { return overlap(box, reached); },
       [&](std::uint32_t t)
       {
-        for (const std::uint32_t v : this->soft_.tree->data().corners(t))
+        for (const std::uint32_t v : this->other_.tree->data().corners(t))
         {
           is[v] = 1;
         }
@@ -188,9 +187,11 @@ private:
       if (is[v])
       {
         this->vertices_.push_back(v);
-        this->bent_W_[v] +=
-          forces.empty() ? Vec3(Vec3::Zero()) : bentBy(compliantPoint(snapshot, placeAt(v, snapshot.free_W)));
-        this->bent_u_ = std::max(this->bent_u_, (this->bent_W_[v] - snapshot.free_W[v]).norm());
+        if (!forces.empty())
+        {
+          this->bent_W_[v] += bentBy(compliantPoint(*this->view_.soft->snapshot, placeAt(v, this->free_W_)));
+        }
+        this->bent_u_ = std::max(this->bent_u_, (this->bent_W_[v] - this->free_W_[v]).norm());
         this->bentAround_.include(this->bent_W_[v]);
       }
     }
@@ -218,7 +219,7 @@ private:
     {
       return;
     }
-    const Vec3 out_W = this->soft_.normalAt(v, this->bent_W_);
+    const Vec3 out_W = this->other_.normalAt(v, this->bent_W_);
     const auto any = [](const Vec3&) { return true; };
     const Vec3 x = into(this->view_.mesh_W, x_W);
     const std::vector<Vec3>& vertices = this->mesh_.tree->mesh().vertices_W;
@@ -228,7 +229,7 @@ private:
       return;
     }
     const std::uint64_t name = nameOf(Features::SoftVertex, this->view_.index, v);
-    const SurfacePoint place = placeAt(v, this->view_.body.snapshot->free_W);
+    const SurfacePoint place = placeAt(v, this->free_W_);
     if (nearest.above > 0.0 && nearest.away_u > rounding * this->mesh_.diagonal_u)
     {
       const Vec3 normal_W = this->view_.mesh_W.q * Vec3((nearest.p - x) / nearest.away_u);
@@ -265,14 +266,14 @@ private:
       return;
     }
     const auto any = [](const Vec3&) { return true; };
-    const Nearest nearest = nearestOn(this->soft_, this->bent_W_, y_W, this->view_.reach_u, this->bent_u_, any);
+    const Nearest nearest = nearestOn(this->other_, this->bent_W_, y_W, this->view_.reach_u, this->bent_u_, any);
     if (nearest.triangle == SurfaceData::none)
     {
       return;
     }
     const bool apart = nearest.above > 0.0 && nearest.away_u > rounding * this->mesh_.diagonal_u;
     // In a dent the surface is as steep as its triangles happen to be: pressed, it is taken as it is without forces.
-    const Vec3 free_W = this->soft_.areaOf(nearest.triangle, this->view_.body.snapshot->free_W).normalized();
+    const Vec3 free_W = this->other_.areaOf(nearest.triangle, this->free_W_).normalized();
     const Vec3 normal_W = apart ? Vec3((y_W - nearest.p) / nearest.away_u) : free_W;
     if (this->facesAt(v, normal_W) && (!apart || normal_W.dot(nearest.normal) > facingApart))
     {
@@ -284,8 +285,8 @@ private:
   /// A place of the bent surface, as a place of the free one.
   [[nodiscard]] SurfacePoint placeOn(std::uint32_t triangle, const Vec3& bent_W) const
   {
-    const auto& corners = this->soft_.tree->data().corners(triangle);
-    const std::vector<Vec3>& free_W = this->view_.body.snapshot->free_W;
+    const auto& corners = this->other_.tree->data().corners(triangle);
+    const std::vector<Vec3>& free_W = this->free_W_;
     const Vec3 weights =
       weightsOnTriangle(this->bent_W_[corners[0]], this->bent_W_[corners[1]], this->bent_W_[corners[2]], bent_W);
     return { corners, weights,
@@ -322,14 +323,14 @@ private:
       return;
     }
     forEachMeeting(
-      this->soft_.tree->data(), [&](const Box& box) { return overlap(box, reached); },
+      this->other_.tree->data(), [&](const Box& box) { return overlap(box, reached); },
       [&](std::uint32_t t)
       {
-        const auto& corners = this->soft_.tree->data().corners(t);
+        const auto& corners = this->other_.tree->data().corners(t);
         for (std::size_t k = 0; k < 3; ++k)
         {
           const std::uint32_t a = corners[k], b = corners[(k + 1) % 3];
-          if (t < this->soft_.tree->data().across[t][k]) // each edge once
+          if (t < this->other_.tree->data().across[t][k]) // each edge once
           {
             this->cross(e, t, a, b, { inOne_W, inOther_W });
           }
@@ -349,9 +350,9 @@ private:
   /// Whether both triangles at an edge of the soft body go away from a direction, or nearly.
   [[nodiscard]] bool standsOut(std::uint32_t t, std::uint32_t a, std::uint32_t b, const Vec3& normal_W) const
   {
-    const std::uint32_t other = this->soft_.tree->data().neighbour(t, a, b);
+    const std::uint32_t other = this->other_.tree->data().neighbour(t, a, b);
     const auto goesAway = [&](std::uint32_t of)
-    { return inward(this->soft_, this->bent_W_, of, a, b).dot(normal_W) < asideInDent; };
+    { return inward(this->other_, this->bent_W_, of, a, b).dot(normal_W) < asideInDent; };
     return goesAway(t) && goesAway(other);
   }
 
@@ -368,7 +369,7 @@ private:
       return;
     }
     normal_W /= size;
-    const Vec3 out_W = this->soft_.areaOf(t, this->bent_W_).normalized();
+    const Vec3 out_W = this->other_.areaOf(t, this->bent_W_).normalized();
     normal_W = normal_W.dot(out_W) < 0.0 ? Vec3(-normal_W) : normal_W;
     const Vec3 from_W = this->bent_W_[a] - this->mesh_W_[i];
     const double s = from_W.cross(v).dot(u.cross(v)) / (size * size);
@@ -384,7 +385,7 @@ private:
     const double gap_u = normal_W.dot(onMesh_W - onSoft_W);
     if (gap_u <= this->view_.reach_u && gap_u > -crossed * std::min(u.norm(), v.norm()))
     {
-      const std::vector<Vec3>& free_W = this->view_.body.snapshot->free_W;
+      const std::vector<Vec3>& free_W = this->free_W_;
       const SurfacePoint place{ { a, b, b }, Vec3(1.0 - r, r, 0.0), (1.0 - r) * free_W[a] + r * free_W[b] };
       this->add(nameOf(Features::Edges, this->view_.index, e, a, b), onMesh_W, place, normal_W, gap_u);
     }
@@ -392,7 +393,8 @@ private:
 
   const PairView& view_;
   const SidedSurface& mesh_;
-  const SidedSurface& soft_;
+  const SidedSurface& other_;
+  const std::vector<Vec3>& free_W_;     ///< vertices of the other body without forces
   std::vector<Vec3> mesh_W_;            ///< vertices of the mesh
   Box around_;                          ///< them
   std::vector<Vec3> bent_W_;            ///< of the soft body, where they are near the mesh

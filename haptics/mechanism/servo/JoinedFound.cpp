@@ -76,6 +76,7 @@ void joinFound(const MechanismPlan& plan, const FoundContacts& found, MechanismP
     law.a = contact.mesh;
     law.b = contact.body;
     law.point_A = contact.point_A;
+    law.point_B = contact.place_B.x_W; // of a mesh that stands; on a soft body place_B is
     law.axis_B = contact.normal_W;
     law.friction = found.friction;
     law.place_B = contact.place_B;

@@ -149,15 +149,21 @@ bool isUsable(const FoundContacts& found)
            });
 }
 
-/// Whether they are of rigid bodies of the mechanism with soft ones, at vertices that these have.
+/// Whether they are of rigid bodies of the mechanism with soft ones or with such as stand, at vertices that soft ones
+/// have.
 bool fits(const FoundContacts& found, const RecordedMechanism& mechanism)
 {
   return std::all_of(found.contacts.begin(), found.contacts.begin() + found.count,
     [&mechanism](const FoundContact& contact)
     {
       const auto softOf = [&mechanism](int body) { return mechanism.plan.bodies[static_cast<std::size_t>(body)].soft; };
+      const auto isMet = [&](const FoundContact& met)
+      {
+        const MechanismBodyKind kind = mechanism.plan.bodies[static_cast<std::size_t>(met.body)].kind;
+        return softOf(met.body) >= 0 || (kind == MechanismBodyKind::World && met.mesh != met.body);
+      };
       const auto there = [&mechanism](int body) { return body >= 0 && body < mechanism.plan.bodyCount; };
-      return there(contact.mesh) && there(contact.body) && softOf(contact.mesh) < 0 && softOf(contact.body) >= 0 &&
+      return there(contact.mesh) && there(contact.body) && softOf(contact.mesh) < 0 && isMet(contact) &&
              hasVertices(contact.place_B, contact.body, mechanism);
     });
 }

@@ -62,7 +62,7 @@ struct Rigid
 
   [[nodiscard]] std::vector<NearPlace> near(const SidedSurface& held, const Pose& held_W, double reach_u) const
   {
-    return nearPlaces({ held, held_W, *this->sided, *this->body, 0, 0, reach_u, {} });
+    return nearPlaces({ held, held_W, *this->sided, this->body.get(), 0, 0, reach_u, {} });
   }
 
   std::shared_ptr<const PressedBody> body;

@@ -29,19 +29,19 @@ SoftBodyInput bar(const std::array<int, 3>& cells)
   return input;
 }
 
-/// A ball in the hand, that bar, and a block that stands below its free end.
-MechanismInputs ballBarAndBlock(const std::array<int, 3>& cells, double friction = 0.0)
+/// A mesh in the hand, that bar, and a block that stands below its free end.
+MechanismInputs onBarAndBlock(const TriangleMesh& mesh, const std::array<int, 3>& cells, double friction = 0.0)
 {
   MechanismInputs inputs;
-  MechanismBody ball, soft, block;
-  ball.name = "ball";
-  ball.kind = MechanismBodyKind::Held;
-  ball.mesh = heldMesh(makeIcosphere(3, 0.015));
+  MechanismBody tool, soft, block;
+  tool.name = "tool";
+  tool.kind = MechanismBodyKind::Held;
+  tool.mesh = heldMesh(mesh);
   soft.name = "bar";
   soft.kind = MechanismBodyKind::Soft;
   block.name = "block";
   block.mesh = heldMesh(makeBox(Vec3(0.05, -0.02, -0.03), Vec3(0.15, 0.06, -gap_m)));
-  inputs.mechanism.bodies = { ball, soft, block };
+  inputs.mechanism.bodies = { tool, soft, block };
   inputs.mechanism.findsContacts = true;
   inputs.mechanism.foundFriction = friction;
   inputs.soft = { { "bar", std::make_shared<const SoftBodyInput>(bar(cells)) } };
@@ -214,7 +214,7 @@ class StandingMesh : public testing::TestWithParam<std::array<int, 3>>
 TEST_P(StandingMesh, IsMetWhereTheGapClosesAndBearsWhatAWholeSolveSays)
 {
   MechanismHold hold = firmHold(0.0); // the bar at rest in every tick
-  MeshTouch touch(ballBarAndBlock(GetParam()), hold);
+  MeshTouch touch(onBarAndBlock(makeIcosphere(3, 0.015), GetParam()), hold);
   WholeBar whole(bar(GetParam()));
   const Vec3 above(0.08, 0.02, barSize.z() + 0.015);
   bool met = false;
@@ -240,6 +240,52 @@ TEST_P(StandingMesh, IsMetWhereTheGapClosesAndBearsWhatAWholeSolveSays)
 
 INSTANTIATE_TEST_SUITE_P(
   Each, StandingMesh, testing::Values(std::array<int, 3>{ 10, 4, 2 }, std::array<int, 3>{ 20, 8, 4 }));
+
+constexpr double half_m = 0.01;
+const Vec3 overBlock(0.125, 0.02, half_m - gap_m); ///< beyond the bar: the tool lies on the block
+
+MechanismInputs boxOverBlock(double friction)
+{
+  return onBarAndBlock(makeBox(Vec3::Constant(-half_m), Vec3::Constant(half_m)), { 10, 4, 2 }, friction);
+}
+
+TEST(StandingMesh, StopsTheMeshInTheHandAsAStiffWallDoesAndRubsItByCoulombsLaw)
+{
+  constexpr double friction = 0.4;
+  MeshTouch touch(boxOverBlock(friction));
+  const double stiffness = firmHold().stiffness_N_per_m;
+  for (int i = -50; i <= 100; ++i)
+  {
+    const double deep_m = 1e-5 * i;
+    const MechanismResult& r = touch.to(Vec3(overBlock - Vec3(0, 0, deep_m)));
+    EXPECT_NEAR(r.exact_W.force.z(), stiffness * std::max(deep_m, 0.0), 1e-6) << i;
+    EXPECT_LE(r.exact_W.force.head<2>().norm(), 1e-6) << i;
+  }
+  const Vec3 pressed = overBlock - Vec3(0, 0, 1e-3);
+  MechanismResult slid;
+  for (int i = 0; i <= 1000; ++i)
+  {
+    slid = touch.to(Vec3(pressed + Vec3(0, 5e-6 * i, 0)));
+  }
+  EXPECT_NEAR(-slid.exact_W.force.y(), friction * slid.exact_W.force.z(), 1e-3 * slid.exact_W.force.z());
+}
+
+TEST(StandingMesh, LetsNoMeshThroughThatComesAtHalfAMetreASecond)
+{
+  MeshTouch touch(boxOverBlock(0.0));
+  const Vec3 from = overBlock + Vec3(0, 0, 0.05);
+  for (int i = 0; i < 300; ++i)
+  {
+    const Pose hand{ from - Vec3(0, 0, 5e-4 * i), Quat(Eigen::AngleAxisd(0.01 * i, Vec3(1, 2, 0.5).normalized())) };
+    const Pose& at = touch.to(hand).pose_W[0];
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const Vec3 p =
+        at * Vec3(corner & 1 ? half_m : -half_m, corner & 2 ? half_m : -half_m, corner & 4 ? half_m : -half_m);
+      ASSERT_GE(p.z(), -gap_m - 1e-5) << i;
+    }
+  }
+}
 
 } // namespace
 } // namespace palpate::test
