@@ -244,6 +244,7 @@ void SnapshotMaker::choose(const SnapshotRequest& request, ComplianceSnapshot& s
   const double ahead = std::min(1.5 * speed * request.period_s, 0.5 * reach);
   const Vec3 center = speed > 0.0 ? Vec3(request.ball_W + ahead / speed * request.velocity_u_per_s) : request.ball_W;
   snapshot.near = nearVerticesOf(this->surface_, snapshot.free_W, center, reach, usualVertices);
+  addCorners(request.watched, snapshot.near);
   addCorners(request.forceAt, snapshot.near);
   // A strike lasts about as long as the hand takes to cross a patch; and a snapshot is no older than that either.
   snapshot.struck = speed * std::max(this->naturalPeriod_s_, request.period_s) > this->surface_.patch_u[at];

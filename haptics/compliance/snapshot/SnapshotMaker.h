@@ -22,6 +22,7 @@ struct SnapshotRequest
   double tip_u = 0.0;                ///< radius of a point contact; 0: as wide as a patch
   double period_s = 0.04;            ///< from snapshot to snapshot
   std::vector<SurfacePoint> forceAt; ///< where the tool presses, or may: these points have compliance in any case
+  std::vector<SurfacePoint> watched; ///< so have these, where anything else may press
   std::vector<Vec3> force_N;         ///< and the forces there, on the body
 };
 

@@ -36,6 +36,8 @@ constexpr double leastTip = 0.1;
 constexpr double seenEdges = 2.0, seenOfBall = 2.5;
 /// Radii of a ball's contact between contacts: within them the ball is one.
 constexpr double acrossBall = 2.2;
+/// Places before one mesh that stands whose compliance is known: so many of a body's 192.
+constexpr std::size_t mostWatched = 48;
 
 bool stands(const NearPlace& near, const std::vector<NearPlace>& chosen, double apart_u)
 {
@@ -47,7 +49,7 @@ bool stands(const NearPlace& near, const std::vector<NearPlace>& chosen, double 
     });
 }
 
-ChosenPlaces spread(const std::vector<NearPlace>& sorted, std::size_t most, double apart_u, double touches_u)
+ChosenPlaces spread(const std::vector<NearPlace>& sorted, PlaceRoom room, double apart_u, double touches_u)
 {
   ChosenPlaces chosen;
   chosen.apart_u = apart_u;
@@ -57,7 +59,7 @@ ChosenPlaces spread(const std::vector<NearPlace>& sorted, std::size_t most, doub
     {
       continue;
     }
-    if (near.gap_u <= touches_u || chosen.places.size() < most)
+    if (near.gap_u <= touches_u || chosen.places.size() < room.apart)
     {
       chosen.places.push_back(near);
     }
@@ -90,8 +92,24 @@ void keepPlanes(const FoundContacts& before, const Quat& turned, const Pose& mes
     contact.point_A = into(mesh_W, onPlane_W);
     contact.normal_W = normal_W;
     place.gap_u = gap_u;
-    place.free_u = normal_W.dot(onPlane_W - contact.place_B.x_W);
+    place.free_u = normal_W.dot(onPlane_W - place.without_W);
   }
+}
+
+/// The places that are nearest.
+std::vector<SurfacePoint> nearestPlaces(const std::vector<NearPlace>& near, std::size_t most)
+{
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < near.size(); ++i)
+  {
+    order.emplace_back(near[i].gap_u, i);
+  }
+  std::ranges::sort(order);
+  order.resize(std::min(order.size(), most));
+  std::vector<SurfacePoint> places;
+  std::ranges::transform(
+    order, std::back_inserter(places), [&near](const auto& one) { return near[one.second].contact.place_B; });
+  return places;
 }
 
 /// The least edge around a place.
@@ -119,8 +137,8 @@ double forceOn(int soft, int from, std::span<const MechanismPress> presses)
   return sum_N.norm();
 }
 
-/// A sphere that leaves the surface, as that is without forces, like the mesh does around the place that is nearest: by
-/// least squares over the mesh's points.
+/// A sphere that leaves the surface, as that is without the mesh's forces, like the mesh does around the place that is
+/// nearest: by least squares over the mesh's points.
 struct Roundness
 {
   double radius_u = std::numeric_limits<double>::infinity(); ///< infinite where the mesh is flat
@@ -130,10 +148,11 @@ struct Roundness
 /// A sphere of radius R that touches a plane at a point is h above it at a distance d where d^2 + h^2 = 2 R h.
 Roundness roundness(const std::vector<NearPlace>& near, const Pose& mesh_W, double within_u)
 {
-  const FoundContact& nearest = std::ranges::min_element(near, {}, &NearPlace::free_u)->contact;
-  const auto heightOf = [&](const FoundContact& contact)
-  { return nearest.normal_W.dot(mesh_W * contact.point_A - contact.place_B.x_W); };
-  const double least_u = heightOf(nearest);
+  const NearPlace& first = *std::ranges::min_element(near, {}, &NearPlace::free_u);
+  const FoundContact& nearest = first.contact;
+  const auto heightOf = [&](const NearPlace& place)
+  { return nearest.normal_W.dot(mesh_W * place.contact.point_A - place.without_W); };
+  const double least_u = heightOf(first);
   double rise = 0.0, square = 0.0;
   Roundness round;
   for (const NearPlace& place : near)
@@ -142,7 +161,7 @@ Roundness roundness(const std::vector<NearPlace>& near, const Pose& mesh_W, doub
     const double away_u = (way_W - nearest.normal_W.dot(way_W) * nearest.normal_W).norm();
     if (away_u <= within_u && place.contact.normal_W.dot(nearest.normal_W) > FoundContact::alike)
     {
-      const double above_u = heightOf(place.contact) - least_u;
+      const double above_u = heightOf(place) - least_u;
       const double chord2_u2 = away_u * away_u + above_u * above_u;
       rise += chord2_u2 * above_u;
       square += chord2_u2 * chord2_u2;
@@ -170,7 +189,7 @@ double ballContact(const std::vector<NearPlace>& near, const Pose& mesh_W, doubl
 } // namespace
 
 ChosenPlaces choosePlaces(
-  const std::vector<NearPlace>& near, std::size_t most, double apart_u, double touches_u, const FoundContacts& before)
+  const std::vector<NearPlace>& near, PlaceRoom room, double apart_u, double touches_u, const FoundContacts& before)
 {
   const auto wasChosen = [&before](const NearPlace& place)
   {
@@ -188,15 +207,15 @@ ChosenPlaces choosePlaces(
   std::vector<NearPlace> sorted;
   std::ranges::transform(
     order, std::back_inserter(sorted), [&near](const auto& key) { return near[std::get<3>(key)]; });
-  ChosenPlaces chosen = spread(sorted, most, apart_u, touches_u);
-  for (int left = mostWidenings; left > 0 && chosen.places.size() > most; --left)
+  ChosenPlaces chosen = spread(sorted, room, apart_u, touches_u);
+  for (int left = mostWidenings; left > 0 && chosen.places.size() > room.most; --left)
   {
-    chosen = spread(sorted, most, wider * chosen.apart_u, touches_u);
+    chosen = spread(sorted, room, wider * chosen.apart_u, touches_u);
   }
-  if (chosen.places.size() > most)
+  if (chosen.places.size() > room.most)
   {
-    chosen.leftOut = static_cast<int>(chosen.places.size() - most);
-    chosen.places.resize(most);
+    chosen.leftOut = static_cast<int>(chosen.places.size() - room.most);
+    chosen.places.resize(room.most);
   }
   return chosen;
 }
@@ -211,7 +230,7 @@ ContactFinder::ContactFinder(std::vector<FinderMesh> meshes, int held, double fr
 void ContactFinder::add(int body, const PressedBody& atRest, double stiffness)
 {
   this->bodies_.push_back({ body, makeSided(atRest.scene->surfaces()[atRest.touch.surface].tree), stiffness, 0.0,
-    std::vector<double>(this->meshes_.size(), 0.0) });
+    std::vector<double>(this->meshes_.size(), 0.0), {} });
 }
 
 const SidedSurface* ContactFinder::held() const noexcept
@@ -223,13 +242,14 @@ std::vector<ContactFinder::Meeting> ContactFinder::meetings(const FinderView& vi
 {
   std::vector<Meeting> met;
   int pair = 0;
+  // The hand bends a body in its own dent; onto what stands the body is bent by the hand.
   const auto look = [&](std::size_t m, std::size_t other, const SidedSurface& surface, const PressedBody* soft)
   {
     const Pose& mesh_W = view.pose_W[static_cast<std::size_t>(this->meshes_[m].body)];
     const double reach_u = (this->isHeld(m) ? view.held : view.standing).reach_u;
     const Quat turned = this->isHeld(m) ? mesh_W.q * this->last_.held_W.q.conjugate() : Quat::Identity();
-    std::vector<NearPlace> near = nearPlaces(
-      { *this->meshes_[m].surface, mesh_W, surface, soft, pair++, static_cast<int>(other), reach_u, view.presses });
+    std::vector<NearPlace> near = nearPlaces({ *this->meshes_[m].surface, mesh_W, surface, soft, pair++,
+      this->isHeld(m) ? -1 : this->meshes_[m].body, static_cast<int>(other), reach_u, view.presses });
     keepPlanes(this->last_, turned, mesh_W, near);
     if (!near.empty())
     {
@@ -269,7 +289,7 @@ double ContactFinder::apartOnSoft(const Meeting& meeting, double edge_u, const F
   return std::max({ edge_u, acrossBall * ball_u, isFirst ? 0.0 : body.tip_u / tipOfPlace });
 }
 
-void ContactFinder::choose(const Meeting& meeting, std::size_t most, const FinderView& view, FoundContacts& found)
+void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderView& view, FoundContacts& found)
 {
   const auto& [m, other, near] = meeting;
   Body* const soft = other < this->bodies_.size() ? &this->bodies_[other] : nullptr;
@@ -281,7 +301,7 @@ void ContactFinder::choose(const Meeting& meeting, std::size_t most, const Finde
     [body](const FoundContact& contact) { return contact.body == body; });
   const double apart_u = soft ? this->apartOnSoft(meeting, edge_u, view, isFirst) : edge_u;
   const FinderReach& reach = this->isHeld(m) ? view.held : view.standing;
-  const ChosenPlaces chosen = choosePlaces(near, most, apart_u, reach.touches_u, this->last_);
+  const ChosenPlaces chosen = choosePlaces(near, room, apart_u, reach.touches_u, this->last_);
   if (soft && isFirst)
   {
     const double ball_u = soft->ball_u[m];
@@ -315,9 +335,22 @@ const FoundContacts& ContactFinder::find(const FinderView& view)
     found.reach_u = view.held.reach_u;
     found.held_W = view.pose_W[static_cast<std::size_t>(this->held_)];
   }
-  for (const Meeting& meeting : met)
+  for (Body& body : this->bodies_)
   {
-    this->choose(meeting, this->most_ / met.size(), view, found);
+    body.watched.clear();
+  }
+  for (std::size_t i = 0; i < met.size(); ++i)
+  {
+    const Meeting& meeting = met[i];
+    if (!this->isHeld(meeting.mesh))
+    {
+      const std::vector<SurfacePoint> nearest = nearestPlaces(meeting.near, mostWatched);
+      std::vector<SurfacePoint>& watched = this->bodies_[meeting.other].watched;
+      watched.insert(watched.end(), nearest.begin(), nearest.end());
+    }
+    // Pairs that follow have an even share at least, and all that is left over.
+    const std::size_t share = (this->most_ - static_cast<std::size_t>(found.count)) / (met.size() - i);
+    this->choose(meeting, { share, i + 1 < met.size() ? (share + 1) / 2 : share }, view, found);
   }
   this->last_ = found;
   return this->last_;

@@ -42,9 +42,10 @@ struct PairView
 {
   const SidedSurface& mesh;
   Pose mesh_W;
-  const SidedSurface& other;         ///< a soft body's, or a mesh that stands
-  const PressedBody* soft = nullptr; ///< null: a mesh that stands
-  int index = 0;                     ///< of the pair: another name for each place
+  const SidedSurface& other; ///< a soft body's, or a mesh that stands
+  const PressedBody* soft;   ///< null: a mesh that stands
+  int index = 0;             ///< of the pair: another name for each place
+  int mesh_i = 0;            ///< places are judged without the forces of this body of the plan; below 0: without any
   int soft_i = 0;
   double reach_u = 0.0;
   std::span<const MechanismPress> presses;
@@ -54,17 +55,25 @@ struct PairView
 struct NearPlace
 {
   FoundContact contact;
-  double gap_u = 0.0;  ///< along the normal, the soft body bent as the forces bend it; below 0 they overlap
-  double free_u = 0.0; ///< the same to the soft body as it is without forces
+  double gap_u = 0.0;            ///< along the normal, the soft body bent as the forces bend it; below 0 they overlap
+  double free_u = 0.0;           ///< the same to the other body without the forces of PairView::mesh_i
+  Vec3 without_W = Vec3::Zero(); ///< place of the other body, bent in that way
 };
 
 /// All places where a mesh may meet another body: a vertex of the body before the mesh, a vertex of the mesh before
 /// the body, and two edges that cross, of the mesh's those that are sharp. In the order of their features.
 [[nodiscard]] std::vector<NearPlace> nearPlaces(const PairView& view);
 
+/// How many places may be chosen.
+struct PlaceRoom
+{
+  std::size_t most = 0;
+  std::size_t apart = 0; ///< no further place that does not touch yet is added to so many
+};
+
 /// Of those at most so many, one for each `apart_u` and each direction: of those that touch the deepest in the body as
-/// it is without forces, or almost the deepest if it was chosen before. `apart_u` is made larger until those that touch
-/// have room.
+/// it is without the mesh's forces, or almost the deepest if it was chosen before. `apart_u` is made larger until those
+/// that touch have room.
 struct ChosenPlaces
 {
   std::vector<NearPlace> places;
@@ -72,7 +81,7 @@ struct ChosenPlaces
   int leftOut = 0;
 };
 [[nodiscard]] ChosenPlaces choosePlaces(
-  const std::vector<NearPlace>& near, std::size_t most, double apart_u, double touches_u, const FoundContacts& before);
+  const std::vector<NearPlace>& near, PlaceRoom room, double apart_u, double touches_u, const FoundContacts& before);
 
 /// Finds where the meshes of rigid bodies meet the soft bodies, and the mesh in the hand those that stand. Beside the
 /// tick, at the rate of the bodies' snapshots; the same view gives the same answer on any number of threads. Not
@@ -93,6 +102,11 @@ public:
   /// ball's contact, where the mesh is as round as one. That of the mesh in the hand, while it is near; the last one,
   /// where nothing was near.
   [[nodiscard]] double tip_u(std::size_t soft) const noexcept { return this->bodies_[soft].tip_u; }
+  /// Places of a soft body where a mesh that stands may press, the nearest ones.
+  [[nodiscard]] const std::vector<SurfacePoint>& watched(std::size_t soft) const noexcept
+  {
+    return this->bodies_[soft].watched;
+  }
   /// Which body of the plan that is.
   [[nodiscard]] int bodyOf(std::size_t soft) const noexcept { return this->bodies_[soft].body; }
   /// The mesh in the hand; null: the hand has none.
@@ -106,6 +120,7 @@ private:
     double stiffness = 0.0;
     double tip_u = 0.0;
     std::vector<double> ball_u; ///< of each mesh that is as round as a ball, radius of the contact; 0: it is not
+    std::vector<SurfacePoint> watched;
   };
   /// A mesh and another body that are near one another.
   struct Meeting
@@ -118,7 +133,7 @@ private:
   [[nodiscard]] std::vector<Meeting> meetings(const FinderView& view) const;
   /// Least distance between contacts, from what the mesh and the soft body are like there.
   [[nodiscard]] double apartOnSoft(const Meeting& meeting, double edge_u, const FinderView& view, bool isFirst);
-  void choose(const Meeting& meeting, std::size_t most, const FinderView& view, FoundContacts& found);
+  void choose(const Meeting& meeting, PlaceRoom room, const FinderView& view, FoundContacts& found);
 
   std::vector<FinderMesh> meshes_; ///< that in the hand first
   int held_;

@@ -108,7 +108,8 @@ class Meeting
 public:
   explicit Meeting(const PairView& view)
     : view_(view), mesh_(view.mesh), other_(view.other),
-      free_W_(view.soft ? view.soft->snapshot->free_W : view.other.tree->mesh().vertices_W), bent_W_(free_W_)
+      free_W_(view.soft ? view.soft->snapshot->free_W : view.other.tree->mesh().vertices_W), without_W_(free_W_),
+      bent_W_(free_W_)
   {
     const SurfaceData& data = this->mesh_.tree->data();
     this->mesh_W_.reserve(data.mesh.vertices_W.size());
@@ -148,26 +149,34 @@ private:
   /// Where the vertices near the mesh are under the forces, by the same compliance as in the tick.
   void bend()
   {
-    std::vector<std::pair<CompliantPoint, Vec3>> forces;
+    struct Force
+    {
+      CompliantPoint at;
+      Vec3 force_N;
+      bool isOwn; ///< one of those without which places are judged
+    };
+    std::vector<Force> forces;
     for (const MechanismPress& press : this->view_.presses)
     {
       if (this->view_.soft && press.soft == this->view_.soft_i && press.force_N != Vec3::Zero())
       {
-        forces.emplace_back(compliantPoint(*this->view_.soft->snapshot, press.at), press.force_N);
+        forces.push_back({ compliantPoint(*this->view_.soft->snapshot, press.at), press.force_N,
+          this->view_.mesh_i < 0 || press.from == this->view_.mesh_i });
       }
     }
-    const auto bentBy = [&](const CompliantPoint& at)
+    const auto bentBy = [&](const CompliantPoint& at, bool own)
     {
       Vec3 sum = Vec3::Zero();
-      for (const auto& [from, force_N] : forces)
+      for (const Force& force : forces)
       {
-        sum += complianceBetween(*this->view_.soft->snapshot, at, from) * force_N;
+        sum += force.isOwn == own ? Vec3(complianceBetween(*this->view_.soft->snapshot, at, force.at) * force.force_N)
+                                  : Vec3(Vec3::Zero());
       }
       return sum;
     };
-    for (const auto& [at, force_N] : forces)
+    for (const Force& force : forces)
     {
-      this->bent_u_ = std::max(this->bent_u_, bentBy(at).norm());
+      this->bent_u_ = std::max(this->bent_u_, (bentBy(force.at, true) + bentBy(force.at, false)).norm());
     }
     this->bent_u_ *= 1.5; // a vertex beside the forces may go a little further
     const double slack_u = this->bent_u_ + this->view_.reach_u;
@@ -189,7 +198,9 @@ private:
         this->vertices_.push_back(v);
         if (!forces.empty())
         {
-          this->bent_W_[v] += bentBy(compliantPoint(*this->view_.soft->snapshot, placeAt(v, this->free_W_)));
+          const CompliantPoint at = compliantPoint(*this->view_.soft->snapshot, placeAt(v, this->free_W_));
+          this->without_W_[v] += bentBy(at, false);
+          this->bent_W_[v] = this->without_W_[v] + bentBy(at, true);
         }
         this->bent_u_ = std::max(this->bent_u_, (this->bent_W_[v] - this->free_W_[v]).norm());
         this->bentAround_.include(this->bent_W_[v]);
@@ -205,7 +216,11 @@ private:
     near.contact.place_B = place;
     near.contact.normal_W = normal_W;
     near.gap_u = gap_u;
-    near.free_u = normal_W.dot(onMesh_W - place.x_W);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      near.without_W += place.weights[static_cast<Eigen::Index>(c)] * this->without_W_[place.vertices[c]];
+    }
+    near.free_u = normal_W.dot(onMesh_W - near.without_W);
     this->places_.push_back(near);
   }
 
@@ -397,7 +412,8 @@ private:
   const std::vector<Vec3>& free_W_;     ///< vertices of the other body without forces
   std::vector<Vec3> mesh_W_;            ///< vertices of the mesh
   Box around_;                          ///< them
-  std::vector<Vec3> bent_W_;            ///< of the soft body, where they are near the mesh
+  std::vector<Vec3> without_W_;         ///< near the mesh as the forces bend them that are not the mesh's
+  std::vector<Vec3> bent_W_;            ///< near the mesh as all forces bend them
   Box bentAround_ = Box::empty();       ///< of these
   double bent_u_ = 0.0;                 ///< none of them is further from where it is free
   std::vector<std::uint32_t> vertices_; ///< of the soft body, near the mesh

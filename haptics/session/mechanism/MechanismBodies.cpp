@@ -15,8 +15,9 @@ namespace
 
 /// Of the mesh's size: a hand that rested goes no further until the next answer but one; so near, surfaces touch.
 constexpr double usualReach = 0.25, usualTouch = 0.005;
-/// Of a soft body's size: so near to a mesh that stands, its surface may meet the mesh until the next answer but one.
-constexpr double standingReach = 0.05;
+/// Of a soft body's size: so near to a mesh that stands, its surface may meet the mesh until the next answer but one,
+/// or touches it.
+constexpr double standingReach = 0.05, standingTouch = 0.0005;
 /// Of the motion since the answer before: an answer is up to two periods old, and a hand may grow faster.
 constexpr double reachOfMotion = 3.0, touchOfMotion = 2.0;
 
@@ -117,6 +118,12 @@ void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan
 void MechanismBodies::tell(const MechanismHand& told)
 {
   this->told_ = told;
+  this->tellBodies();
+}
+
+void MechanismBodies::tellBodies()
+{
+  const MechanismHand& told = this->told_;
   for (std::size_t b = 0; b < this->hands_.size(); ++b)
   {
     BodyHand& hand = this->hands_[b];
@@ -157,12 +164,15 @@ void MechanismBodies::lookAround(std::size_t body, BodyHand& hand) const
   for (int i = 0; i < found.count; ++i)
   {
     const FoundContact& contact = found.contacts[static_cast<std::size_t>(i)];
+    const auto isThere = [&](const SurfacePoint& at)
+    { return at.vertices == contact.place_B.vertices && at.weights == contact.place_B.weights; };
     if (contact.body == this->finder_->bodyOf(body))
     {
       const bool isHeld = contact.mesh == this->held_;
       sum_W += isHeld ? contact.place_B.x_W : Vec3(Vec3::Zero());
       count += isHeld ? 1 : 0;
-      if (hand.count < BodyHand::most)
+      const bool isKnown = std::any_of(hand.forceAt.begin(), hand.forceAt.begin() + hand.count, isThere);
+      if (!isKnown && hand.count < BodyHand::most)
       {
         hand.forceAt[hand.count] = contact.place_B;
         hand.force_N[hand.count++] = Vec3::Zero();
@@ -175,6 +185,7 @@ void MechanismBodies::lookAround(std::size_t body, BodyHand& hand) const
     const Pose& held_W = this->told_.pose_W[static_cast<std::size_t>(this->held_)];
     hand.ball_W = count > 0 ? Vec3(sum_W / count) : held_W * Vec3(0.5 * (data.low_W + data.high_W));
   }
+  this->makers_[body]->watch(this->finder_->watched(body));
   hand.tip_u = this->tips_u_[body] > 0.0 ? this->tips_u_[body] : this->finder_->tip_u(body);
 }
 
@@ -216,11 +227,13 @@ const FoundContacts& MechanismBodies::find()
     usualTouch * diagonal_u + touchOfMotion * motion_u };
   // What the hand presses goes no faster than the hand.
   view.standing = { standingReach * this->diagonal_u_ + reachOfMotion * motion_u,
-    usualTouch * this->diagonal_u_ + touchOfMotion * motion_u };
+    standingTouch * this->diagonal_u_ + touchOfMotion * motion_u };
   view.soft = this->given_;
   view.presses = this->told_.pressing();
   this->looked_W_ = held_W;
-  return this->finder_->find(view);
+  const FoundContacts& found = this->finder_->find(view);
+  this->tellBodies(); // snapshots that come with this answer have the compliance of its places
+  return found;
 }
 
 void MechanismBodies::pace(double period_s)
@@ -235,19 +248,20 @@ void MechanismBodies::pace(double period_s)
 
 std::span<const PressedBody* const> MechanismBodies::at(double time_s)
 {
+  this->findAt(time_s);
   for (std::size_t b = 0; b < this->paced_.size(); ++b)
   {
     (void)this->paced_[b].at(time_s, this->hands_[b]);
     this->newest_[b] = this->paced_[b].now() ? this->paced_[b].now() : this->newest_[b];
     this->given_[b] = this->newest_[b].get();
   }
-  this->findAt(time_s);
   return this->given_;
 }
 
 bool MechanismBodies::pressEach(double period_s, int newtonSteps)
 {
   bool all = true;
+  this->found_ = this->looks() ? this->find() : this->found_;
   for (std::size_t b = 0; b < this->makers_.size(); ++b)
   {
     auto body = this->makers_[b]->press(this->hands_[b], period_s, newtonSteps);
@@ -255,7 +269,6 @@ bool MechanismBodies::pressEach(double period_s, int newtonSteps)
     this->newest_[b] = body ? std::move(body) : this->newest_[b];
     this->given_[b] = this->newest_[b].get();
   }
-  this->found_ = this->looks() ? this->find() : this->found_;
   return all;
 }
 

@@ -89,6 +89,7 @@ private:
   [[nodiscard]] bool looks() const noexcept;
   [[nodiscard]] const FoundContacts& find();
   void findAt(double time_s);
+  void tellBodies();
   void lookAround(std::size_t body, BodyHand& hand) const;
 
   std::vector<std::unique_ptr<BodyMaker>> makers_;

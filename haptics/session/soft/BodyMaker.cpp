@@ -120,6 +120,7 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
     request.forceAt.clear();
     request.force_N.clear();
   }
+  request.watched = this->watched_;
   const auto snapshot = this->snapshots_.make(request, newtonSteps);
   const auto scene = snapshot ? this->sceneOf(*snapshot) : nullptr;
   if (!scene)

@@ -56,6 +56,9 @@ public:
   [[nodiscard]] std::shared_ptr<const PressedBody> press(
     const BodyHand& hand, double period_s, int newtonSteps = usualSteps);
 
+  /// Snapshots have the compliance of these places as well, from the next one on.
+  void watch(std::vector<SurfacePoint> places) { this->watched_ = std::move(places); }
+
   /// A new inverse of the stiffness to condense around a point; snapshots use as much of it as is condensed. Null: the
   /// present one answered the last snapshot or may answer the next, or the stiffness changes with the deformation.
   [[nodiscard]] std::shared_ptr<KeptInverse> keepAround(const Vec3& place_W);
@@ -86,6 +89,7 @@ private:
   std::shared_ptr<const Scene> scene_; ///< of the last snapshot; null: the other surfaces have changed since
   std::uint64_t first_; ///< revision before the first snapshot: older forces belong to another body's vertices
   std::uint64_t revision_;
+  std::vector<SurfacePoint> watched_;
   Vec3 hand_W_ = Vec3::Zero();                     ///< of the last snapshot
   std::shared_ptr<const ComplianceSnapshot> last_; ///< null: none yet
   bool underPoints_ = false;                       ///< whether the last snapshot was for a point in place of a ball

@@ -62,7 +62,7 @@ struct Rigid
 
   [[nodiscard]] std::vector<NearPlace> near(const SidedSurface& held, const Pose& held_W, double reach_u) const
   {
-    return nearPlaces({ held, held_W, *this->sided, this->body.get(), 0, 0, reach_u, {} });
+    return nearPlaces({ held, held_W, *this->sided, this->body.get(), 0, 0, 0, reach_u, {} });
   }
 
   std::shared_ptr<const PressedBody> body;
@@ -186,7 +186,7 @@ TEST(ChosenPlaces, AreApartAndTheNearestAndThoseWithoutRoomAreCounted)
       near.push_back(place);
     }
   }
-  const ChosenPlaces chosen = choosePlaces(near, 16, 1.0, 0.1, {});
+  const ChosenPlaces chosen = choosePlaces(near, { 16, 16 }, 1.0, 0.1, {});
   EXPECT_EQ(chosen.leftOut, 0);
   EXPECT_LE(chosen.places.size(), 16u);
   EXPECT_GE(chosen.places.size(), 8u);
@@ -218,7 +218,7 @@ TEST(ChosenPlaces, AreApartAndTheNearestAndThoseWithoutRoomAreCounted)
     place.gap_u = place.free_u = 1e-3 * i;
     star.push_back(place);
   }
-  const ChosenPlaces nearest = choosePlaces(star, 4, 1.0, 1.0, {});
+  const ChosenPlaces nearest = choosePlaces(star, { 4, 4 }, 1.0, 1.0, {});
   ASSERT_EQ(nearest.places.size(), 4u);
   EXPECT_EQ(nearest.leftOut, 16);
   for (std::size_t i = 0; i < 4; ++i)
