@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -34,6 +35,8 @@ constexpr double leastTip = 0.1;
 /// In edges of the soft body, and in radii of its last contact: so far it is looked at whether a mesh is as round as a
 /// ball.
 constexpr double seenEdges = 2.0, seenOfBall = 2.5;
+/// Periods until an answer is in use, in the middle: it comes a period later and is used for one.
+constexpr double usedAfter = 1.5;
 /// Radii of a ball's contact between contacts: within them the ball is one.
 constexpr double acrossBall = 2.2;
 /// Places before one mesh that stands whose compliance is known: so many of a body's 192.
@@ -172,18 +175,30 @@ Roundness roundness(const std::vector<NearPlace>& near, const Pose& mesh_W, doub
   return round;
 }
 
-/// Radius of the contact of a mesh that is as round as a ball as far as that goes (Hertz), under the force it has; 0:
-/// it is not, or has none yet.
-double ballContact(const std::vector<NearPlace>& near, const Pose& mesh_W, double edge_u, double last_u, double force_N,
-  double stiffness_N_per_u2)
+/// Of a mesh before a soft body, at an answer.
+struct BallHistory
 {
-  const Roundness round = roundness(near, mesh_W, std::max(seenEdges * edge_u, last_u));
+  double force_N = 0.0; ///< that it has
+  double deep_u = 0.0;  ///< of its deepest place in the body without forces; below 0: before it
+  double ahead_u = 0.0; ///< the same when the answer is in use, as the mesh has moved so far
+};
+
+/// Radius of the contact of a mesh that is as round as a ball of radius R as far as that goes; none: it is not. For the
+/// force that the mesh has (Hertz), and a depth d that it will have, as the radius goes with the root of d. A force
+/// under another patch is wrong by more than any layer makes it: from sqrt(R d), of a half space, to sqrt(2 R d), of a
+/// thin incompressible layer.
+std::optional<double> ballContact(const Roundness& round, const BallHistory& history, double stiffness_N_per_u2)
+{
   if (!std::isfinite(round.radius_u))
   {
-    return 0.0;
+    return std::nullopt;
   }
-  const double contact_u = std::cbrt(0.75 * force_N * round.radius_u / stiffness_N_per_u2);
-  return contact_u <= round.seen_u ? contact_u : 0.0;
+  const double now_u = std::sqrt(round.radius_u * std::max(history.deep_u, 0.0));
+  const double ahead_u = std::sqrt(round.radius_u * std::max(history.ahead_u, 0.0));
+  const double byForce_u = std::cbrt(0.75 * history.force_N * round.radius_u / stiffness_N_per_u2);
+  const double share = history.force_N > 0.0 && now_u > 0.0 ? std::min(byForce_u / now_u, std::sqrt(2.0)) : 1.0;
+  const double contact_u = share * ahead_u;
+  return contact_u <= round.seen_u ? std::optional(contact_u) : std::nullopt;
 }
 
 } // namespace
@@ -230,7 +245,7 @@ ContactFinder::ContactFinder(std::vector<FinderMesh> meshes, int held, double fr
 void ContactFinder::add(int body, const PressedBody& atRest, double stiffness)
 {
   this->bodies_.push_back({ body, makeSided(atRest.scene->surfaces()[atRest.touch.surface].tree), stiffness, 0.0,
-    std::vector<double>(this->meshes_.size(), 0.0), {} });
+    std::vector<Ball>(this->meshes_.size()), {} });
 }
 
 const SidedSurface* ContactFinder::held() const noexcept
@@ -283,10 +298,14 @@ double ContactFinder::apartOnSoft(const Meeting& meeting, double edge_u, const F
   Body& body = this->bodies_[meeting.other];
   const int mesh = this->meshes_[meeting.mesh].body;
   const double force_N = forceOn(static_cast<int>(meeting.other), mesh, view.presses);
-  double& ball_u = body.ball_u[meeting.mesh];
-  ball_u = ballContact(
-    meeting.near, view.pose_W[static_cast<std::size_t>(mesh)], edge_u, seenOfBall * ball_u, force_N, body.stiffness);
-  return std::max({ edge_u, acrossBall * ball_u, isFirst ? 0.0 : body.tip_u / tipOfPlace });
+  Ball& ball = body.balls[meeting.mesh];
+  const Roundness round = roundness(meeting.near, view.pose_W[static_cast<std::size_t>(mesh)],
+    std::max(seenEdges * edge_u, seenOfBall * ball.contact_u.value_or(0.0)));
+  const double deep_u = -std::ranges::min_element(meeting.near, {}, &NearPlace::free_u)->free_u;
+  const double deeper_u = ball.deep_u ? deep_u - *ball.deep_u : 0.0;
+  ball.deep_u = deep_u;
+  ball.contact_u = ballContact(round, { force_N, deep_u, deep_u + usedAfter * deeper_u }, body.stiffness);
+  return std::max({ edge_u, acrossBall * ball.contact_u.value_or(0.0), isFirst ? 0.0 : body.tip_u / tipOfPlace });
 }
 
 void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderView& view, FoundContacts& found)
@@ -304,8 +323,8 @@ void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderV
   const ChosenPlaces chosen = choosePlaces(near, room, apart_u, reach.touches_u, this->last_);
   if (soft && isFirst)
   {
-    const double ball_u = soft->ball_u[m];
-    soft->tip_u = ball_u > 0.0 ? std::max(leastTip * edge_u, tipOfBall * ball_u) : tipOfPlace * chosen.apart_u;
+    const std::optional<double> ball_u = soft->balls[m].contact_u;
+    soft->tip_u = ball_u ? std::max(leastTip * edge_u, tipOfBall * *ball_u) : tipOfPlace * chosen.apart_u;
   }
   if (this->isHeld(m))
   {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -113,13 +114,19 @@ public:
   [[nodiscard]] const SidedSurface* held() const noexcept;
 
 private:
+  /// A mesh before a soft body.
+  struct Ball
+  {
+    std::optional<double> contact_u; ///< radius of its contact, where it is as round as a ball; none: it is not
+    std::optional<double> deep_u;    ///< of its deepest place in the body without forces, at the last answer
+  };
   struct Body
   {
     int body = 0;
     std::shared_ptr<const SidedSurface> surface;
     double stiffness = 0.0;
     double tip_u = 0.0;
-    std::vector<double> ball_u; ///< of each mesh that is as round as a ball, radius of the contact; 0: it is not
+    std::vector<Ball> balls; ///< of each mesh
     std::vector<SurfacePoint> watched;
   };
   /// A mesh and another body that are near one another.

@@ -103,6 +103,50 @@ TEST_P(BallOnPads, OfAMeshIsPressedBackAsTheExactBallOnTheSamePad)
 
 INSTANTIATE_TEST_SUITE_P(Each, BallOnPads, testing::Values(8, 16));
 
+/// Speed at which the hand comes down, and how deep it stops.
+struct Descent
+{
+  double speed_m_per_s = 0.0, depth_m = 0.0;
+};
+
+class ComingDown : public testing::TestWithParam<Descent>
+{
+};
+
+// An answer is one to two periods old: while the hand moves the force is one of a depth that it has passed or will pass
+// within so long.
+TEST_P(ComingDown, ABallOfAMeshIsPressedBackAsTheExactBallIsNearby)
+{
+  constexpr int cells = 8;
+  const auto [speed_m_per_s, depth_m] = GetParam();
+  const int ticks = static_cast<int>(depth_m / speed_m_per_s / 1e-3);
+  const double way_m = 1.5 * speed_m_per_s / 30.0;
+  MeshTouch touch(meshOnPad(makeIcosphere(4, RestingBall::radius_m), cells));
+  std::vector<RestingBall> balls, before, after;
+  for (int i = -200; i < ticks + 500; ++i)
+  {
+    const MechanismResult& r = touch.to(handAt(std::min(1e-3 * i * speed_m_per_s, depth_m)));
+    if ((i > 0 && i < ticks && i % std::max(ticks / 8, 1) == 0) || i == ticks + 499)
+    {
+      const double deep_m = middleOfPad().z() + RestingBall::radius_m - r.pose_W[0].p.z();
+      balls.push_back({ deep_m, r.exact_W.force });
+      before.push_back({ deep_m - way_m, {} });
+      after.push_back({ deep_m + way_m, {} });
+    }
+  }
+  const std::vector<Vec3> least_N = exactForces_N(before, cells), most_N = exactForces_N(after, cells);
+  ASSERT_GE(balls.size(), 8u);
+  for (std::size_t i = 0; i + 1 < balls.size(); ++i)
+  {
+    EXPECT_GE(balls[i].force_N.z(), least_N[i].z()) << balls[i].depth_m;
+    EXPECT_LE(balls[i].force_N.z(), most_N[i].z()) << balls[i].depth_m;
+  }
+  EXPECT_NEAR(balls.back().force_N.z() / exactForces_N({ balls.back() }, cells).front().z(), 1.0, 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Each, ComingDown, testing::Values(Descent{ 3e-3, 1e-3 }, Descent{ 10e-3, 0.5e-3 }, Descent{ 30e-3, 2e-3 }));
+
 /// The force of every contact that was found, by an active set written apart: each subset of the rows that press in
 /// turn, one row more or less, until no gap is open under a force and no force draws. Rows: the body's compliance
 /// between the contacts and the hand's springs, of small turns.
