@@ -2,7 +2,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "devices/simulated/LabyrinthRun.h"
+#include "devices/simulated/labyrinth/LabyrinthRun.h"
 #include "haptics/session/path/PathTouch.h"
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliOutput.h"

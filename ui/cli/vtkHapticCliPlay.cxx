@@ -11,7 +11,7 @@
 #include "devices/DeviceFactory.h"
 #include "devices/calibration/CalibrationFiles.h"
 #include "devices/io/broker/DBusBroker.h"
-#include "devices/simulated/LabyrinthPlayer.h"
+#include "devices/simulated/labyrinth/LabyrinthPlayer.h"
 #include "haptics/core/Text.h"
 #include "haptics/session/HapticSession.h"
 #include "vtkHapticCliCommands.h"

@@ -257,7 +257,8 @@ std::vector<ContactFinder::Meeting> ContactFinder::meetings(const FinderView& vi
 {
   std::vector<Meeting> met;
   int pair = 0;
-  // The hand bends a body in its own dent; onto what stands the body is bent by the hand.
+  // Contacts of the mesh in the hand are judged on the body without any force. A body comes to a standing mesh only as
+  // the hand bends it, so that there the forces of other meshes count.
   const auto look = [&](std::size_t m, std::size_t other, const SidedSurface& surface, const PressedBody* soft)
   {
     const Pose& mesh_W = view.pose_W[static_cast<std::size_t>(this->meshes_[m].body)];

@@ -138,7 +138,7 @@ private:
 
   [[nodiscard]] bool isHeld(std::size_t mesh) const noexcept { return this->meshes_[mesh].body == this->held_; }
   [[nodiscard]] std::vector<Meeting> meetings(const FinderView& view) const;
-  /// Least distance between contacts, from what the mesh and the soft body are like there.
+  /// Least distance between contacts, from the edges of the soft body there and the roundness of the mesh.
   [[nodiscard]] double apartOnSoft(const Meeting& meeting, double edge_u, const FinderView& view, bool isFirst);
   void choose(const Meeting& meeting, PlaceRoom room, const FinderView& view, FoundContacts& found);
 

@@ -225,7 +225,7 @@ const FoundContacts& MechanismBodies::find()
   const double motion_u = this->looked_W_ ? motionOf(radius_u, *this->looked_W_, held_W) : 0.0;
   view.held = { usualReach * diagonal_u + reachOfMotion * motion_u,
     usualTouch * diagonal_u + touchOfMotion * motion_u };
-  // What the hand presses goes no faster than the hand.
+  // A soft body that the hand presses moves no faster than the hand.
   view.standing = { standingReach * this->diagonal_u_ + reachOfMotion * motion_u,
     standingTouch * this->diagonal_u_ + touchOfMotion * motion_u };
   view.soft = this->given_;

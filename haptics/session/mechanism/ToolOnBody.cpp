@@ -11,7 +11,7 @@ namespace palpate
 Outcome<std::shared_ptr<const MechanismInputs>> toolOnBody(
   const std::string& tool, const TriangleMesh& mesh_H, const MechanismSoftInput& body, double friction)
 {
-  auto held = makeHeldMesh(mesh_H);
+  auto held = makeRigidMesh(mesh_H);
   if (!held.ok())
   {
     return { nullptr, held.problem };

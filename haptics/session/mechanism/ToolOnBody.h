@@ -14,7 +14,7 @@ struct TriangleMesh;
 
 /// The mechanism of a rigid mesh in the hand that presses a soft body: contacts between the two are found, with
 /// Coulomb's `friction`, and nothing else joins them. `mesh_H`: in the frame of the hand [u]. A tool of the body's name
-/// is called otherwise there. Refuses in one sentence a mesh that cannot be held (makeHeldMesh()). Takes milliseconds
+/// is called otherwise there. Refuses in one sentence a mesh that cannot be held (makeRigidMesh()). Takes milliseconds
 /// where the mesh is large; not real-time safe.
 [[nodiscard]] Outcome<std::shared_ptr<const MechanismInputs>> toolOnBody(
   const std::string& tool, const TriangleMesh& mesh_H, const MechanismSoftInput& body, double friction);

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/simulated/LabyrinthRun.h"
-#include "devices/simulated/PlaceMemory.h"
+#include "devices/simulated/labyrinth/LabyrinthRun.h"
+#include "devices/simulated/labyrinth/PlaceMemory.h"
 #include "testing/support/Random.h"
 
 namespace palpate

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "devices/simulated/LabyrinthPlayer.h"
+#include "devices/simulated/labyrinth/LabyrinthPlayer.h"
 #include "haptics/safety/ForceLimits.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/LabyrinthHost.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "devices/simulated/LabyrinthRun.h"
+#include "devices/simulated/labyrinth/LabyrinthRun.h"
 #include "testing/lab/Experiments.h"
 #include "testing/lab/backends/Gallery.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/simulated/LabyrinthPlayer.h"
+#include "devices/simulated/labyrinth/LabyrinthPlayer.h"
 #include "haptics/session/HapticSession.h"
 
 namespace palpate

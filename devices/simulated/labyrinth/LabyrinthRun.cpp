@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/simulated/LabyrinthRun.h"
+#include "devices/simulated/labyrinth/LabyrinthRun.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <sstream>
 #include <utility>
 
-#include "devices/simulated/BlindHand.h"
 #include "devices/simulated/SimulatedDevice.h"
+#include "devices/simulated/labyrinth/BlindHand.h"
 #include "haptics/force/Viscosity.h"
 #include "haptics/session/DeviceAdaptation.h"
 #include "haptics/session/scene/TouchedData.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/simulated/BlindHand.h"
+#include "devices/simulated/labyrinth/BlindHand.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "devices/simulated/BlindHand.h"
 #include "devices/simulated/DeviceModels.h"
+#include "devices/simulated/labyrinth/BlindHand.h"
 #include "haptics/labyrinth/Labyrinth.h"
 #include "haptics/tick/HapticState.h"
 

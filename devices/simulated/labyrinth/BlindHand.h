@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "devices/simulated/PlaceMemory.h"
+#include "devices/simulated/labyrinth/PlaceMemory.h"
 #include "haptics/core/Types.h"
 
 namespace palpate

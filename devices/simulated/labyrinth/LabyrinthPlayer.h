@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "devices/simulated/BlindHand.h"
-#include "devices/simulated/LabyrinthRun.h"
 #include "devices/simulated/SimulatedDevice.h"
+#include "devices/simulated/labyrinth/BlindHand.h"
+#include "devices/simulated/labyrinth/LabyrinthRun.h"
 #include "haptics/session/LabyrinthHost.h"
 
 namespace palpate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/simulated/PlaceMemory.h"
+#include "devices/simulated/labyrinth/PlaceMemory.h"
 
 namespace palpate
 {
