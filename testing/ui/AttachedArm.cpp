@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A program that is started with this library finds a WoodenHaptics: its hidapi is the model's, and its home has the
-// owner's file. The handle stays in the pose of calibration until the counters are set; then a hand swings it along z.
+// owner's file. The handle stays in the pose of calibration until the counters are set; then a hand leads it to the
+// middle of the work space.
+#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
-#include <numbers>
 #include <thread>
 
 #include "testing/devices/arm/WoodenHapticsModel.h"
@@ -28,20 +28,18 @@ public:
   }
 
 private:
-  void swing(const std::stop_token& end)
+  void lead(const std::stop_token& end)
   {
-    constexpr double reach_m = 0.04, turns_per_s = 0.5;
+    constexpr double way_s = 4.0;
     constexpr std::chrono::milliseconds step(1);
+    const Vec3 pose_m = this->arm_->tip_m();
     for (double time_s = 0.0; !end.stop_requested(); std::this_thread::sleep_for(step))
     {
       this->bus_.alone(
         [&]
         {
-          if (this->arm_->setOrders > 0)
-          {
-            time_s += std::chrono::duration<double>(step).count();
-            this->arm_->lead({ 0.0, 0.0, reach_m * std::sin(2.0 * std::numbers::pi * turns_per_s * time_s) });
-          }
+          time_s += this->arm_->setOrders > 0 ? std::chrono::duration<double>(step).count() : 0.0;
+          this->arm_->lead(std::max(1.0 - time_s / way_s, 0.0) * pose_m);
         });
     }
   }
@@ -51,7 +49,7 @@ private:
   std::shared_ptr<WoodenHapticsModel> arm_ = std::make_shared<WoodenHapticsModel>();
   FakePort& port_ = bus_.plug(arm_, { "", WoodenHapticsModel::vendor, WoodenHapticsModel::product, "7", "arm" });
   FakeHidapi hidapi_{ bus_ };
-  std::jthread hand_{ [this](const std::stop_token& end) { this->swing(end); } };
+  std::jthread hand_{ [this](const std::stop_token& end) { this->lead(end); } };
 };
 
 const AttachedArm attachedArm;

@@ -202,7 +202,7 @@ TYPED_TEST(SilentArmSession, HasNoForceWithinTwentyMillisecondsAndOneReasonUntil
   }
   const LinkReport link = touching.arm.device().linkReport();
   EXPECT_THAT(link.lostFor, testing::EndsWith(touching.arm.silence()));
-  EXPECT_THAT(describeLoss(link), testing::HasSubstr(touching.arm.silence()));
+  EXPECT_THAT(describeFault(Fault::DeviceLost, link), testing::HasSubstr(touching.arm.silence()));
 }
 
 /// The library's own watchdog ends the force of a call that hangs; it goes on with none.
@@ -215,7 +215,7 @@ TEST(HangingArmSession, AsksForNoForceWithinTwentyMillisecondsAndGivesNoneWhenTh
   EXPECT_LE(touching.untilFault(), silent_ms);
   EXPECT_EQ(touching.session.state().fault, Fault::DeviceLost);
   EXPECT_EQ(touching.seen.asked_N.norm(), 0.0);
-  EXPECT_EQ(describeLoss(touching.arm.device().linkReport()), describe(Fault::DeviceLost));
+  EXPECT_EQ(describeFault(Fault::DeviceLost, touching.arm.device().linkReport()), describe(Fault::DeviceLost));
   ASSERT_EQ(touching.session.step(60), 60);
   EXPECT_EQ(touching.arm.device().linkReport().message, "the link to the device hangs");
   touching.arm.goOn();
