@@ -89,6 +89,14 @@ class Package(unittest.TestCase):
         self.assertIn("url=fields.html", (shared / "guide/panel-field.html").read_text(encoding="utf-8"))
         self.assertIn("<h1", (shared / "guide/fields.html").read_text(encoding="utf-8"))
 
+    def test_every_subsystem_of_the_rules_is_triggered_when_the_package_comes_and_goes(self):
+        rules = (SOURCE / "devices/udev/70-palpate.rules").read_text()
+        subsystems = set(re.findall(r'SUBSYSTEM=="(\w+)"', rules))
+        self.assertLessEqual({"hidraw", "usb", "tty"}, subsystems)
+        for script in ("postinst", "postrm"):
+            triggered = re.findall(r"--subsystem-match=(\w+)", (SOURCE / "plugin/package" / script).read_text())
+            self.assertEqual(subsystems - set(triggered), set(), script)
+
     def test_udev_cmake_and_nothing_elsewhere(self):
         self.assertEqual((self.usr / "lib/udev/rules.d/70-palpate.rules").read_bytes(),
                          (SOURCE / "devices/udev/70-palpate.rules").read_bytes())

@@ -91,7 +91,8 @@ void addGrip(const Json& json, WireReading& reading)
     {
       continue;
     }
-    const Json& state = memberOf(grips[0], "state");
+    const Json& inner = memberOf(grips[0], "state");
+    const Json& state = inner.is_null() ? grips[0] : inner;
     const Json& buttons = memberOf(state, "buttons");
     reading.buttons = (isTrue(buttons, "a") || isTrue(state, "button") ? 1U : 0U) | (isTrue(buttons, "b") ? 2U : 0U) |
                       (isTrue(buttons, "c") ? 4U : 0U);

@@ -288,6 +288,23 @@ TEST(WebSocketLink, SaysThatTheProgramAtTheOtherEndHasLetGo)
   EXPECT_THAT(socket.link->unsent(), testing::HasSubstr("does not hold the connection"));
 }
 
+// The layouts differ: a wireless grip's values stand below "state", a wired one's beside its name.
+TEST(HaplyServiceWire, TellsTurnAndButtonOfAGripWithAndWithoutAState)
+{
+  const HaplyServiceWire wire("049D", true);
+  const std::string arm =
+    R"("inverse3":[{"device_id":"049D","state":{"cursor_position":{"x":0.0,"y":0.0,"z":0.0}},"status":{}}])";
+  const std::string values = R"("button":true,"orientation":{"w":0.0,"x":1.0,"y":0.0,"z":0.0})";
+  for (const std::string& grip : { "{" + values + "}", R"({"state":{)" + values + "}}" })
+  {
+    const std::string text = "{" + arm + R"(,"verse_grip":[)" + grip + "]}";
+    const auto reading = wire.decode({ reinterpret_cast<const std::uint8_t*>(text.data()), text.size() });
+    ASSERT_TRUE(reading && reading->pose_D) << text;
+    EXPECT_EQ(reading->buttons, 1U) << text;
+    EXPECT_EQ(reading->pose_D->q.coeffs(), Quat(0.0, 1.0, 0.0, 0.0).coeffs()) << text;
+  }
+}
+
 TEST(HaplyServiceWire, TellsTheVersionWhateverStandsAroundIt)
 {
   EXPECT_EQ(haplyHasVector("{\"version\":\"3.1.4\"}"), std::optional(false));
