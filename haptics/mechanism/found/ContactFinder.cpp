@@ -183,10 +183,10 @@ struct BallHistory
   double ahead_u = 0.0; ///< the same when the answer is in use, as the mesh has moved so far
 };
 
-/// Radius of the contact of a mesh that is as round as a ball of radius R as far as that goes; none: it is not. For the
-/// force that the mesh has (Hertz), and a depth d that it will have, as the radius goes with the root of d. A force
-/// under another patch is wrong by more than any layer makes it: from sqrt(R d), of a half space, to sqrt(2 R d), of a
-/// thin incompressible layer.
+/// Radius of the contact of a mesh that is as round as a ball of radius R as far as that goes, and as far as the
+/// contact of such a ball under this force would go; none: it is not. For the force that the mesh has (Hertz), and a
+/// depth d that it will have, as the radius goes with the root of d. A force under another patch is wrong by more than
+/// any layer makes it: from sqrt(R d), of a half space, to sqrt(2 R d), of a thin incompressible layer.
 std::optional<double> ballContact(const Roundness& round, const BallHistory& history, double stiffness_N_per_u2)
 {
   if (!std::isfinite(round.radius_u))
@@ -198,7 +198,7 @@ std::optional<double> ballContact(const Roundness& round, const BallHistory& his
   const double byForce_u = std::cbrt(0.75 * history.force_N * round.radius_u / stiffness_N_per_u2);
   const double share = history.force_N > 0.0 && now_u > 0.0 ? std::min(byForce_u / now_u, std::sqrt(2.0)) : 1.0;
   const double contact_u = share * ahead_u;
-  return contact_u <= round.seen_u ? std::optional(contact_u) : std::nullopt;
+  return std::max(contact_u, byForce_u) <= round.seen_u ? std::optional(contact_u) : std::nullopt;
 }
 
 } // namespace
