@@ -31,7 +31,7 @@ struct FirstPushes
   double largest_N = 0.0; ///< in the hand
 };
 
-/// `motors`: what the force of the arm's model does to the hand; the identity on an arm that is wired rightly.
+/// `motors`: from the force of the arm's model to that on the hand; the identity on an arm that is wired rightly.
 template<class Arm>
 FirstPushes push(const Mat3& motors = Mat3::Identity())
 {
