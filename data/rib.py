@@ -6,6 +6,8 @@ A straight rod along x, 16 mm thick, whose axis is 28.5 mm below the hand of rib
 import math
 import sys
 
+import wavefront
+
 RADIUS, HALF_LENGTH = 8.0, 60.0
 Y, Z = -28.5, 100.0
 AROUND, ALONG = 24, 20
@@ -31,13 +33,5 @@ def mesh():
     return vertices, faces
 
 
-def main():
-    vertices, faces = mesh()
-    with open(sys.argv[1], "w", encoding="utf-8") as out:
-        out.write("# A rib, made by data/rib.py [mm]\n")
-        out.writelines(f"v {x:g} {y:g} {z:g}\n" for x, y, z in vertices)
-        out.writelines(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in faces)
-
-
 if __name__ == "__main__":
-    main()
+    wavefront.write(sys.argv[1], "A rib, made by data/rib.py [mm]", *mesh())

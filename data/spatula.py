@@ -6,6 +6,8 @@ The hand is at the origin, and the blade is in front of it along +z. The blade i
 import math
 import sys
 
+import wavefront
+
 THICK, HANDLE, BLADE = 3.0, 4.0, 12.0  # the last two: half of a width
 NECK, SHOULDER, LENGTH = 80.0, 92.0, 140.0
 EDGE = 6.0
@@ -47,13 +49,5 @@ def mesh(across=4):
     return vertices, faces
 
 
-def main():
-    vertices, faces = mesh()
-    with open(sys.argv[1], "w", encoding="utf-8") as out:
-        out.write("# A spatula, made by data/spatula.py [mm]\n")
-        out.writelines(f"v {x:g} {y:g} {z:g}\n" for x, y, z in vertices)
-        out.writelines(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in faces)
-
-
 if __name__ == "__main__":
-    main()
+    wavefront.write(sys.argv[1], "A spatula, made by data/spatula.py [mm]", *mesh())

@@ -24,6 +24,7 @@ public:
   AttachedArm()
   {
     std::ofstream(this->home_.file("woodenhaptics.json")) << WoodenHapticsModel::file();
+    this->bus_.plug(this->arm_, { "", WoodenHapticsModel::vendor, WoodenHapticsModel::product, "7", "arm" });
     setenv("HOME", this->home_.path().c_str(), 1);
   }
 
@@ -47,7 +48,6 @@ private:
   TemporaryFolder home_;
   FakeHidBus bus_{ false };
   std::shared_ptr<WoodenHapticsModel> arm_ = std::make_shared<WoodenHapticsModel>();
-  FakePort& port_ = bus_.plug(arm_, { "", WoodenHapticsModel::vendor, WoodenHapticsModel::product, "7", "arm" });
   FakeHidapi hidapi_{ bus_ };
   std::jthread hand_{ [this](const std::stop_token& end) { this->lead(end); } };
 };

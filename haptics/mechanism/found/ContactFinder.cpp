@@ -313,10 +313,10 @@ void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderV
 {
   const auto& [m, other, near] = meeting;
   Body* const soft = other < this->bodies_.size() ? &this->bodies_[other] : nullptr;
-  const FinderMesh* const stands = soft ? nullptr : &this->meshes_[other - this->bodies_.size()];
-  const int body = soft ? soft->body : stands->body;
+  const FinderMesh* const standing = soft ? nullptr : &this->meshes_[other - this->bodies_.size()];
+  const int body = soft ? soft->body : standing->body;
   const auto nearest = std::ranges::min_element(near, {}, &NearPlace::gap_u);
-  const double edge_u = edgeAround(soft ? *soft->surface : *stands->surface, nearest->contact.place_B);
+  const double edge_u = edgeAround(soft ? *soft->surface : *standing->surface, nearest->contact.place_B);
   const bool isFirst = std::none_of(found.contacts.begin(), found.contacts.begin() + found.count,
     [body](const FoundContact& contact) { return contact.body == body; });
   const double apart_u = soft ? this->apartOnSoft(meeting, edge_u, view, isFirst) : edge_u;
@@ -343,6 +343,23 @@ void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderV
   }
 }
 
+/// Places are watched anew in each answer, and the depth of a mesh says nothing of its motion once an answer has missed
+/// the mesh.
+void ContactFinder::forget(const std::vector<Meeting>& met)
+{
+  for (std::size_t s = 0; s < this->bodies_.size(); ++s)
+  {
+    this->bodies_[s].watched.clear();
+    for (std::size_t m = 0; m < this->meshes_.size(); ++m)
+    {
+      const bool meets =
+        std::ranges::any_of(met, [m, s](const Meeting& meeting) { return meeting.mesh == m && meeting.other == s; });
+      std::optional<double>& deep_u = this->bodies_[s].balls[m].deep_u;
+      deep_u = meets ? deep_u : std::nullopt;
+    }
+  }
+}
+
 const FoundContacts& ContactFinder::find(const FinderView& view)
 {
   const std::vector<Meeting> met = this->meetings(view);
@@ -355,10 +372,7 @@ const FoundContacts& ContactFinder::find(const FinderView& view)
     found.reach_u = view.held.reach_u;
     found.held_W = view.pose_W[static_cast<std::size_t>(this->held_)];
   }
-  for (Body& body : this->bodies_)
-  {
-    body.watched.clear();
-  }
+  this->forget(met);
   for (std::size_t i = 0; i < met.size(); ++i)
   {
     const Meeting& meeting = met[i];

@@ -118,7 +118,8 @@ private:
   struct Ball
   {
     std::optional<double> contact_u; ///< radius of its contact, where it is as round as a ball; none: it is not
-    std::optional<double> deep_u;    ///< of its deepest place in the body without forces, at the last answer
+    std::optional<double>
+      deep_u; ///< of its deepest place, by NearPlace::free_u, at the last answer; none: it was not near
   };
   struct Body
   {
@@ -138,6 +139,7 @@ private:
 
   [[nodiscard]] bool isHeld(std::size_t mesh) const noexcept { return this->meshes_[mesh].body == this->held_; }
   [[nodiscard]] std::vector<Meeting> meetings(const FinderView& view) const;
+  void forget(const std::vector<Meeting>& met);
   /// Least distance between contacts, from the edges of the soft body there and the roundness of the mesh.
   [[nodiscard]] double apartOnSoft(const Meeting& meeting, double edge_u, const FinderView& view, bool isFirst);
   void choose(const Meeting& meeting, PlaceRoom room, const FinderView& view, FoundContacts& found);

@@ -34,7 +34,7 @@ constexpr double crossed = 0.3;
 
 enum class Features : std::uint64_t
 {
-  SoftVertex,
+  OtherVertex,
   MeshVertex,
   Edges,
 };
@@ -130,7 +130,7 @@ public:
     }
     for (const std::uint32_t v : this->vertices_)
     {
-      this->lookFromSoft(v);
+      this->lookFromOther(v);
     }
     for (std::uint32_t v = 0; v < this->mesh_W_.size(); ++v)
     {
@@ -224,10 +224,10 @@ private:
     this->places_.push_back(near);
   }
 
-  /// A vertex of the soft body outside of the mesh is met by the nearest place of the mesh; one that has come into the
+  /// A vertex of the other body outside of the mesh is met by the nearest place of the mesh; one that has come into the
   /// mesh, or lies on it, by the nearest of the mesh's sides that are turned to the body: so a thin plate has two
   /// sides.
-  void lookFromSoft(std::uint32_t v)
+  void lookFromOther(std::uint32_t v)
   {
     const Vec3& x_W = this->bent_W_[v];
     if (outsideOf(this->around_, x_W) > this->view_.reach_u)
@@ -243,7 +243,7 @@ private:
     {
       return;
     }
-    const std::uint64_t name = nameOf(Features::SoftVertex, this->view_.index, v);
+    const std::uint64_t name = nameOf(Features::OtherVertex, this->view_.index, v);
     const SurfacePoint place = placeAt(v, this->free_W_);
     if (nearest.above > 0.0 && nearest.away_u > rounding * this->mesh_.diagonal_u)
     {

@@ -72,6 +72,7 @@ std::unique_ptr<MechanismBodies> MechanismBodies::make(
 void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan)
 {
   this->finder_.reset();
+  std::ranges::for_each(this->makers_, [](const auto& maker) { maker->watch({}); });
   this->found_ = this->underWay_ = {};
   this->looked_W_.reset();
   this->diagonal_u_ = 0.0;

@@ -259,6 +259,40 @@ TEST_P(StandingMesh, IsMetWhereTheGapClosesAndBearsWhatAWholeSolveSays)
 INSTANTIATE_TEST_SUITE_P(Each, StandingMesh,
   testing::Values(BarCase{ { 10, 4, 2 }, 0.0 }, BarCase{ { 20, 8, 4 }, 0.0 }, BarCase{ { 20, 8, 4 }, 30.0 }));
 
+TEST(StandingMesh, IsMetByABarThatARodPressesAtANamedContact)
+{
+  MechanismInputs inputs = onBarAndBlock(makeIcosphere(1, 0.01), { 10, 4, 2 });
+  constexpr double length_m = 0.05;
+  const Vec3 pressed(0.08, 0.02, barSize.z());
+  MechanismBody& rod = inputs.mechanism.bodies.front();
+  rod.mesh.reset();
+  rod.length_u = length_m;
+  rod.diameter_u = 0.004;
+  rod.pose_W.q = Quat(0.0, 1.0, 0.0, 0.0); // it points down
+  MechanismConstraint contact;
+  contact.name = "tip";
+  contact.kind = ConstraintKind::Contact;
+  contact.a = rod.name;
+  contact.b = "bar";
+  contact.point_A = Vec3(0, 0, length_m);
+  contact.point_B = pressed;
+  inputs.mechanism.laws = { contact };
+  MeshTouch touch(inputs);
+  WholeBar whole(bar({ 10, 4, 2 }));
+  double worst_N = 0.0, most_N = 0.0;
+  for (int i = 0; i <= 80; ++i)
+  {
+    const MechanismResult& r = touch.to(Vec3(pressed + Vec3(0, 0, length_m - 5e-5 * i)), 1e-3, 100);
+    whole.press(pressesFrom(r, 0), touch.body().snapshot->free_W);
+    const double borne_N = upwards_N(pressesFrom(r, 2)), expected_N = whole.borne_N();
+    most_N = std::max(most_N, expected_N);
+    worst_N = std::max(worst_N, std::abs(borne_N - expected_N));
+    EXPECT_FALSE(r.ahead) << i;
+  }
+  EXPECT_GT(most_N, 0.5);
+  EXPECT_LE(worst_N, 0.04 * most_N); // as on this mesh under a ball
+}
+
 constexpr double half_m = 0.01;
 const Vec3 overBlock(0.125, 0.02, half_m - gap_m); ///< beyond the bar: the tool lies on the block
 
