@@ -264,6 +264,9 @@ private:
     PALPATE_FAKE_HD, "fakePlace");
 };
 
+/// One of each kit.
+using SessionArms = testing::Types<WoodenHapticsArm, FalconArm, TwoDiyArm, HaplyArm, ForceDimensionArm, OpenHapticsArm>;
+
 /// Force Dimension's library as it is called by a thread of the device: a call may not return.
 class HangingArm final : public SessionArm
 {

@@ -142,9 +142,7 @@ template<class Arm>
 class ArmSession : public testing::Test
 {
 };
-using SessionArms = testing::Types<test::WoodenHapticsArm, test::FalconArm, test::TwoDiyArm, test::HaplyArm,
-  test::ForceDimensionArm, test::OpenHapticsArm>;
-TYPED_TEST_SUITE(ArmSession, SessionArms);
+TYPED_TEST_SUITE(ArmSession, test::SessionArms);
 
 TYPED_TEST(ArmSession, AppliesTheForceThatIsAskedForAMinute)
 {
@@ -184,7 +182,7 @@ template<class Arm>
 class SilentArmSession : public testing::Test
 {
 };
-TYPED_TEST_SUITE(SilentArmSession, SessionArms);
+TYPED_TEST_SUITE(SilentArmSession, test::SessionArms);
 
 TYPED_TEST(SilentArmSession, HasNoForceWithinTwentyMillisecondsAndOneReasonUntilAPersonEngages)
 {

@@ -62,8 +62,7 @@ class FirstPush : public testing::Test
 {
 };
 
-using Arms = testing::Types<WoodenHapticsArm, FalconArm, TwoDiyArm, HaplyArm, ForceDimensionArm, OpenHapticsArm>;
-TYPED_TEST_SUITE(FirstPush, Arms);
+TYPED_TEST_SUITE(FirstPush, SessionArms);
 
 TYPED_TEST(FirstPush, PassesOnAnArmThatIsWiredRightlyWithHalfANewtonAtMost)
 {
