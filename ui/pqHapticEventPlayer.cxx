@@ -31,13 +31,8 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
-#include <QLabel>
-#include <QMainWindow>
 #include <QMouseEvent>
-#include <QPlainTextEdit>
-#include <QStatusBar>
 #include <QStringList>
-#include <QTableWidget>
 #include <QWidget>
 #include <QtDebug>
 
@@ -71,7 +66,8 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
     { "hapticProperty", [&] { return this->setProperty(list); } },
     { "hapticShow", [&] { return this->show(list); } },
     { "hapticCamera", [&] { return this->checkCamera(list); } },
-    { "hapticHas", [&] { return this->checkText(object, arguments); } },
+    { "hapticHas", [&] { return pqHapticHas(object, arguments); } },
+    { "hapticWaitHas", [&] { return this->waitForText(object, arguments); } },
     { "hapticTrace", [&] { return vtkSMTrace::StartTrace() != nullptr; } },
     { "hapticTraced", [&] { return this->checkScript(vtkSMTrace::StopTrace(), arguments); } },
     { "hapticPythonState", [&] { return this->checkScript(vtkSMTrace::GetState(nullptr), arguments); } },
@@ -180,43 +176,17 @@ bool pqHapticEventPlayer::checkCamera(const QStringList& range) const
   return inside;
 }
 
-namespace
+/// Milliseconds, words: waits until the object says them.
+bool pqHapticEventPlayer::waitForText(QObject* object, const QString& arguments)
 {
-/// Cells of a row apart by commas.
-QString TextOf(const QTableWidget& table)
-{
-  QStringList rows;
-  for (int row = 0; row < table.rowCount(); ++row)
+  QElapsedTimer time;
+  time.start();
+  const QString words = arguments.section(',', 1);
+  while (!pqHapticSaidBy(object).contains(words) && time.elapsed() < arguments.section(',', 0, 0).toInt())
   {
-    QStringList cells;
-    for (int column = 0; column < table.columnCount(); ++column)
-    {
-      cells << table.item(row, column)->text();
-    }
-    rows << cells.join(", ");
+    pqEventDispatcher::processEventsAndWait(settle_ms);
   }
-  return rows.join("\n");
-}
-} // namespace
-
-/// Whether a label, a page of text, a table, or the status bar of a window, says something, among other things.
-bool pqHapticEventPlayer::checkText(QObject* object, const QString& part) const
-{
-  const auto* label = qobject_cast<const QLabel*>(object);
-  const auto* table = qobject_cast<const QTableWidget*>(object);
-  const auto* page = qobject_cast<const QPlainTextEdit*>(object);
-  auto* window = qobject_cast<QMainWindow*>(object);
-  const QString said = label    ? label->text()
-                       : page   ? page->toPlainText()
-                       : table  ? TextOf(*table)
-                       : window ? window->statusBar()->currentMessage()
-                                : QString();
-  const bool has = said.contains(part) && (!label || label->isEnabled());
-  if (!has)
-  {
-    qCritical() << "hapticHas" << part << ": it says" << said;
-  }
-  return has;
+  return pqHapticHas(object, words);
 }
 
 bool pqHapticEventPlayer::checkScript(const std::string& script, const QString& part) const

@@ -26,6 +26,7 @@ class pqHapticController;
  *   hapticProperty "source,name,number"  set and applied; hapticShow "source,0|1": its eye
  *   hapticCamera "least,largest"     distance of the camera from its focal point [u]
  *   hapticHas "words"                in a label that is enabled, a table or the status bar of a window
+ *   hapticWaitHas "ms,words"         processes events until hapticHas would pass, at most that long
  *   hapticWindow "width,height"      size of the main window [pixels]: there is no window manager
  *   hapticWait "ms"                  processes events for that long
  *   hapticWaitUntilReleased "ms"     processes events until nothing is touched any more, at most that long
@@ -79,7 +80,7 @@ private:
   bool setProperty(const QStringList& arguments);
   bool show(const QStringList& arguments);
   bool checkCamera(const QStringList& range) const;
-  bool checkText(QObject* object, const QString& part) const;
+  bool waitForText(QObject* object, const QString& arguments);
   bool setVirtualTime(bool on);
   bool wait(int time_ms);
   bool waitUntilReleased(int limit_ms);

@@ -17,9 +17,12 @@
 #include <QMenuBar>
 #include <QPalette>
 #include <QPixmap>
+#include <QPlainTextEdit>
 #include <QRegularExpression>
 #include <QSet>
+#include <QStatusBar>
 #include <QStringList>
+#include <QTableWidget>
 #include <QToolTip>
 #include <QWidget>
 #include <QtDebug>
@@ -94,6 +97,48 @@ bool Fits(const QWidget& widget)
          widget.fontMetrics().height() <= widget.height();
 }
 } // namespace
+
+namespace
+{
+/// Cells of a row apart by commas.
+QString TextOf(const QTableWidget& table)
+{
+  QStringList rows;
+  for (int row = 0; row < table.rowCount(); ++row)
+  {
+    QStringList cells;
+    for (int column = 0; column < table.columnCount(); ++column)
+    {
+      cells << table.item(row, column)->text();
+    }
+    rows << cells.join(", ");
+  }
+  return rows.join("\n");
+}
+} // namespace
+
+QString pqHapticSaidBy(const QObject* object)
+{
+  const auto* label = qobject_cast<const QLabel*>(object);
+  const auto* table = qobject_cast<const QTableWidget*>(object);
+  const auto* page = qobject_cast<const QPlainTextEdit*>(object);
+  const auto* window = qobject_cast<const QMainWindow*>(object);
+  return label && label->isEnabled() ? label->text()
+         : page                      ? page->toPlainText()
+         : table                     ? TextOf(*table)
+         : window                    ? window->statusBar()->currentMessage()
+                                     : QString();
+}
+
+bool pqHapticHas(const QObject* object, const QString& words)
+{
+  const QString said = pqHapticSaidBy(object);
+  if (!said.contains(words))
+  {
+    qCritical() << "hapticHas" << words << ": it says" << said;
+  }
+  return said.contains(words);
+}
 
 bool pqHapticHasTabOrder(QObject* object, const QStringList& names)
 {

@@ -17,6 +17,12 @@ bool pqHapticHasMnemonics(QObject* object);
 /// 1 to 21 as WCAG 2 defines it for the lightest and the darkest pixel, and the picture so many pixels a point.
 bool pqHapticHasReadableText(QObject* object, double contrast, double ratio);
 
+/// Whatever a label that is enabled, a page of text, a table, or the status bar of a window says.
+QString pqHapticSaidBy(const QObject* object);
+
+/// These words are among that.
+bool pqHapticHas(const QObject* object, const QString& words);
+
 /// The next step back of ParaView's undo has this name.
 bool pqHapticIsUndoStep(const QString& name);
 

@@ -245,6 +245,7 @@ std::optional<HandExchange::Hand> ArmLink::handOf(Attached& device, const WireRe
 void ArmLink::lose(const std::shared_ptr<Attached>& device, const std::string& why)
 {
   device->line->letGo();
+  this->counts_.rate.restart();
   static_cast<void>(this->held_.letGo(device, why, [this] { this->exchange_.presence.lost(); }));
   this->search_.lost(*this->bus_);
 }

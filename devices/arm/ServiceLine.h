@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "devices/arm/WireLine.h"
@@ -16,11 +17,11 @@ class ServiceLine final : public ArmLine
 {
 public:
   /// The event that a message of the channel stops the device for; empty: none.
-  using Stops = std::string (*)(std::string_view message);
+  using Stops = std::function<std::string(std::string_view message)>;
 
   /// `events` may be null: a service without that channel.
   ServiceLine(std::unique_ptr<WireLine> line, std::unique_ptr<ByteLink> events, Stops stops)
-    : line_(std::move(line)), events_(std::move(events)), stops_(stops), message_(longest)
+    : line_(std::move(line)), events_(std::move(events)), stops_(std::move(stops)), message_(longest)
   {
   }
 

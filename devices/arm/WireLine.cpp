@@ -102,6 +102,11 @@ ArmLine::Said WireLine::take(std::size_t count, WireReading& reading)
     return this->cameBytes_ < this->came_.size() ? Said::Nothing : Said::Nonsense;
   }
   const std::optional<WireReading> read = this->protocol_->decode(all.subspan(frame.skip, frame.length));
+  if (!read && this->link_->keepsBorders() && this->protocol_->isOthers(all))
+  {
+    this->cameBytes_ = 0;
+    return Said::Nothing;
+  }
   reading = read.value_or(WireReading{});
   this->mayHoldMore_ = !read || frame.skip + frame.length != all.size();
   return read ? Said::Reading : Said::Nonsense;

@@ -19,7 +19,7 @@ struct LinkReport
   std::uint64_t restarts = 0;   ///< of these, effects that were armed again before they ended
   std::uint64_t stalls = 0;     ///< times a write hung for longer than a link may
   std::uint64_t losses = 0;     ///< times the device was lost, stalls included
-  double inputRate_Hz = 0.0;    ///< of the last second or so; 0 before the first
+  double inputRate_Hz = 0.0;    ///< of the last second or so; 0 before the first and of a lost arm
   bool attached = false;
   std::string message; ///< the last fault, for a person; empty: none
   std::string lostFor; ///< why it was lost last, whatever it says since; empty: it was not

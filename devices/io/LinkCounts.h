@@ -28,6 +28,12 @@ public:
       this->reports_ = 0;
     }
   }
+  /// Reports come no more: the next one begins a second anew. Called by the thread that counts.
+  void restart() noexcept
+  {
+    this->since_ns_ = none;
+    this->rate_Hz_ = 0.0;
+  }
   [[nodiscard]] double rate_Hz() const noexcept { return this->rate_Hz_; }
 
 private:

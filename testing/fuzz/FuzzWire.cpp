@@ -64,6 +64,7 @@ void judgeAnswer(const WireProtocol& wire, unsigned which, std::span<const std::
     if (const std::optional<WireReading> reading = wire.decode(answer))
     {
       judgeReading(*reading, which);
+      require(!wire.isOthers(answer)); // a reading is not passed over
     }
   }
 }
@@ -147,7 +148,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   judgeOrder(*wire, data[0], orderOf(bytes));
   static_cast<void>(palpate::haplyInventory(text));
   static_cast<void>(palpate::haplyHasVector(text));
-  static_cast<void>(palpate::haplySafetyEvent(text));
+  static_cast<void>(palpate::haplySession(text));
+  static_cast<void>(palpate::haplyStop(text, "049D"));
   const auto file = palpate::readWoodenHapticsFile(std::string(text));
   require(file.ok() ? file.value.setup.plan.has_value() : !file.problem.empty());
   return 0;

@@ -48,10 +48,12 @@ ArmSetup falconSetup()
 ArmKit falconKit(const std::string& sys, FileAccess access)
 {
   const UsbIds ids{ { 0x0403, 0xCB48 } };
+  ArmSetup setup = falconSetup();
+  setup.problem = ftdiAbsence();
   return { "falcon",
     std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [ids, sys] { return usbPlugs(ids, sys); }, openFalcon,
       [access](const HidEntry& entry) { return fileRefusal(entry.path, access); } }),
-    falconSetup() };
+    std::move(setup) };
 }
 
 } // namespace palpate

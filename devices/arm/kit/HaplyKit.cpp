@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include "devices/arm/ListedArmBus.h"
@@ -24,6 +25,7 @@ struct Entered
 {
   std::unique_ptr<ByteLink> link;
   std::vector<HaplyDevice> devices;
+  std::string session; ///< of this connection
   std::string problem;
 
   /// Null: the service has no such device.
@@ -40,20 +42,20 @@ Entered enter(const HaplyPorts& ports)
   LoopbackSocket socket = openLoopbackSocket(ports.states, connect_ms);
   if (socket.link == nullptr)
   {
-    return { nullptr, {},
+    return { nullptr, {}, {},
       "the vendor's service does not accept a connection on port " + std::to_string(ports.states) +
         " of this computer: " + socket.problem };
   }
   WireBytes message(longestInventory);
   const int count = socket.link->receive(message, inventory_ms);
-  std::optional<std::vector<HaplyDevice>> devices =
-    count > 0 ? haplyInventory({ reinterpret_cast<const char*>(message.data()), static_cast<std::size_t>(count) })
-              : std::nullopt;
+  const std::string_view text(
+    reinterpret_cast<const char*>(message.data()), static_cast<std::size_t>(std::max(0, count)));
+  std::optional<std::vector<HaplyDevice>> devices = haplyInventory(text);
   if (!devices)
   {
-    return { nullptr, {}, "the vendor's service does not say which devices it has" };
+    return { nullptr, {}, {}, "the vendor's service does not say which devices it has" };
   }
-  return { std::move(socket.link), std::move(*devices), {} };
+  return { std::move(socket.link), std::move(*devices), haplySession(text), {} };
 }
 
 std::string refusalOf(const HaplyDevice& device)
@@ -88,7 +90,7 @@ Outcome<bool> hasVector(const HaplyPorts& ports)
 ArmBus::Opened openHaply(const HidEntry& entry, const HaplyPorts& ports)
 {
   const Outcome<bool> vector = hasVector(ports);
-  Entered entered = vector.ok() ? enter(ports) : Entered{ nullptr, {}, vector.problem };
+  Entered entered = vector.ok() ? enter(ports) : Entered{ nullptr, {}, {}, vector.problem };
   if (entered.link == nullptr)
   {
     return { nullptr, entered.problem };
@@ -109,13 +111,14 @@ ArmBus::Opened openHaply(const HidEntry& entry, const HaplyPorts& ports)
   const Vec3 inBase_D(0.0, -0.12, 0.15); // where the samples of the vendor rest, of an origin in the base
   const Vec3 centre_D = found->centred ? Vec3(Vec3::Zero()) : inBase_D;
   auto wire = std::make_unique<WireLine>(
-    std::move(entered.link), std::make_shared<HaplyServiceWire>(entry.serial, vector.value, centre_D));
+    std::move(entered.link), std::make_shared<HaplyServiceWire>(entry.serial, vector.value, centre_D, entered.session));
   problem = wire->begin();
   if (!problem.empty())
   {
     return { nullptr, problem };
   }
-  return { std::make_unique<ServiceLine>(std::move(wire), std::move(events.link), haplySafetyEvent), {} };
+  const auto stops = [id = entry.serial](std::string_view message) { return haplyStop(message, id); };
+  return { std::make_unique<ServiceLine>(std::move(wire), std::move(events.link), stops), {} };
 }
 
 HidEntry entryOf(const HaplyDevice& device)

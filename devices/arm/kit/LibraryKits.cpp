@@ -41,6 +41,7 @@ ArmKit forceDimensionKit(const std::string& library)
   setup.turns = true;
   setup.radius_m = { omegaRadius_m, false };
   setup.force_N = { omegaForce_N, false };
+  setup.grips = dhd->gripper != nullptr; // which arms have a gripper is known once they are opened
   return { "dhd",
     std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [dhd, plugs] { return listDhd(*dhd, plugs); },
       [dhd](const HidEntry& entry) { return DhdLine::open(dhd, std::atoi(entry.path.c_str())); },

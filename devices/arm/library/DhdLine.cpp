@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "devices/arm/library/ReportedHand.h"
+
 namespace palpate
 {
 namespace
@@ -25,6 +27,7 @@ DhdFunctions::DhdFunctions(const std::string& name) : library(name)
   this->library.take("dhdSetForceAndTorqueAndGripperForce", this->push);
   this->library.take("dhdEnableForce", this->enable);
   this->library.take("dhdSetWatchdog", this->watchdog);
+  this->library.takeIfThere("dhdGetGripperAngleRad", this->gripper);
 }
 
 ArmBus::Opened DhdLine::open(const std::shared_ptr<DhdFunctions>& dhd, int index)
@@ -64,6 +67,14 @@ bool DhdLine::failed(int result)
   return result < 0;
 }
 
+/// An arm without a gripper answers with an error: it is not gripped.
+bool DhdLine::isGripped()
+{
+  double opening_rad = 0.0;
+  return this->dhd_->gripper != nullptr && this->dhd_->gripper(&opening_rad, this->id_) >= 0 &&
+         this->grip_.isHeld(opening_rad);
+}
+
 ArmLine::Answer DhdLine::exchange(const WireOrder& order, int /*timeout_ms*/)
 {
   const Vec3& f = order.wrench_D.force;
@@ -79,11 +90,9 @@ ArmLine::Answer DhdLine::exchange(const WireOrder& order, int /*timeout_ms*/)
   Mat3 turn;
   turn << frame[0][0], frame[0][1], frame[0][2], frame[1][0], frame[1][1], frame[1][2], frame[2][0], frame[2][1],
     frame[2][2];
-  Answer answer{ p.allFinite() && v.allFinite() && turn.allFinite() ? Said::Reading : Said::Nonsense, {} };
-  this->error_ = "the vendor's library reports places that are no numbers";
-  answer.reading.pose_D = Pose{ p, Quat(turn).normalized() };
-  answer.reading.velocity_D = Twist{ v, Vec3::Zero() };
-  answer.reading.buttons = static_cast<std::uint32_t>(std::max(0, this->dhd_->buttons(this->id_)));
+  Answer answer = reportedHand(p, v, turn, static_cast<std::uint32_t>(std::max(0, this->dhd_->buttons(this->id_))));
+  answer.reading.grip = this->isGripped();
+  this->error_ = noHand;
   return answer;
 }
 

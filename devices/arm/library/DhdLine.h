@@ -5,6 +5,7 @@
 #include <string>
 
 #include "devices/arm/ArmLine.h"
+#include "devices/arm/library/GripSwitch.h"
 #include "devices/arm/library/SharedLibrary.h"
 
 namespace palpate
@@ -26,10 +27,11 @@ struct DhdFunctions
   int (*push)(double, double, double, double, double, double, double, char) = nullptr;
   int (*enable)(unsigned char, char) = nullptr;
   int (*watchdog)(unsigned char, char) = nullptr;
+  int (*gripper)(double*, char) = nullptr; ///< [rad]; null in a library without it
 };
 
 /// An arm of Force Dimension's: the library is called once an exchange. Its watchdog ends the force of a program that
-/// dies.
+/// dies. A gripper is a switch, and is never pushed: a session has one force at one point.
 class DhdLine final : public ArmLine
 {
 public:
@@ -45,9 +47,11 @@ public:
 private:
   DhdLine(std::shared_ptr<DhdFunctions> dhd, char id) : dhd_(std::move(dhd)), id_(id) {}
   [[nodiscard]] bool failed(int result);
+  [[nodiscard]] bool isGripped();
 
   std::shared_ptr<DhdFunctions> dhd_;
   char id_;
+  GripSwitch grip_;
   std::string error_;
 };
 

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <utility>
 
+#include "devices/arm/library/ReportedHand.h"
+
 namespace palpate
 {
 namespace
@@ -148,16 +150,12 @@ void HdLine::frame()
   this->hd_->endFrame(this->device_);
   const HdFunctions::Error failed = this->hd_->error();
   const Mat3 turn = Eigen::Map<const Eigen::Matrix4d>(transform.data()).topLeftCorner<3, 3>();
-  const bool finite = p.allFinite() && v.allFinite() && turn.allFinite();
+  const Answer hand = reportedHand(p / perMetre, v / perMetre, turn, static_cast<std::uint32_t>(buttons));
   {
     const std::lock_guard lock(this->mutex_);
     const bool gone = failed.code != 0 && !isPassing(failed.code);
-    this->answer_.said = gone ? Said::Gone : finite ? Said::Reading : Said::Nonsense;
-    this->answer_.reading.pose_D = Pose{ p / perMetre, Quat(turn).normalized() };
-    this->answer_.reading.velocity_D = Twist{ v / perMetre, Vec3::Zero() };
-    this->answer_.reading.buttons = static_cast<std::uint32_t>(buttons);
-    this->error_ = gone ? "the vendor's library reports: " + describe(failed.code)
-                        : "the vendor's library reports places that are no numbers";
+    this->answer_ = gone ? Answer{} : hand;
+    this->error_ = gone ? "the vendor's library reports: " + describe(failed.code) : std::string(noHand);
     ++this->frames_;
   }
   this->done_.notify_one();

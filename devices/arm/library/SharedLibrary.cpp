@@ -19,9 +19,14 @@ SharedLibrary::SharedLibrary(const std::string& name) : name_(name)
   this->handle_ = std::shared_ptr<void>(handle, [](void* open) { dlclose(open); });
 }
 
+void* SharedLibrary::sought(const char* name) const
+{
+  return this->found() ? dlsym(this->handle_.get(), name) : nullptr;
+}
+
 void* SharedLibrary::address(const char* name)
 {
-  void* const found = this->found() ? dlsym(this->handle_.get(), name) : nullptr;
+  void* const found = this->sought(name);
   if (found == nullptr && this->problem_.empty())
   {
     this->problem_ = "the vendor's library " + this->name_ + " has no function " + name + ": install a newer version";

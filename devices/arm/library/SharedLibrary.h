@@ -22,10 +22,17 @@ public:
   {
     function = reinterpret_cast<Function*>(this->address(name));
   }
+  /// The same for a function that may be missing; null where it is.
+  template<class Function>
+  void takeIfThere(const char* name, Function*& function)
+  {
+    function = reinterpret_cast<Function*>(this->sought(name));
+  }
   /// Empty: everything that was taken is there.
   [[nodiscard]] const std::string& problem() const noexcept { return this->problem_; }
 
 private:
+  [[nodiscard]] void* sought(const char* name) const;
   [[nodiscard]] void* address(const char* name);
 
   std::string name_;

@@ -30,6 +30,8 @@ public:
   [[nodiscard]] virtual int handle() const noexcept = 0;
 };
 
+/// Empty, or the reason why this build of the program opens no such device, and the remedy.
+[[nodiscard]] std::string ftdiAbsence();
 /// Opens the device at a path of the system, /dev/bus/usb/BBB/DDD, for this process alone, by libusb.
 [[nodiscard]] Outcome<std::unique_ptr<FtdiPort>> openFtdi(const std::string& path);
 

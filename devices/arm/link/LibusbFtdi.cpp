@@ -91,6 +91,11 @@ private:
 
 } // namespace
 
+std::string ftdiAbsence()
+{
+  return {};
+}
+
 Outcome<std::unique_ptr<FtdiPort>> openFtdi(const std::string& path)
 {
   const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);

@@ -71,6 +71,32 @@ const Json& devicesOf(const Json& json, const char* kind)
   return all.is_array() ? all : none;
 }
 
+/// Empty: the message says none.
+std::string sessionOf(const Json& json)
+{
+  const Json& session = memberOf(json, "session_id");
+  return session.is_null() ? std::string() : session.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// The device in a message of this session; null: it has no state of that device.
+const Json& stateOf(const Json& json, const std::string& device, const std::string& session)
+{
+  static const Json none;
+  const Json& all = devicesOf(json, "inverse3");
+  const std::string said = sessionOf(json);
+  const bool isOurs = said.empty() || session.empty() || said == session;
+  const auto found = std::find_if(all.begin(), all.end(),
+    [&device](const Json& one) { return textOf(one, "device_id") == device && !memberOf(one, "state").is_null(); });
+  return isOurs && found != all.end() ? *found : none;
+}
+
+/// The device that an event is about; empty: it names none.
+std::string deviceOfEvent(const Json& event)
+{
+  const std::string inData = textOf(memberOf(event, "data"), "device_id");
+  return inData.empty() ? textOf(event, "device_id") : inData;
+}
+
 bool isIdentity(const Json& transform)
 {
   constexpr double nearly = 1e-6;
@@ -152,29 +178,33 @@ void HaplyServiceWire::encode(const WireOrder& order, WireBytes& bytes) const
 std::optional<WireReading> HaplyServiceWire::decode(std::span<const std::uint8_t> answer) const
 {
   const Json json = Json::parse(answer.begin(), answer.end(), nullptr, false);
-  for (const Json& device : devicesOf(json, "inverse3"))
+  const Json& device = stateOf(json, this->device_, this->session_);
+  const Json& state = memberOf(device, "state");
+  const std::optional<Vec3> position = vectorOf(memberOf(state, "cursor_position"));
+  if (!position)
   {
-    if (textOf(device, "device_id") != this->device_)
-    {
-      continue;
-    }
-    const Json& state = memberOf(device, "state");
-    const std::optional<Vec3> position = vectorOf(memberOf(state, "cursor_position"));
-    if (!position)
-    {
-      return std::nullopt;
-    }
-    WireReading reading;
-    reading.pose_D = Pose{ *position - this->centre_D_, Quat::Identity() };
-    if (const std::optional<Vec3> velocity = vectorOf(memberOf(state, "cursor_velocity")))
-    {
-      reading.velocity_D = Twist{ *velocity, Vec3::Zero() };
-    }
-    addStatus(device, reading);
-    addGrip(json, reading);
-    return reading;
+    return std::nullopt;
   }
-  return std::nullopt;
+  WireReading reading;
+  reading.pose_D = Pose{ *position - this->centre_D_, Quat::Identity() };
+  if (const std::optional<Vec3> velocity = vectorOf(memberOf(state, "cursor_velocity")))
+  {
+    reading.velocity_D = Twist{ *velocity, Vec3::Zero() };
+  }
+  addStatus(device, reading);
+  addGrip(json, reading);
+  return reading;
+}
+
+bool HaplyServiceWire::isOthers(std::span<const std::uint8_t> message) const
+{
+  const Json json = Json::parse(message.begin(), message.end(), nullptr, false);
+  return json.is_object() && stateOf(json, this->device_, this->session_).is_null();
+}
+
+std::string haplySession(std::string_view message)
+{
+  return sessionOf(Json::parse(message.begin(), message.end(), nullptr, false));
 }
 
 std::optional<std::vector<HaplyDevice>> haplyInventory(std::string_view message)
@@ -216,15 +246,17 @@ std::optional<bool> haplyHasVector(std::string_view text)
   return std::nullopt;
 }
 
-std::string haplySafetyEvent(std::string_view message)
+std::string haplyStop(std::string_view message, const std::string& device)
 {
   const auto says = [message](const char* name) { return message.find(name) != std::string_view::npos; };
   const auto* const safety = std::find_if(safetyEvents.begin(), safetyEvents.end(), says);
   const auto* const other = std::find_if(otherEvents.begin(), otherEvents.end(), says);
-  return safety != safetyEvents.end()      ? *safety
-         : says("device-safety-triggered") ? "device-safety-triggered"
-         : other != otherEvents.end()      ? *other
-                                           : "";
+  const std::string named = deviceOfEvent(Json::parse(message.begin(), message.end(), nullptr, false));
+  const bool isOthers = !named.empty() && named != device;
+  return safety != safetyEvents.end()              ? *safety
+         : says("device-safety-triggered")         ? "device-safety-triggered"
+         : other != otherEvents.end() && !isOthers ? *other
+                                                   : "";
 }
 
 } // namespace palpate

@@ -18,14 +18,18 @@ class HaplyServiceWire final : public WireProtocol
 {
 public:
   /// `vector`: forces stand under "vector", which they do since 3.5; else under "values". `centre_D`: of the work
-  /// space, where the service has its origin elsewhere [m]; places are counted from there.
-  HaplyServiceWire(std::string device, bool vector, const Vec3& centre_D = Vec3::Zero())
-    : device_(std::move(device)), vector_(vector), centre_D_(centre_D)
+  /// space, where the service has its origin elsewhere [m]; places are counted from there. `session`: of this
+  /// connection, as haplySession() has it; messages of another one are passed over.
+  HaplyServiceWire(
+    std::string device, bool vector, const Vec3& centre_D = Vec3::Zero(), std::string session = std::string())
+    : device_(std::move(device)), vector_(vector), centre_D_(centre_D), session_(std::move(session))
   {
   }
 
   void encode(const WireOrder& order, WireBytes& bytes) const override;
   [[nodiscard]] std::optional<WireReading> decode(std::span<const std::uint8_t> answer) const override;
+  /// Events, states of other devices and of other sessions, and messages about the device without a state of it.
+  [[nodiscard]] bool isOthers(std::span<const std::uint8_t> message) const override;
   /// Names the program and sets the transform, which the service keeps of whoever set it before, to identity.
   [[nodiscard]] WireBytes greeting() const override;
 
@@ -33,6 +37,7 @@ private:
   std::string device_;
   bool vector_;
   Vec3 centre_D_;
+  std::string session_; ///< empty: not known
 };
 
 /// A device in the message that the service begins with.
@@ -46,11 +51,15 @@ struct HaplyDevice
 /// None: it is no such message.
 [[nodiscard]] std::optional<std::vector<HaplyDevice>> haplyInventory(std::string_view message);
 
+/// The session that a message belongs to, as JSON; empty: it says none.
+[[nodiscard]] std::string haplySession(std::string_view message);
+
 /// Forces stand under "vector" in the service whose answer to the question for its version that is; none: it says no
 /// version.
 [[nodiscard]] std::optional<bool> haplyHasVector(std::string_view versionAnswer);
 
-/// The reason for which a message of the channel of events stops the device; empty: none.
-[[nodiscard]] std::string haplySafetyEvent(std::string_view message);
+/// The event for which a message of the channel of events stops this device; empty: none. Every event of safety does,
+/// others unless they name another device.
+[[nodiscard]] std::string haplyStop(std::string_view message, const std::string& device);
 
 } // namespace palpate

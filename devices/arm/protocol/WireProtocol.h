@@ -64,6 +64,8 @@ public:
   }
   /// None: this is no answer.
   [[nodiscard]] virtual std::optional<WireReading> decode(std::span<const std::uint8_t> answer) const = 0;
+  /// A whole message that is about something else than the device: it comes between answers and is passed over.
+  [[nodiscard]] virtual bool isOthers(std::span<const std::uint8_t> /*message*/) const { return false; }
   /// The message that is sent once before the first request and has no answer; empty: none.
   [[nodiscard]] virtual WireBytes greeting() const { return {}; }
   /// A guard's bytes: they end the torque also where the link's last message was cut short.

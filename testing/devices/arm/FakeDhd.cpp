@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A library with the names of Force Dimension's. PALPATE_FAKE_OLD: without those of newer versions.
+// A library with the names of Force Dimension's. PALPATE_FAKE_OLD: without those of newer versions. PALPATE_FAKE_BARE:
+// without that of a gripper.
 #include <atomic>
 
 namespace
 {
-std::atomic<double> force[6], place_m[3] = { 0.01, 0.02, -0.03 }, speed_m_per_s = 0.1;
+std::atomic<double> force[6], place_m[3] = { 0.01, 0.02, -0.03 }, speed_m_per_s = 0.1, turned = 1.0, opening_rad = 0.0;
 std::atomic<int> watchdog = -1, enabled = -1, opened = 0, failing = 0;
+std::atomic<int> readings = 0, gripAnswer = -1, gripAsked = 0;
 std::atomic<bool> holds = false, isHeld = false;
 } // namespace
 
@@ -35,11 +37,12 @@ extern "C"
       holds.wait(true);
     }
     isHeld = false;
+    ++readings;
     *x = place_m[0];
     *y = place_m[1];
     *z = place_m[2];
-    frame[0][0] = 0.0, frame[0][1] = -1.0, frame[0][2] = 0.0; // a quarter turn about z
-    frame[1][0] = 1.0, frame[1][1] = 0.0, frame[1][2] = 0.0;
+    frame[0][0] = 0.0, frame[0][1] = -turned, frame[0][2] = 0.0; // a quarter turn about z
+    frame[1][0] = turned, frame[1][1] = 0.0, frame[1][2] = 0.0;
     frame[2][0] = 0.0, frame[2][1] = 0.0, frame[2][2] = 1.0;
     return failing > 0 ? -1 : 0;
   }
@@ -58,6 +61,14 @@ extern "C"
     enabled = on;
     return 0;
   }
+#ifndef PALPATE_FAKE_BARE
+  int dhdGetGripperAngleRad(double* angle_rad, char)
+  {
+    ++gripAsked;
+    *angle_rad = opening_rad;
+    return gripAnswer;
+  }
+#endif
 #ifndef PALPATE_FAKE_OLD
   int dhdSetWatchdog(unsigned char tens_ms, char)
   {
@@ -95,6 +106,26 @@ extern "C"
     place_m[1] = y;
     place_m[2] = z;
     speed_m_per_s = along_m_per_s;
+  }
+  /// A factor on the numbers of the turn, which is a turn with 1.
+  void fakeTurn(double factor)
+  {
+    turned = factor;
+  }
+  /// The opening of the gripper [rad]; `answer`: of the call for it, below 0 on an arm that has none.
+  void fakeGrip(double rad, int answer)
+  {
+    opening_rad = rad;
+    gripAnswer = answer;
+  }
+  /// How often the opening was asked for in so many readings.
+  int fakeGripAsked()
+  {
+    return gripAsked;
+  }
+  int fakeReadings()
+  {
+    return readings;
   }
   void fakeFail(int on)
   {

@@ -18,7 +18,7 @@ struct Error
 };
 
 std::atomic<double> force[3], lastPush[3]; // lastPush: the last force that was one
-std::atomic<double> place_mm[3] = { 10.0, 20.0, -30.0 }, speed_mm_per_s = 100.0;
+std::atomic<double> place_mm[3] = { 10.0, 20.0, -30.0 }, speed_mm_per_s = 100.0, turned = 1.0;
 std::atomic<std::uint32_t> failure = 0;
 std::atomic<int> rate_Hz = 1000, outputOn = 0, calls = 0, pushes = 0, opened = 0;
 std::atomic<bool> runs = false, holds = false, isHeld = false;
@@ -71,7 +71,7 @@ extern "C"
       {
         values[i] = i % 5 == 0 ? 1.0 : 0.0;
       }
-      values[0] = values[5] = 0.0, values[1] = 1.0, values[4] = -1.0; // a quarter turn about z, column by column
+      values[0] = values[5] = 0.0, values[1] = turned, values[4] = -turned; // a quarter turn about z, column by column
     }
   }
   void hdGetIntegerv(std::uint32_t, int* values)
@@ -155,11 +155,14 @@ extern "C"
   {
     rate_Hz = Hz;
   }
-  /// One call of the scheduler, now, in the thread of the test.
+  /// One call of the scheduler, now, in the thread of the test; none where nothing is scheduled.
   void fakeCall()
   {
-    callback(data);
-    ++calls;
+    if (callback != nullptr)
+    {
+      callback(data);
+      ++calls;
+    }
   }
   /// Place of the hand [m], and its speed along x [m/s].
   void fakePlace(double x, double y, double z, double along_m_per_s)
@@ -169,6 +172,11 @@ extern "C"
     place_mm[1] = perMetre * y;
     place_mm[2] = perMetre * z;
     speed_mm_per_s = perMetre * along_m_per_s;
+  }
+  /// A factor on the numbers of the turn, which is a turn with 1.
+  void fakeTurn(double factor)
+  {
+    turned = factor;
   }
   /// A call does not return from the beginning of its frame any more, until 0 is given.
   void fakeHold(int on)

@@ -23,9 +23,12 @@ using Json = nlohmann::json;
 using asio::ip::tcp;
 using boost::system::error_code;
 using Answer = FakeService::Says::Answer;
+using Asked = FakeService::Says::Asked;
 
 namespace
 {
+
+constexpr int session = 7;
 
 Json vectorOf(const Vec3& v)
 {
@@ -44,6 +47,7 @@ struct FakeService::Parts
   asio::io_context context;
   tcp::acceptor states{ context, { asio::ip::address_v4::loopback(), 0 } };
   tcp::acceptor events{ context, { asio::ip::address_v4::loopback(), 0 } };
+  tcp::acceptor questions{ context, { asio::ip::address_v4::loopback(), 0 } };
   mutable std::mutex mutex; ///< of the members below
   Says says;
   Vec3 force_N = Vec3::Zero();
@@ -70,7 +74,7 @@ struct FakeService::Parts
     const Json grip{ { "device_id", "62" },
       { "state", { { "orientation", turnOf(this->says.turn) },
                    { "buttons", { { "a", (b & 1) != 0 }, { "b", (b & 2) != 0 }, { "c", (b & 4) != 0 } } } } } };
-    return { { "session_id", 7 }, { "inverse3", Json::array({ arm }) },
+    return { { "session_id", session }, { "inverse3", Json::array({ arm }) },
       { "wireless_verse_grip", Json::array({ grip }) } };
   }
 
@@ -106,7 +110,12 @@ struct FakeService::Parts
     std::unique_lock lock(this->mutex);
     std::string text = this->stateOf().dump();
     const Answer answer = this->says.answer;
+    const std::vector<std::string> between = this->says.between;
     lock.unlock();
+    for (const std::string& other : between)
+    {
+      socket.write(asio::buffer(other), error);
+    }
     switch (answer)
     {
       case Answer::Nothing:
@@ -130,6 +139,39 @@ struct FakeService::Parts
     return !error;
   }
 
+  void tellVersion(tcp::socket& plain, unsigned protocol, Asked Says::*how)
+  {
+    std::unique_lock lock(this->mutex);
+    const Asked asked = this->says.*how;
+    http::response<http::string_body> version(
+      asked == Asked::KnowsNot ? http::status::not_found : http::status::ok, protocol);
+    version.body() = Json{ { "version", asked == Asked::KnowsNot ? "none" : this->says.version } }.dump();
+    lock.unlock();
+    error_code error;
+    if (asked == Asked::Keeps)
+    {
+      char nothing = 0;
+      plain.read_some(asio::buffer(&nothing, 1), error); // until the other end lets go
+    }
+    else if (asked != Asked::Closes)
+    {
+      version.prepare_payload();
+      http::write(plain, version, error);
+    }
+  }
+
+  void serveQuestions(tcp::socket plain)
+  {
+    beast::flat_buffer buffer;
+    http::request<http::string_body> request;
+    error_code error;
+    http::read(plain, buffer, request, error);
+    if (!error)
+    {
+      this->tellVersion(plain, request.version(), &Says::askedElsewhere);
+    }
+  }
+
   void serveStates(tcp::socket plain)
   {
     beast::flat_buffer buffer;
@@ -142,13 +184,7 @@ struct FakeService::Parts
     }
     if (!websocket::is_upgrade(request))
     {
-      http::response<http::string_body> version(http::status::ok, request.version());
-      {
-        const std::lock_guard lock(this->mutex);
-        version.body() = Json{ { "version", this->says.version } }.dump();
-      }
-      version.prepare_payload();
-      http::write(plain, version, error);
+      this->tellVersion(plain, request.version(), &Says::asked);
       return;
     }
     websocket::stream<tcp::socket> socket(std::move(plain));
@@ -181,15 +217,15 @@ struct FakeService::Parts
     socket.accept(error);
     for (bool ends = false; !error && !ends;)
     {
-      std::string event;
+      std::vector<std::string> happened;
       {
         const std::lock_guard lock(this->mutex);
-        std::swap(event, this->says.event);
+        std::swap(happened, this->says.events);
         ends = this->over;
       }
-      if (!event.empty())
+      for (const std::string& event : happened)
       {
-        socket.write(asio::buffer(Json{ { "event", "device-safety-triggered" }, { "reason", event } }.dump()), error);
+        socket.write(asio::buffer(event), error);
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -218,9 +254,11 @@ FakeService::FakeService() : parts_(std::make_unique<Parts>())
   Parts& parts = *this->parts_;
   std::thread states([&parts] { parts.accept(parts.states, &Parts::serveStates); });
   std::thread events([&parts] { parts.accept(parts.events, &Parts::serveEvents); });
+  std::thread questions([&parts] { parts.accept(parts.questions, &Parts::serveQuestions); });
   const std::lock_guard lock(parts.mutex);
   parts.threads.push_back(std::move(states));
   parts.threads.push_back(std::move(events));
+  parts.threads.push_back(std::move(questions));
 }
 
 FakeService::~FakeService()
@@ -237,6 +275,7 @@ FakeService::~FakeService()
     }
     ::shutdown(parts.states.native_handle(), SHUT_RDWR);
     ::shutdown(parts.events.native_handle(), SHUT_RDWR);
+    ::shutdown(parts.questions.native_handle(), SHUT_RDWR);
     threads = std::move(parts.threads);
   }
   for (std::thread& thread : threads)
@@ -253,6 +292,29 @@ std::uint16_t FakeService::port() const noexcept
 std::uint16_t FakeService::eventPort() const noexcept
 {
   return this->parts_->events.local_endpoint().port();
+}
+
+std::uint16_t FakeService::questionPort() const noexcept
+{
+  return this->parts_->questions.local_endpoint().port();
+}
+
+std::string FakeService::eventOf(const std::string& name, const std::string& device, const std::string& reason)
+{
+  Json data{ { "device_family", "inverse3" }, { "device_id", device } };
+  if (!reason.empty())
+  {
+    data["reason"] = reason;
+  }
+  return Json{ { "name", name }, { "category", "device" }, { "level", "warning" }, { "data", data } }.dump();
+}
+
+std::string FakeService::stateOf(const std::string& device, int ofSession, const Vec3& position_m)
+{
+  const Json state{ { "cursor_position", vectorOf(position_m) }, { "cursor_velocity", vectorOf(Vec3::Zero()) } };
+  const Json arm{ { "device_id", device }, { "state", state },
+    { "status", { { "calibrated", true }, { "ready", true } } } };
+  return Json{ { "session_id", ofSession }, { "inverse3", Json::array({ arm }) } }.dump();
 }
 
 void FakeService::say(const Says& says)

@@ -24,6 +24,15 @@ public:
   struct Says
   {
     std::string version = "3.5.2";
+    enum class Asked
+    {
+      Answers,
+      KnowsNot, ///< the question: it says so
+      Closes,
+      Keeps, ///< the connection without an answer
+    };
+    Asked asked = Asked::Answers;         ///< for its version on the port of its states
+    Asked askedElsewhere = Asked::Closes; ///< and on the port for questions alone, which older versions have
     std::string type = "inverse3";
     std::string preset = "defaults";
     Vec3 position_m{ 0.01, -0.1, 0.15 }, velocity_m_per_s{ 0.0, 0.02, 0.0 };
@@ -41,7 +50,8 @@ public:
       OtherArm, ///< a state without this arm
       Closes,
     } answer = Answer::State;
-    std::string event; ///< to be sent once on the channel of events
+    std::vector<std::string> events;  ///< to be sent once on the channel of events
+    std::vector<std::string> between; ///< messages about something else, before each answer
   };
 
   FakeService();
@@ -51,6 +61,7 @@ public:
 
   [[nodiscard]] std::uint16_t port() const noexcept;
   [[nodiscard]] std::uint16_t eventPort() const noexcept;
+  [[nodiscard]] std::uint16_t questionPort() const noexcept;
   void say(const Says& says);
   /// The force of the last message; none if it had no command that this version knows [N].
   [[nodiscard]] Vec3 force_N() const;
@@ -59,6 +70,11 @@ public:
   [[nodiscard]] int messages() const;
   /// Those of them whose answers are on their way.
   [[nodiscard]] int answered() const;
+  /// An event of that name, of one of its devices; `reason`: why a device was stopped.
+  [[nodiscard]] static std::string eventOf(
+    const std::string& name, const std::string& device, const std::string& reason = {});
+  /// A state of that device in that session.
+  [[nodiscard]] static std::string stateOf(const std::string& device, int session, const Vec3& position_m);
 
 private:
   struct Parts; ///< Boost's

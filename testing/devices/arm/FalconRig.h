@@ -26,7 +26,8 @@ public:
     bool greets = true;
     bool canBeHeld = true; ///< a guard can have a copy of the open chip
     std::size_t wrongEchoAt = static_cast<std::size_t>(-1);
-    bool takesAnything = true; ///< else the loaded firmware does not run
+    bool takesAnything = true;          ///< else the loaded firmware does not run
+    std::vector<std::uint8_t> firmware; ///< that alone runs; empty: any does
     std::vector<std::uint8_t> loaded;
     std::vector<std::pair<int, int>> controls;
     std::vector<std::size_t> pieces; ///< how many bytes came at once
@@ -89,6 +90,8 @@ private:
   {
     if (bytes == std::vector<std::uint8_t>{ 0x0A, 0x43, 0x0D })
     {
+      this->begun_ = false;
+      this->loader_->loaded.clear();
       this->echo_ = this->loader_->greets ? std::vector<std::uint8_t>{ 0x00, 0x0A, 0x44, 0x2C, 0x0D } : bytes;
       return;
     }
@@ -105,7 +108,8 @@ private:
     {
       this->echo_[this->loader_->wrongEchoAt - before] ^= 1U;
     }
-    this->loader_->runs = this->loader_->takesAnything;
+    const bool isIts = this->loader_->firmware.empty() || this->loader_->loaded == this->loader_->firmware;
+    this->loader_->runs = this->loader_->takesAnything && isIts;
   }
 
   std::shared_ptr<FalconModel> model_;

@@ -19,7 +19,7 @@ struct HaplyRig : ServoSide
   FakeService service;
   FakeService::Says says;
   ModelTime time;
-  HaplyPorts ports{ service.port(), service.port(), service.eventPort(), "/nowhere" };
+  HaplyPorts ports{ service.port(), service.questionPort(), service.eventPort(), "/nowhere" };
   ArmKit kit = haplyKit(ports);
   ArmDevice device{ "haply", kit.bus, { "049D", 0, 0, "049D", "Haply inverse3" }, kit.setup, { false, &time } };
 };

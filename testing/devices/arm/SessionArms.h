@@ -54,6 +54,47 @@ protected:
   static constexpr std::int64_t wait_ns = ArmLink::answer_ms * perMs_ns;
 };
 
+/// One whose library may report numbers that no hand has.
+class LibraryArm : public SilentArm
+{
+public:
+  enum class Number : std::uint8_t
+  {
+    Place,
+    Speed,
+    Turn,
+  };
+  /// From now on it reports that number [m, m/s, 1].
+  void report(Number which, double number)
+  {
+    const Vec3 at_m = which == Number::Place ? Vec3(number, 0.0, 0.0) : this->at_m_;
+    this->place_(at_m.x(), at_m.y(), at_m.z(), which == Number::Speed ? number : 0.0);
+    this->turn_(which == Number::Turn ? number : 1.0);
+  }
+  void lead(const Vec3& from_m) override
+  {
+    this->at_m_ = from_m;
+    this->place_(from_m.x(), from_m.y(), from_m.z(), 0.0);
+  }
+
+protected:
+  explicit LibraryArm(const char* library)
+    : place_(fakeFunction<void(double, double, double, double)>(library, "fakePlace")),
+      turn_(fakeFunction<void(double)>(library, "fakeTurn"))
+  {
+  }
+  ~LibraryArm() override
+  {
+    this->place_(0.01, 0.02, -0.03, 0.1); // as other tests have it
+    this->turn_(1.0);
+  }
+
+private:
+  void (*place_)(double, double, double, double);
+  void (*turn_)(double);
+  Vec3 at_m_ = Vec3::Zero();
+};
+
 /// The three that have motors' numbers and counts.
 class CountingArm : public SilentArm
 {
@@ -182,13 +223,13 @@ private:
 };
 
 /// Its library reports an error instead of falling silent.
-class ForceDimensionArm final : public SilentArm
+class ForceDimensionArm final : public LibraryArm
 {
 public:
-  ForceDimensionArm() = default;
+  ForceDimensionArm() : LibraryArm(PALPATE_FAKE_DHD) {}
   ~ForceDimensionArm() override
   {
-    this->place_(0.01, 0.02, -0.03, 0.1); // as other tests have it
+    this->grip_(0.0, -1);
     this->fail_(0);
   }
   ForceDimensionArm(const ForceDimensionArm&) = delete;
@@ -197,7 +238,6 @@ public:
   [[nodiscard]] ArmDevice& device() override { return this->rig_.device; }
   [[nodiscard]] const Clock& clock() const override { return this->rig_.time; }
   [[nodiscard]] std::string open() override { return this->device().open(); }
-  void lead(const Vec3& from_m) override { this->place_(from_m.x(), from_m.y(), from_m.z(), 0.0); }
   bool pass() override
   {
     static_cast<void>(this->device().link().pass());
@@ -207,26 +247,23 @@ public:
   [[nodiscard]] Vec3 force_N() const override { return { this->force_(0), this->force_(1), this->force_(2) }; }
   void fallSilent() override { this->fail_(1); }
   [[nodiscard]] const char* silence() const override { return "made-up failure"; }
+  /// It has a gripper, which is open so far [rad].
+  void openGripper(double rad) { this->grip_(rad, 0); }
 
 private:
   LibraryRig rig_{ forceDimensionKit(PALPATE_FAKE_DHD) };
   double (*force_)(int) = fakeFunction<double(int)>(PALPATE_FAKE_DHD, "fakeForce");
   void (*fail_)(int) = fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeFail");
-  void (*place_)(double, double, double, double) = fakeFunction<void(double, double, double, double)>(
-    PALPATE_FAKE_DHD, "fakePlace");
+  void (*grip_)(double, int) = fakeFunction<void(double, int)>(PALPATE_FAKE_DHD, "fakeGrip");
 };
 
 /// Its scheduler calls once an exchange, with the order of that exchange. An order that waits for longer than 20 ms for
 /// the call, by this computer's clock, has ended.
-class OpenHapticsArm final : public SilentArm
+class OpenHapticsArm final : public LibraryArm
 {
 public:
-  OpenHapticsArm() { this->rate_(0); }
-  ~OpenHapticsArm() override
-  {
-    this->place_(0.01, 0.02, -0.03, 0.1);
-    this->rate_(1000);
-  }
+  OpenHapticsArm() : LibraryArm(PALPATE_FAKE_HD) { this->rate_(0); }
+  ~OpenHapticsArm() override { this->rate_(1000); }
   OpenHapticsArm(const OpenHapticsArm&) = delete;
   OpenHapticsArm& operator=(const OpenHapticsArm&) = delete;
 
@@ -238,7 +275,6 @@ public:
     this->call_();
     return problem;
   }
-  void lead(const Vec3& from_m) override { this->place_(from_m.x(), from_m.y(), from_m.z(), 0.0); }
   bool pass() override
   {
     const auto began = std::chrono::steady_clock::now();
@@ -260,8 +296,6 @@ private:
   double (*force_)(int) = fakeFunction<double(int)>(PALPATE_FAKE_HD, "fakeForce");
   void (*rate_)(int) = fakeFunction<void(int)>(PALPATE_FAKE_HD, "fakeRate");
   void (*call_)() = fakeFunction<void()>(PALPATE_FAKE_HD, "fakeCall");
-  void (*place_)(double, double, double, double) = fakeFunction<void(double, double, double, double)>(
-    PALPATE_FAKE_HD, "fakePlace");
 };
 
 /// One of each kit.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <thread>
@@ -16,6 +17,7 @@
 #include "devices/arm/protocol/FalconWire.h"
 #include "devices/calibration/CalibratedDevice.h"
 #include "devices/calibration/SelfTestRun.h"
+#include "devices/common/LinkNotes.h"
 #include "testing/devices/arm/ServoSide.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Eventually.h"
@@ -31,6 +33,8 @@ struct Script
   test::ModelTime* time = nullptr; ///< null: the line answers at once
   std::int64_t takes_ns = perMs_ns / 4;
   WireOrder last;
+  int missing = 0; ///< each so-manieth answer does not come; 0: all come
+  int asked = 0;
   std::atomic<bool> waits = false; ///< for a step of a person
   std::string file;                ///< that the person chose
 };
@@ -47,7 +51,8 @@ public:
     {
       this->script_->time->pass(this->script_->takes_ns);
     }
-    Answer answer{ Said::Reading, {} };
+    const bool misses = this->script_->missing > 0 && ++this->script_->asked % this->script_->missing == 0;
+    Answer answer{ misses ? Said::Nothing : Said::Reading, {} };
     answer.reading.pose_D = Pose{};
     return answer;
   }
@@ -244,6 +249,58 @@ TEST(ArmDevice, WhoseAnswersAllComeTooLateIsLostAndTheReasonIsSaid)
   EXPECT_GE(rig.lostTicks, 1);
   EXPECT_EQ(rig.script->last.wrench_D.force.norm(), 0.0);
   EXPECT_EQ(rig.device.linkReport().lostFor, "the device answers too late");
+}
+
+/// Answers of a whole period each, until the rate is counted anew; the answer that ends a second is its last.
+double rateAfter(ScriptedRig& rig, std::int64_t period_ns)
+{
+  rig.script->takes_ns = period_ns;
+  const std::int64_t from_ns = rig.time.now_ns();
+  while (rig.time.now_ns() - from_ns < 2100 * perMs_ns) // more than a second after the second before
+  {
+    rig.run(1);
+  }
+  return rig.device.linkReport().inputRate_Hz;
+}
+
+// The counter spans whole answers: N of them, over the time from the answer before them to the last, a second or more.
+TEST(ArmDevice, ReportsHowManyAnswersASecondItGets)
+{
+  ScriptedRig rig;
+  ASSERT_EQ(rig.device.open(), "");
+  rig.run(1000);
+  EXPECT_EQ(rig.device.linkReport().inputRate_Hz, 0.0) << "no second is over";
+  rig.run(2);
+  EXPECT_DOUBLE_EQ(rig.device.linkReport().inputRate_Hz, 1000.0);
+  for (const std::int64_t period_ns : { perMs_ns, 2 * perMs_ns, 3 * perMs_ns, std::int64_t{ 1234567 } })
+  {
+    EXPECT_NEAR(rateAfter(rig, period_ns), 1e9 / static_cast<double>(period_ns), 1e-9) << period_ns;
+  }
+  const LinkReport report = rig.device.linkReport();
+  EXPECT_EQ(describeLink(report).find(std::to_string(std::lround(1e9 / 1234567.0)) + " reports per second"), 0U);
+}
+
+TEST(ArmDevice, CountsInItsRateNoAnswerThatDoesNotCome)
+{
+  ScriptedRig rig;
+  ASSERT_EQ(rig.device.open(), "");
+  rig.script->missing = 10;
+  // An exchange with an answer is followed by another one 1000 exchanges later: 900 answers in that second.
+  EXPECT_DOUBLE_EQ(rateAfter(rig, perMs_ns), 900.0);
+}
+
+TEST(ArmDevice, HasNoRateOnceItIsLost)
+{
+  ScriptedRig rig;
+  ASSERT_EQ(rig.device.open(), "");
+  ASSERT_NEAR(rateAfter(rig, perMs_ns), 1000.0, 1e-9);
+  rig.script->takes_ns = ArmLink::silence_ns + perMs_ns;
+  rig.run(1);
+  EXPECT_EQ(rig.device.linkReport().losses, 1U);
+  EXPECT_EQ(rig.device.linkReport().inputRate_Hz, 0.0);
+  rig.script->takes_ns = perMs_ns / 4;
+  rig.run(3000);
+  EXPECT_DOUBLE_EQ(rig.device.linkReport().inputRate_Hz, 1000.0) << "the pause without it is no part of a second";
 }
 
 TEST(ArmDevice, SendsNoTorqueForItRendersNone)

@@ -3,6 +3,7 @@
 // session asked for, to a step of the motors' numbers, and none soon after the arm gives no reading any more.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -201,6 +202,89 @@ TYPED_TEST(SilentArmSession, HasNoForceWithinTwentyMillisecondsAndOneReasonUntil
   const LinkReport link = touching.arm.device().linkReport();
   EXPECT_THAT(link.lostFor, testing::EndsWith(touching.arm.silence()));
   EXPECT_THAT(describeFault(Fault::DeviceLost, link), testing::HasSubstr(touching.arm.silence()));
+}
+
+template<class Arm>
+class LibraryArmSession : public testing::Test
+{
+};
+using LibraryArms = testing::Types<test::ForceDimensionArm, test::OpenHapticsArm>;
+TYPED_TEST_SUITE(LibraryArmSession, LibraryArms);
+
+TYPED_TEST(LibraryArmSession, OfNumbersThatNoHandHasHasNoForceWithinTwentyMillisecondsAndOneReason)
+{
+  using Number = test::LibraryArm::Number;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), endless = std::numeric_limits<double>::infinity();
+  for (const Number which : { Number::Place, Number::Speed, Number::Turn })
+  {
+    for (const double number : { nan, endless, -endless, 1e300, -1e300, 1000.0 })
+    {
+      SCOPED_TRACE(testing::Message() << static_cast<int>(which) << " is " << number);
+      Touching<TypeParam> touching;
+      ASSERT_EQ(touching.begin(), "");
+      ASSERT_TRUE(touching.pushes(0.3));
+      touching.seen.stuck = true;
+      touching.arm.report(which, number);
+      EXPECT_LE(touching.untilFault(), silent_ms);
+      EXPECT_EQ(touching.session.state().fault, Fault::DeviceLost);
+      for (int i = 0; i < 100; ++i)
+      {
+        ASSERT_EQ(touching.seen.asked_N.norm(), 0.0) << i;
+        ASSERT_EQ(touching.arm.force_N().norm(), 0.0) << i;
+        ASSERT_EQ(touching.session.step(1), 1);
+      }
+      const LinkReport link = touching.arm.device().linkReport();
+      EXPECT_EQ(link.lostFor, "the vendor's library reports a position, a speed or a turn that no hand has");
+      EXPECT_THAT(describeFault(Fault::DeviceLost, link), testing::HasSubstr(link.lostFor));
+    }
+  }
+}
+
+// A single such answer costs a moment of force, as a late one does.
+TYPED_TEST(LibraryArmSession, PushesNothingForTheAnswerAfterNumbersThatNoHandHas)
+{
+  Touching<TypeParam> touching;
+  ASSERT_EQ(touching.begin(), "");
+  ASSERT_TRUE(touching.pushes(0.3));
+  touching.seen.stuck = true;
+  touching.arm.report(test::LibraryArm::Number::Place, 1e300);
+  ASSERT_EQ(touching.session.step(3), 3); // a call of the vendor's belongs to the exchange before
+  EXPECT_EQ(touching.arm.force_N().norm(), 0.0);
+  touching.seen.stuck = false;
+  ASSERT_EQ(touching.session.step(5), 5);
+  EXPECT_EQ(touching.session.state().fault, Fault::None);
+  EXPECT_EQ(touching.arm.device().linkReport().losses, 0U);
+}
+
+TEST(GrippedArmSession, PushesOnlyWhileItsGripperIsHeldWhereTheGripIsTheDeadMansSwitch)
+{
+  constexpr double open_rad = 0.4, closed_rad = 0.1;
+  Touching<test::ForceDimensionArm> touching;
+  ASSERT_EQ(touching.begin(), "");
+  HapticParameters parameters = touching.session.parameters();
+  parameters.safety.deadMan.grip = true;
+  ASSERT_EQ(touching.session.setParameters(parameters), "");
+  const auto pushesIn = [&touching](int duration_ms)
+  {
+    int pushing = 0;
+    for (int i = 0; i < duration_ms; ++i)
+    {
+      EXPECT_EQ(touching.session.step(1), 1);
+      pushing += touching.seen.asked_N.norm() > 0.0 ? 1 : 0;
+    }
+    return pushing;
+  };
+  constexpr int twoPresses_ms = 1000, letGo_ms = 60;
+  EXPECT_EQ(pushesIn(twoPresses_ms), 0) << "it has no gripper";
+  touching.arm.openGripper(closed_rad);
+  EXPECT_EQ(pushesIn(twoPresses_ms), 0) << "it has not been opened yet";
+  touching.arm.openGripper(open_rad);
+  EXPECT_EQ(pushesIn(twoPresses_ms), 0);
+  touching.arm.openGripper(closed_rad);
+  EXPECT_TRUE(touching.pushes(0.3));
+  touching.arm.openGripper(open_rad);
+  static_cast<void>(pushesIn(letGo_ms));
+  EXPECT_EQ(pushesIn(twoPresses_ms), 0);
 }
 
 /// The library's own watchdog ends the force of a call that hangs; it goes on with none.

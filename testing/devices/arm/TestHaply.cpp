@@ -13,6 +13,7 @@
 #include "devices/arm/protocol/HaplyServiceWire.h"
 #include "testing/devices/arm/HaplyRig.h"
 #include "testing/devices/hid/FakeHidBus.h"
+#include "testing/support/Eventually.h"
 #include "testing/support/Random.h"
 
 namespace palpate
@@ -224,24 +225,135 @@ TEST(HaplyService, WithASpaceThatAnotherProgramMovesOrWithoutPowerGivesNoForceAn
   EXPECT_THAT(rig.device.linkReport().message, testing::HasSubstr("no power supply"));
 }
 
+/// Runs until the device is lost, for 2000 messages at most. The reason; empty: it is not lost.
+std::string lostFor(HaplyRig& rig)
+{
+  const int before = rig.service.messages();
+  while (rig.lostTicks == 0 && rig.service.messages() < before + 2000)
+  {
+    rig.run(1);
+  }
+  return rig.lostTicks > 0 ? rig.device.linkReport().lostFor : "";
+}
+
 TEST(HaplyService, EndsTheForceWithTheNameOfAnEvent)
 {
-  for (const char* const event : { "ebrake_triggered", "fod_stage_changed", "stall_detected", "stability_ceiling" })
+  const std::string safety = "device-safety-triggered", gone = "device-disconnected", busy = "device-busy";
+  const std::vector<std::pair<std::string, std::string>> events{
+    { "ebrake_triggered", FakeService::eventOf(safety, "049D", "ebrake_triggered") },
+    { "fod_stage_changed", FakeService::eventOf(safety, "049D", "fod_stage_changed") },
+    { "stall_detected", FakeService::eventOf(safety, "049D", "stall_detected") },
+    { "stability_ceiling", FakeService::eventOf(safety, "049D", "stability_ceiling") },
+    { safety, FakeService::eventOf(safety, "049D", "a new reason") },
+    { gone, FakeService::eventOf(gone, "049D") },
+    { gone, R"({"event":"device-disconnected"})" }, // which device is not said
+    { busy, FakeService::eventOf(busy, "049D") },
+    { busy, R"({"event":"device-busy","device_id":"049D"})" },
+  };
+  for (const auto& [name, message] : events)
   {
     HaplyRig rig;
     ASSERT_EQ(rig.device.open(), "");
     ask(rig, { 0.0, 0.0, 1.0 }, 5);
     ASSERT_EQ(rig.service.force_N().z(), 1.0);
-    rig.says.event = event;
+    rig.says.events = { message };
     rig.service.say(rig.says);
-    const int before = rig.service.messages();
-    while (rig.lostTicks == 0 && rig.service.messages() < before + 2000)
+    EXPECT_EQ(lostFor(rig), "the vendor's service stopped the device: " + name) << message;
+    EXPECT_EQ(rig.service.force_N().norm(), 0.0) << message;
+  }
+}
+
+// Events come in their order: whatever stood before the one that ends the force has been heard.
+TEST(HaplyService, GoesOnAfterEventsOfOtherKindsAndOfOtherDevices)
+{
+  HaplyRig rig;
+  ASSERT_EQ(rig.device.open(), "");
+  ask(rig, { 0.0, 0.0, 1.0 }, 5);
+  rig.says.events = { FakeService::eventOf("device-connected", "049D"),
+    FakeService::eventOf("device-disconnected", "62"), FakeService::eventOf("device-busy", "FFFF"),
+    R"({"name":"session-started","data":{"session_id":8}})", "no JSON",
+    FakeService::eventOf("device-safety-triggered", "049D", "stall_detected") };
+  rig.service.say(rig.says);
+  EXPECT_EQ(lostFor(rig), "the vendor's service stopped the device: stall_detected");
+}
+
+/// Messages that are no answer to a message of ours, with a hand somewhere else.
+std::vector<std::string> messagesOfOthers()
+{
+  const Vec3 elsewhere_m(0.3, 0.3, 0.3);
+  return { FakeService::eventOf("device-connected", "62"), FakeService::stateOf("FFFF", 7, elsewhere_m),
+    FakeService::stateOf("049D", 8, elsewhere_m),
+    R"({"session_id":7,"inverse3":[{"device_id":"049D","config":{"type":"inverse3"}}]})", R"({"session_id":7})" };
+}
+
+TEST(HaplyService, PassesOverMessagesOfOtherKindsDevicesAndSessionsBetweenItsAnswers)
+{
+  HaplyRig rig;
+  rig.says.between = messagesOfOthers();
+  rig.service.say(rig.says);
+  ASSERT_EQ(rig.device.open(), "");
+  const Vec3 force_N(0.5, -1.25, 2.0), place_m = rig.says.position_m - Vec3(0.0, -0.12, 0.15);
+  int seen = 0;
+  for (int i = 0; i < 100; ++i)
+  {
+    ask(rig, force_N, 5);
+    seen += rig.status == DeviceStatus::Ok ? 1 : 0;
+    EXPECT_LT((rig.sample.pose_D.p - place_m).norm(), rig.status == DeviceStatus::Ok ? 1e-12 : 1.0) << i;
+  }
+  EXPECT_GT(seen, 50) << "but for stalls of this computer";
+  EXPECT_EQ(rig.device.linkReport().strange, 0U) << "none of them is taken for a wrong answer";
+  EXPECT_TRUE(test::eventually(
+    [&]
+    {
+      ask(rig, force_N, 5);
+      return rig.service.force_N() == force_N;
+    }));
+}
+
+TEST(HaplyService, WhoseMessagesAreAllOfOthersIsLostWithinTwentyMilliseconds)
+{
+  for (const std::string& other : messagesOfOthers())
+  {
+    HaplyRig rig;
+    ASSERT_EQ(rig.device.open(), "");
+    ask(rig, { 0.0, 0.0, 1.0 }, 5);
+    rig.says.between = std::vector<std::string>(3, other);
+    rig.says.answer = Answers::Nothing;
+    rig.service.say(rig.says);
+    const std::int64_t until_ns = rig.time.now_ns() + 20 * perMs_ns;
+    while (rig.time.now_ns() < until_ns)
     {
       rig.run(1);
     }
-    EXPECT_GE(rig.lostTicks, 1);
-    EXPECT_EQ(rig.device.linkReport().lostFor, std::string("the vendor's service stopped the device: ") + event);
-    EXPECT_EQ(rig.service.force_N().norm(), 0.0);
+    EXPECT_GE(rig.lostTicks, 1) << other;
+    EXPECT_THAT(rig.device.linkReport().lostFor, testing::HasSubstr("the device does not answer")) << other;
+    EXPECT_EQ(rig.service.force_N().norm(), 0.0) << other;
+  }
+}
+
+// 3.5 tells its version on the port of the states, older ones on a port of its own, and both take forces by another
+// key.
+TEST(HaplyService, IsAskedForItsVersionOnTheOldPortWhereThePortOfItsStatesDoesNotTellIt)
+{
+  using Asked = FakeService::Says::Asked;
+  for (const Asked asked : { Asked::KnowsNot, Asked::Closes, Asked::Keeps })
+  {
+    for (const char* const version : { "3.1.4", "3.5.0" })
+    {
+      HaplyRig rig;
+      rig.says.version = version;
+      rig.says.asked = asked;
+      rig.says.askedElsewhere = Asked::Answers;
+      rig.service.say(rig.says);
+      ASSERT_EQ(rig.device.open(), "") << version;
+      ask(rig, { 0.0, 0.0, 1.0 }, 5);
+      EXPECT_EQ(rig.service.force_N(), Vec3(0.0, 0.0, 1.0)) << version;
+    }
+    HaplyRig silent;
+    silent.says.asked = silent.says.askedElsewhere = asked;
+    silent.service.say(silent.says);
+    EXPECT_THAT(silent.device.open(), testing::HasSubstr("does not tell its version"));
+    EXPECT_EQ(silent.service.messages(), 0) << "a device is told nothing whose forces have an unknown key";
   }
 }
 
@@ -303,6 +415,33 @@ TEST(HaplyServiceWire, TellsTurnAndButtonOfAGripWithAndWithoutAState)
     EXPECT_EQ(reading->buttons, 1U) << text;
     EXPECT_EQ(reading->pose_D->q.coeffs(), Quat(0.0, 1.0, 0.0, 0.0).coeffs()) << text;
   }
+}
+
+TEST(HaplyServiceWire, TakesNoReadingFromAMessageOfOthersAndPassesItOver)
+{
+  const HaplyServiceWire wire("049D", true, Vec3::Zero(), "7");
+  const auto bytes = [](const std::string& text)
+  { return std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()); };
+  for (const std::string& other : messagesOfOthers())
+  {
+    EXPECT_FALSE(wire.decode(bytes(other))) << other;
+    EXPECT_TRUE(wire.isOthers(bytes(other))) << other;
+  }
+  const std::string own = FakeService::stateOf("049D", 7, Vec3::UnitX());
+  EXPECT_TRUE(wire.decode(bytes(own)));
+  EXPECT_FALSE(wire.isOthers(bytes(own)));
+  // A state of this device that makes no sense, and half a message, are wrong answers.
+  for (const std::string wrong : { R"({"inverse3":[{"device_id":"049D","state":{}}]})", "{\"inverse3\":[" })
+  {
+    EXPECT_FALSE(wire.decode(bytes(wrong))) << wrong;
+    EXPECT_FALSE(wire.isOthers(bytes(wrong))) << wrong;
+  }
+  EXPECT_EQ(haplySession(own), "7");
+  EXPECT_EQ(haplySession("{}"), "");
+  const HaplyServiceWire unknown("049D", true);
+  EXPECT_TRUE(unknown.decode(bytes(own))) << "a service that names no session at first";
+  const std::string unnamed = R"({"inverse3":[{"device_id":"049D","state":{"cursor_position":{"x":0,"y":0,"z":0}}}]})";
+  EXPECT_TRUE(wire.decode(bytes(unnamed))) << "or names it no more";
 }
 
 TEST(HaplyServiceWire, TellsTheVersionWhateverStandsAroundIt)

@@ -148,6 +148,24 @@ TEST(WoodenHaptics, IsLimitedToOneNewtonUntilItIsProven)
   EXPECT_NEAR((rig.model->force_N() - Vec3(0.0, 1.0, 0.0)).norm(), 0.0, rig.model->halfStep_N() + 1e-2);
 }
 
+// The watchdog of its firmware lasts half a second, at which it looks once a period of its reports.
+TEST(WoodenHaptics, HasNoForceHalfASecondAndOneReportAfterTheLastOrderOfAProgramThatStops)
+{
+  WoodenHapticsRig rig;
+  ASSERT_EQ(rig.open(), "");
+  ask(rig, Vec3(0.0, 2.0, 0.0));
+  int silent_ms = 0;
+  for (const int orders = rig.model->orders; rig.model->force_N().norm() > 0.0 && silent_ms < 1000; ++silent_ms)
+  {
+    rig.bus->advance(1);
+    ASSERT_EQ(rig.model->orders, orders);
+  }
+  using test::WoodenHapticsModel;
+  EXPECT_LE(silent_ms, WoodenHapticsModel::watchdog_ms + WoodenHapticsModel::period_ms);
+  EXPECT_GE(silent_ms, WoodenHapticsModel::watchdog_ms - WoodenHapticsModel::period_ms) << "the exchange took one";
+  EXPECT_EQ(rig.model->wentOffAfter_ms, WoodenHapticsModel::watchdog_ms + WoodenHapticsModel::period_ms);
+}
+
 /// Kinds of faults of the link.
 struct Fault
 {

@@ -127,6 +127,8 @@ void WoodenHapticsModel::advance(int duration_ms)
   this->silence_ms_ += duration_ms;
   if (this->silence_ms_ > watchdog_ms)
   {
+    const bool wasOn = this->current_mA != std::array<double, 3>{};
+    this->wentOffAfter_ms = wasOn ? this->silence_ms_ : this->wentOffAfter_ms;
     this->current_mA = {};
   }
 }

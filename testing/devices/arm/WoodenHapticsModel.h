@@ -20,7 +20,7 @@ class WoodenHapticsModel final
 {
 public:
   static constexpr std::uint16_t vendor = 0x1234, product = 0x0006;
-  static constexpr int watchdog_ms = 500;
+  static constexpr int watchdog_ms = 500, period_ms = 1; ///< of its reports: it looks at its watchdog as often
 
   WoodenHapticsModel();
 
@@ -46,6 +46,7 @@ public:
   int wrongAnswers = 0;          ///< so many answers have one byte
   int silentFor = 0;             ///< so many answers do not come
   int orders = 0, setOrders = 0; ///< messages so far
+  int wentOffAfter_ms = 0;       ///< without an order, when its amplifiers went off last
 
 private:
   [[nodiscard]] std::array<double, 3> bodyTurns() const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticDeviceRows.h"
 
+#include "pqCoreUtilities.h"
+#include "pqFileDialog.h"
 #include "pqHapticButton.h"
 #include "pqHapticFields.h"
 #include "pqHapticLabel.h"
@@ -12,7 +14,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -93,11 +94,20 @@ void pqHapticDeviceRows::sayWheel(bool on)
   }
 }
 
+/// On this computer, where the device is. Empty: the person has chosen none.
+QString pqHapticDeviceRows::askForFile() const
+{
+  pqFileDialog dialog(nullptr, pqCoreUtilities::mainWidget(), this->Step->text(), QString(), QString(), false);
+  dialog.setObjectName("hapticDeviceFile");
+  dialog.setFileMode(pqFileDialog::ExistingFile);
+  return dialog.exec() == QDialog::Accepted ? dialog.getSelectedFiles().value(0) : QString();
+}
+
 /// A button whose text ends with dots asks for a file first.
 void pqHapticDeviceRows::prepare()
 {
   const bool wantsFile = this->Step->text().endsWith("...");
-  const QString file = wantsFile ? QFileDialog::getOpenFileName(this->Step, this->Step->text()) : QString();
+  const QString file = wantsFile ? this->askForFile() : QString();
   if (!this->Proxy || (wantsFile && file.isEmpty()))
   {
     return;

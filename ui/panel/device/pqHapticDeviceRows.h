@@ -33,6 +33,7 @@ public:
 private:
   void choose(int row);
   void sayWheel(bool on);
+  QString askForFile() const;
   void prepare();
 
   vtkSMProxy* Proxy = nullptr;
