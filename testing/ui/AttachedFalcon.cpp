@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program that is started with this library finds a Falcon without firmware: its libusb is the model's, and its list
-// of USB plugs has that one. A program that opens the Falcon a second time meets a person who pulls the knob out and
-// pushes it in, so that its motors find their zero; then a hand leads it from the rim of the work space to the middle.
+// A program that is started with this library finds a Falcon without firmware: its libusb is the model's, and the
+// kernel's list of plugs has the Falcon. A program that opens it a second time meets a person who pulls the knob out
+// and pushes it in, so that its motors find their zero; then a hand leads it from the rim of the work space to the
+// middle.
 #include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <memory>
-#include <string>
 #include <string_view>
 #include <thread>
 
-#include "devices/arm/link/Plugs.h"
 #include "testing/devices/arm/FakeLibusb.h"
 #include "testing/devices/arm/FalconRig.h"
+#include "testing/devices/arm/TwoPlugs.h"
 #include "testing/support/TemporaryFolder.h"
+#include "testing/ui/FakeFiles.h"
 
 namespace palpate::test
 {
@@ -26,13 +27,11 @@ public:
   AttachedFalcon()
   {
     constexpr std::string_view firmware = PALPATE_FALCON_FIRMWARE;
-    std::ofstream(this->file()).flush(); // stands in for the device's file
+    std::ofstream(this->folder_.file("chip")).flush(); // stands in for the device's file
     this->loader_->runs = false;
     this->loader_->firmware.assign(firmware.begin(), firmware.end());
     this->model_->place(FalconModel::anglesAt(rim_m));
   }
-
-  [[nodiscard]] std::string file() const { return this->folder_.file("chip"); }
 
 private:
   static inline const Vec3 rim_m{ 0.0, 0.0, 0.17 }, middle_m{ 0.0, 0.0, 0.125 };
@@ -56,7 +55,10 @@ private:
     }
   }
 
+  TwoPlugs plugs_;
   TemporaryFolder folder_;
+  FakeFiles files_{ { { "/sys/bus/usb/devices", plugs_.sys() + "/bus/usb/devices" },
+    { "/dev/bus/usb/001/007", folder_.file("chip") } } };
   ModelTime time_; ///< of nobody
   std::shared_ptr<FalconModel> model_ = std::make_shared<FalconModel>();
   std::shared_ptr<FalconChip::Loader> loader_ = std::make_shared<FalconChip::Loader>();
@@ -69,16 +71,3 @@ const AttachedFalcon attachedFalcon;
 
 } // namespace
 } // namespace palpate::test
-
-namespace palpate
-{
-
-std::vector<HidEntry> usbPlugs(const UsbIds& ids, const std::string& /*sys*/)
-{
-  const std::pair<std::uint16_t, std::uint16_t> falcon{ 0x0403, 0xCB48 };
-  const bool wanted = std::find(ids.begin(), ids.end(), falcon) != ids.end();
-  return wanted ? std::vector<HidEntry>{ { test::attachedFalcon.file(), falcon.first, falcon.second, "7", "Falcon" } }
-                : std::vector<HidEntry>();
-}
-
-} // namespace palpate

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A build that found no libusb: this program has devices/arm/link/LibusbAbsent.cpp in the place of the library's file.
+// A build that found no libusb: this program has devices/arm/link/LibusbAbsent.cpp, and the kit that asks it, before
+// those of libpalpate.
 #include <algorithm>
 #include <cerrno>
 

@@ -35,14 +35,14 @@ public:
     std::filesystem::create_symlink(board / "1-2:1.0", line / "device");
   }
 
+  [[nodiscard]] std::string sys() const { return this->sys_.path().string(); }
   /// A computer with these two alone, whose system answers so.
   [[nodiscard]] DeviceOptions options(FileAccess access) const
   {
     DeviceOptions options;
     options.hid = std::make_shared<FakeHidBus>();
-    const std::string sys = this->sys_.path().string();
     options.arms = std::make_shared<const std::vector<ArmKit>>(
-      std::vector<ArmKit>{ falconKit(sys, access), twoDiyKit(sys, access) });
+      std::vector<ArmKit>{ falconKit(this->sys(), access), twoDiyKit(this->sys(), access) });
     return options;
   }
   /// As they are listed there.
