@@ -13,7 +13,7 @@ namespace palpate::test
 class FakeFiles
 {
 public:
-  /// The beginning of a path, and what stands in its place.
+  /// The beginning of a path, and the one that is used instead.
   using Place = std::pair<std::string, std::string>;
 
   explicit FakeFiles(std::vector<Place> places);
