@@ -36,7 +36,7 @@ struct WoodenHaptics
   using Model = test::WoodenHapticsModel;
   static constexpr const char* road = "woodenhaptics";
   static constexpr double count_m = 3e-4;
-  static constexpr int dead_ms = Model::watchdog_ms + Model::period_ms, onTheWay_ms = 49;
+  static constexpr int dead_ms = Model::watchdog_ms + Model::period_ms, onTheWay_ms = ArmLink::answer_ms;
   /// The firmware counts from the last order that reached it: some were on their way when the program died.
   static std::int64_t withoutOrders_ms(Plug& plug, std::int64_t /*sinceDeath_ms*/)
   {
