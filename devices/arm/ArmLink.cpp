@@ -113,6 +113,7 @@ bool ArmLink::fallsSilent(std::uint64_t beat, std::int64_t now_ns) noexcept
 WireOrder ArmLink::orderOf(Attached& device, std::int64_t now_ns) noexcept
 {
   WireOrder order;
+  device.pushed = false;
   const PidOutput::Wish wish = this->exchange_.wish();
   const bool silent = this->fallsSilent(wish.beat, now_ns);
   if (device.setCounters.exchange(false))
@@ -130,7 +131,7 @@ WireOrder ArmLink::orderOf(Attached& device, std::int64_t now_ns) noexcept
 }
 
 /// Whatever is beyond a limit is made smaller as a whole: the direction stays.
-void ArmLink::push(const Attached& device, const Wrench& wrench_D, WireOrder& order) const noexcept
+void ArmLink::push(Attached& device, const Wrench& wrench_D, WireOrder& order) const noexcept
 {
   const double asked_N = wrench_D.force.norm(), limit_N = this->limit_N_;
   if (!isFinite(wrench_D) || !(limit_N > 0.0))
@@ -138,13 +139,14 @@ void ArmLink::push(const Attached& device, const Wrench& wrench_D, WireOrder& or
     return;
   }
   const double share = asked_N > limit_N ? limit_N / asked_N : 1.0;
-  order.wrench_D.force = share * wrench_D.force;
-  if (!this->arm_ || !device.joints)
+  device.pushed = asked_N > StillReading::counts * limit_N;
+  order.wrench_D.force = device.still.share() * share * wrench_D.force;
+  if (!this->arm_ || !device.reached)
   {
     return;
   }
-  const JointVector torque_Nm =
-    this->arm_->givenTorqueOf(*device.joints, order.wrench_D, JointVector::Zero(this->arm_->joints()));
+  const JointVector torque_Nm = this->arm_->givenTorqueOf(
+    device.reached->joints, device.reached->posture, order.wrench_D, JointVector::Zero(this->arm_->joints()));
   const JointVector motor_Nm = this->arm_->motorTorqueOf(torque_Nm);
   for (int i = 0; i < std::min<int>(this->arm_->motors(), WireOrder::motors); ++i)
   {
@@ -191,6 +193,11 @@ void ArmLink::takeReading(Attached& device, WireReading& reading)
   device.homed = reading.homed;
   const std::optional<HandExchange::Hand> hand = this->handOf(device, reading);
   device.mayPush = reading.homed && hand && reading.stopped.empty();
+  if (hand)
+  {
+    device.still.follow(hand->p_D, device.pushed, this->clock_.now_ns());
+    device.faded = device.still.share() == 0.0;
+  }
   this->exchange_.tell(reading.homed && device.counted ? hand : std::nullopt);
 }
 
@@ -231,15 +238,12 @@ std::optional<HandExchange::Hand> ArmLink::handOf(Attached& device, const WireRe
       this->setup_.tellsAngles ? 360.0 : this->arm_->plan().joints[static_cast<std::size_t>(i)].countsPerTurn;
     turned_rad[i] = 2.0 * std::numbers::pi * reading.encoder[static_cast<std::size_t>(i)] / unit;
   }
-  device.joints = this->setup_.tellsAngles ? turned_rad : this->arm_->jointsOfEncoders(turned_rad);
-  const std::optional<Pose> tip_D = this->arm_->forward(*device.joints);
-  if (!tip_D)
-  {
-    return std::nullopt;
-  }
-  hand.p_D = tip_D->p - this->arm_->plan().workSpace.centre_D;
-  hand.q_D = tip_D->q;
-  return hand;
+  Attached::Reached& reached = device.reached.emplace();
+  reached.joints = this->setup_.tellsAngles ? turned_rad : this->arm_->jointsOfEncoders(turned_rad);
+  reached.posture = this->arm_->posture(reached.joints);
+  hand.p_D = reached.posture.tip.p - this->arm_->plan().workSpace.centre_D;
+  hand.q_D = reached.posture.tip.q;
+  return reached.posture.exists ? std::optional(hand) : std::nullopt;
 }
 
 void ArmLink::lose(const std::shared_ptr<Attached>& device, const std::string& why)
@@ -306,6 +310,11 @@ LinkReport ArmLink::report() const
   else if (next)
   {
     report.message = next->sentence;
+  }
+  else if (const std::shared_ptr<Attached> device = this->held_.get(); device != nullptr && device->faded)
+  {
+    report.message = "the readings have not changed for 1.5 s under force, so the force has ended: move the handle; "
+                     "if that brings no force back, unplug the device";
   }
   return report;
 }

@@ -11,6 +11,7 @@
 #include "devices/arm/ArmLine.h"
 #include "devices/arm/ArmSetup.h"
 #include "devices/arm/CounterUnwrap.h"
+#include "devices/arm/StillReading.h"
 #include "devices/common/LinkedDevice.h"
 #include "devices/io/AttachedDevice.h"
 #include "devices/io/FindAgain.h"
@@ -62,10 +63,18 @@ private:
   {
     std::unique_ptr<ArmLine> line;
     CounterUnwrap unwrap{ 0 };
-    std::optional<JointVector> joints;                ///< of the last good answer
-    std::int64_t good_ns = 0;                         ///< when that was
-    int doubts = 0;                                   ///< answers since that were none, or late
-    bool mayPush = false;                             ///< it is homed and says nothing against it
+    struct Reached
+    {
+      JointVector joints;
+      Posture posture;
+    };
+    std::optional<Reached> reached; ///< by the last good answer, of an arm with a plan
+    std::int64_t good_ns = 0;       ///< when that was
+    int doubts = 0;                 ///< answers since that were none, or late
+    bool mayPush = false;           ///< it is homed and says nothing against it
+    StillReading still;
+    bool pushed = false;                              ///< by the last order, with a force that counts
+    std::atomic<bool> faded = false;                  ///< no force is left, as the readings stay the same
     int settling = 0;                                 ///< answers that may still show the counters of before
     std::atomic<bool> homed = false, counted = false; ///< its places mean something
     std::atomic<bool> setCounters = false;            ///< the person has said that it is in its pose
@@ -75,7 +84,7 @@ private:
   void reattach(std::int64_t now_ns);
   [[nodiscard]] WireOrder orderOf(Attached& device, std::int64_t now_ns) noexcept;
   [[nodiscard]] bool fallsSilent(std::uint64_t beat, std::int64_t now_ns) noexcept;
-  void push(const Attached& device, const Wrench& wrench_D, WireOrder& order) const noexcept;
+  void push(Attached& device, const Wrench& wrench_D, WireOrder& order) const noexcept;
   void take(const std::shared_ptr<Attached>& device, ArmLine::Answer& answer, std::int64_t asked_ns);
   void takeReading(Attached& device, WireReading& reading);
   void takeCounters(Attached& device, const WireReading& reading) noexcept;

@@ -288,7 +288,12 @@ double Arm::shareWithinMotors(const JointVector& torque_Nm) const noexcept
 JointVector Arm::givenTorqueOf(
   const JointVector& q, const Wrench& wrench_D, const JointVector& beside_Nm) const noexcept
 {
-  const Posture posture = this->posture(q);
+  return this->givenTorqueOf(q, this->posture(q), wrench_D, beside_Nm);
+}
+
+JointVector Arm::givenTorqueOf(
+  const JointVector& q, const Posture& posture, const Wrench& wrench_D, const JointVector& beside_Nm) const noexcept
+{
   JointVector torque_Nm = this->forceFade(q, posture) * this->torqueOf(posture, wrench_D) + beside_Nm;
   torque_Nm.tail(this->joints_ - this->motors_).setZero();
   return this->shareWithinMotors(torque_Nm) * torque_Nm;

@@ -73,6 +73,9 @@ public:
   /// to the largest torque that every motor can give.
   [[nodiscard]] JointVector givenTorqueOf(
     const JointVector& q, const Wrench& wrench_D, const JointVector& beside_Nm) const noexcept;
+  /// The same where the posture with these joints is known: it costs more than the rest.
+  [[nodiscard]] JointVector givenTorqueOf(
+    const JointVector& q, const Posture& posture, const Wrench& wrench_D, const JointVector& beside_Nm) const noexcept;
 
   /// Matrix from turns of the encoders and motors to turns of the joints, and its inverse.
   [[nodiscard]] const JointMatrix& gears() const noexcept { return this->gears_; }

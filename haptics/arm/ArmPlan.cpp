@@ -51,8 +51,11 @@ struct Refusal
   {
     std::string problem = lengths(
       { { "base", arm.base_m }, { "platform", arm.platform_m }, { "arm", arm.arm_m }, { "forearm", arm.forearm_m } });
-    const auto [a, b, c] = arm.legs_rad;
-    const auto apart = [](double one, double other) { return std::fabs(std::sin(0.5 * (one - other))) > 1e-3; };
+    using Azimuth = DeltaGeometry::Azimuth;
+    const auto& [a, b, c] = arm.legs;
+    // The chord between two directions is twice the sine of half their angle.
+    const auto apart = [](const Azimuth& one, const Azimuth& other)
+    { return std::hypot(one.cosine - other.cosine, one.sine - other.sine) > 2e-3; };
     return !problem.empty() ? problem
            : !(arm.hinge_m >= 0.0 && std::isfinite(arm.hinge_m + arm.offset_m))
              ? "the length \"hinge\" must not be below 0"

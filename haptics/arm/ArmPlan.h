@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <variant>
@@ -36,9 +37,15 @@ struct WoodenGeometry
 /// of freedom parallel manipulator with only translational degrees of freedom, 1997), as the Novint Falcon has them.
 struct DeltaGeometry
 {
-  std::array<double, 3> legs_rad{}; ///< azimuths about z
-  double base_m = 0.0;              ///< from the axis to the joints of the base
-  double platform_m = 0.0;          ///< from the axis to the joints of the platform
+  /// The azimuth of a leg about z, by its direction: every posture needs that and not the angle.
+  struct Azimuth
+  {
+    double cosine = 1.0, sine = 0.0;
+    [[nodiscard]] static Azimuth of(double angle_rad) noexcept { return { std::cos(angle_rad), std::sin(angle_rad) }; }
+  };
+  std::array<Azimuth, 3> legs;
+  double base_m = 0.0;     ///< from the axis to the joints of the base
+  double platform_m = 0.0; ///< from the axis to the joints of the platform
   double arm_m = 0.0, forearm_m = 0.0;
   double hinge_m = 0.0;  ///< length of each forearm's hinges in its arm's plane, beside the parallelogram
   double offset_m = 0.0; ///< offset of each leg across its azimuth

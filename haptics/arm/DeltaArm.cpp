@@ -19,14 +19,15 @@ namespace
 struct Leg
 {
   Vec3 out, across;
-  Vec3 elbow, perRad; ///< perRad: derivative of the elbow
+  double out_m = 0.0, up_m = 0.0; ///< of the elbow, along the azimuth and z
+  Vec3 elbow, perRad;             ///< perRad: derivative of the elbow
 };
 
 using Legs = std::array<Leg, 3>;
 
 Leg frameOf(const DeltaGeometry& arm, std::size_t i) noexcept
 {
-  const double c = std::cos(arm.legs_rad[i]), s = std::sin(arm.legs_rad[i]);
+  const auto [c, s] = arm.legs[i];
   Leg leg;
   leg.out = { c, s, 0.0 };
   leg.across = { -s, c, 0.0 };
@@ -41,8 +42,10 @@ Legs legsOf(const DeltaGeometry& arm, const JointVector& q) noexcept
     Leg& leg = legs[i] = frameOf(arm, i);
     const double c = arm.arm_m * std::cos(q[static_cast<Eigen::Index>(i)]);
     const double s = arm.arm_m * std::sin(q[static_cast<Eigen::Index>(i)]);
-    leg.elbow = (arm.base_m - arm.platform_m + c) * leg.out - arm.offset_m * leg.across;
-    leg.elbow.z() = arm.side * s;
+    leg.out_m = arm.base_m - arm.platform_m + c;
+    leg.up_m = arm.side * s;
+    leg.elbow = leg.out_m * leg.out - arm.offset_m * leg.across;
+    leg.elbow.z() = leg.up_m;
     leg.perRad = -s * leg.out;
     leg.perRad.z() = arm.side * c;
   }
@@ -72,27 +75,30 @@ struct Closing
   Mat3 rods;
 };
 
+/// In the frame of each leg, where its parallelogram has two numbers: this is the innermost loop of every posture.
 Closing closingAt(const DeltaGeometry& arm, const Legs& legs, const Vec3& p) noexcept
 {
   Closing closing;
   for (int i = 0; i < 3; ++i)
   {
     const Leg& leg = legs[static_cast<std::size_t>(i)];
-    const Vec3 way = p - leg.elbow;
-    const Vec3 across = leg.across.dot(way) * leg.across, inPlane = way - across;
-    const double length = inPlane.norm();
-    const double rod = length - arm.hinge_m; // of the parallelogram, in the plane of the arm
-    closing.left[i] = 0.5 * (rod * rod + across.squaredNorm() - arm.forearm_m * arm.forearm_m);
-    closing.rods.row(i) = (rod / length * inPlane + across).transpose();
+    const double c = leg.out.x(), s = leg.out.y();
+    const double out_m = c * p.x() + s * p.y() - leg.out_m, up_m = p.z() - leg.up_m;
+    const double across_m = c * p.y() - s * p.x() + arm.offset_m;
+    const double length_m = std::sqrt(out_m * out_m + up_m * up_m);
+    const double rod_m = length_m - arm.hinge_m, share = rod_m / length_m; // of the parallelogram
+    closing.left[i] = 0.5 * (rod_m * rod_m + across_m * across_m - arm.forearm_m * arm.forearm_m);
+    closing.rods.row(i) << share * out_m * c - across_m * s, share * out_m * s + across_m * c, share * up_m;
   }
   return closing;
 }
 
-/// Newton's method for the point at which all forearms have their length.
+/// Newton's method for the point at which all forearms have their length. Its error is squared in each step, so that
+/// after a step of `settled` of the size no more than rounding is left.
 std::optional<Vec3> closed(const DeltaGeometry& arm, const Legs& legs, Vec3 p) noexcept
 {
   constexpr int mostSteps = 12;
-  constexpr double rounding = 1e-15;
+  constexpr double settled = 1e-8;
   const double size = arm.arm_m + arm.forearm_m;
   for (int step = 0; step < mostSteps; ++step)
   {
@@ -103,12 +109,12 @@ std::optional<Vec3> closed(const DeltaGeometry& arm, const Legs& legs, Vec3 p) n
       return std::nullopt;
     }
     p -= way;
-    if (way.norm() <= rounding * size)
+    if (way.norm() <= settled * size)
     {
       return p;
     }
   }
-  // Steps of the size of rounding end here, too; where the lengths are still wrong the arm does not close.
+  // In a singularity steps shrink slowly and end here; where the lengths are still wrong the arm does not close.
   const Closing closing = closingAt(arm, legs, p);
   return (closing.left.array().abs() <= 1e-13 * size * size).all() ? std::optional(p) : std::nullopt;
 }

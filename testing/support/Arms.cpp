@@ -74,7 +74,8 @@ ArmPlan hangingDelta()
 {
   DeltaGeometry delta;
   constexpr double third = 2.0 * std::numbers::pi / 3.0;
-  delta.legs_rad = { 0.0, third, 2.0 * third };
+  using Azimuth = DeltaGeometry::Azimuth;
+  delta.legs = { Azimuth::of(0.0), Azimuth::of(third), Azimuth::of(2.0 * third) };
   delta.base_m = 0.1;
   delta.platform_m = 0.04;
   delta.arm_m = 0.15;

@@ -69,7 +69,8 @@ DeltaGeometry deltaOf(const Node& root)
   checkKeys(root, { "legs_deg", "base_m", "platform_m", "arm_m", "forearm_m", "hinge_m", "offset_m", "side" });
   DeltaGeometry delta;
   const Vec3 legs = rad_per_deg * root.vector("legs_deg", { 0.0, 120.0, 240.0 });
-  delta.legs_rad = { legs.x(), legs.y(), legs.z() };
+  using Azimuth = DeltaGeometry::Azimuth;
+  delta.legs = { Azimuth::of(legs.x()), Azimuth::of(legs.y()), Azimuth::of(legs.z()) };
   delta.base_m = root.needsNumber("base_m");
   delta.platform_m = root.needsNumber("platform_m");
   delta.arm_m = root.needsNumber("arm_m");

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -35,8 +36,9 @@ struct Script
   WireOrder last;
   int missing = 0; ///< each so-manieth answer does not come; 0: all come
   int asked = 0;
-  std::atomic<bool> waits = false; ///< for a step of a person
-  std::string file;                ///< that the person chose
+  std::function<Vec3(const Vec3& force_N)> hand; ///< its place under that force; null: it stays in the middle
+  std::atomic<bool> waits = false;               ///< for a step of a person
+  std::string file;                              ///< that the person chose
 };
 
 class ScriptedLine final : public ArmLine
@@ -54,6 +56,7 @@ public:
     const bool misses = this->script_->missing > 0 && ++this->script_->asked % this->script_->missing == 0;
     Answer answer{ misses ? Said::Nothing : Said::Reading, {} };
     answer.reading.pose_D = Pose{};
+    answer.reading.pose_D->p = this->script_->hand ? this->script_->hand(order.wrench_D.force) : Vec3(Vec3::Zero());
     return answer;
   }
   void letGo() noexcept override { this->script_->last = {}; }
@@ -316,6 +319,70 @@ TEST(ArmDevice, SendsNoTorqueForItRendersNone)
     EXPECT_EQ(rig.script->last.wrench_D.force, force_N);
     EXPECT_EQ(rig.script->last.wrench_D.torque, Vec3(Vec3::Zero()));
   }
+}
+
+/// An encoder that no longer counts looks like a hand that holds still.
+TEST(ArmDevice, LosesItsForceWithinASecondAndAHalfWhileItsReadingsStayTheSameUnderForceAndSaysSo)
+{
+  ScriptedRig rig;
+  ASSERT_EQ(rig.device.open(), "");
+  ask(rig, { 0.5, 0.0, 0.0 }, 500);
+  EXPECT_EQ(rig.script->last.wrench_D.force.x(), 0.5);
+  rig.run(500);
+  const double tick = 1e-3 / StillReading::falls_s;
+  EXPECT_NEAR(rig.script->last.wrench_D.force.x(), 0.5 * 0.5, 0.5 * 3.0 * tick) << "half a second of the fall";
+  EXPECT_EQ(rig.device.linkReport().message, "");
+  rig.run(510);
+  EXPECT_EQ(rig.script->last.wrench_D.force.norm(), 0.0);
+  EXPECT_THAT(rig.device.linkReport().message, testing::HasSubstr("the readings have not changed for 1.5 s"));
+  EXPECT_EQ(rig.status, DeviceStatus::Ok) << "it is not lost: it may be a hand";
+  double x_m = 0.0;
+  rig.script->hand = [&x_m](const Vec3&) { return Vec3(x_m += 1e-6, 0.0, 0.0); };
+  rig.run(250);
+  EXPECT_NEAR(rig.script->last.wrench_D.force.x(), 0.5 * 0.5, 0.5 * 3.0 * 1e-3 / StillReading::rises_s);
+  EXPECT_EQ(rig.device.linkReport().message, "");
+  rig.run(260);
+  EXPECT_EQ(rig.script->last.wrench_D.force.x(), 0.5);
+}
+
+TEST(ArmDevice, KeepsASmallForceHoweverLongItsReadingsStayTheSame)
+{
+  ScriptedRig rig;
+  ASSERT_EQ(rig.device.open(), "");
+  const double small_N = 0.99 * StillReading::counts * rig.device.info().maxForce_N.value;
+  ask(rig, { small_N, 0.0, 0.0 }, 3000);
+  EXPECT_EQ(rig.script->last.wrench_D.force.x(), small_N);
+}
+
+/// A handle on a wall, pressed by a weight, that friction holds and an encoder reads in steps: the force falls until
+/// the handle slips, by no more than friction and a step of the wall.
+TEST(ArmDevice, ThatRestsOnAWallKeepsItsForceToFrictionAndOneStepOfItsEncoder)
+{
+  ScriptedRig rig;
+  rig.device.prove();
+  ASSERT_EQ(rig.device.open(), "");
+  constexpr double weight_N = 1.5, friction_N = 0.26, wall_N_per_m = 500.0, step_m = 5e-5, way_m = 1e-6;
+  double depth_m = weight_N / wall_N_per_m;
+  rig.script->hand = [&](const Vec3& force_N)
+  {
+    const double down_N = weight_N - force_N.x();
+    depth_m += std::fabs(down_N) > friction_N ? std::copysign(way_m, down_N) : 0.0;
+    return Vec3(-step_m * std::floor(depth_m / step_m), 0.0, 0.0);
+  };
+  rig.run(5);
+  double least_N = weight_N, most_N = 0.0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    rig.command.wrench_D.force.x() = -wall_N_per_m * rig.sample.pose_D.p.x();
+    rig.run(1);
+    least_N = std::min(least_N, rig.script->last.wrench_D.force.x());
+    most_N = std::max(most_N, rig.script->last.wrench_D.force.x());
+  }
+  // While the handle slips by a step the share falls on.
+  const double falls_N = (step_m / way_m + 3.0) * 1e-3 / StillReading::falls_s * (weight_N + 2.0 * friction_N);
+  EXPECT_GT(least_N, weight_N - friction_N - falls_N);
+  EXPECT_LT(least_N, weight_N) << "the force has been tried";
+  EXPECT_LT(most_N, weight_N + friction_N + 2.0 * wall_N_per_m * step_m);
 }
 
 TEST(ArmDevice, KeepsItsLimitBehindACalibrationThatNobodyHasFelt)

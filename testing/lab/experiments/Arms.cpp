@@ -244,8 +244,7 @@ Mat3 librarysSpeeds(const DeltaGeometry& delta, const JointVector& q, const Vec3
   for (int leg = 0; leg < 3; ++leg)
   {
     // theta3 between the rod and the leg's across axis; theta2 of the rod in the leg's plane.
-    const double c = std::cos(delta.legs_rad[static_cast<std::size_t>(leg)]);
-    const double s = std::sin(delta.legs_rad[static_cast<std::size_t>(leg)]);
+    const auto [c, s] = delta.legs[static_cast<std::size_t>(leg)];
     const double v = -p.x() * s + p.y() * c + delta.offset_m;
     const double sin3 = std::sqrt(1.0 - std::pow(v / delta.forearm_m, 2));
     const double length = delta.forearm_m * sin3 + delta.hinge_m;

@@ -76,8 +76,8 @@ QuadPoint tipOf(const DeltaGeometry& arm, const QuadVector& q, const Vec3& near)
     QuadPoint all;
     for (int i = 0; i < 3; ++i)
     {
-      const Quad c = cos(Quad(arm.legs_rad[static_cast<std::size_t>(i)]));
-      const Quad s = sin(Quad(arm.legs_rad[static_cast<std::size_t>(i)]));
+      const auto [cosine, sine] = arm.legs[static_cast<std::size_t>(i)];
+      const Quad c = cosine, s = sine;
       const Quad out = p.x() * c + p.y() * s + Quad(arm.platform_m) - Quad(arm.base_m) - Quad(arm.arm_m) * cos(q[i]);
       const Quad across = -p.x() * s + p.y() * c + Quad(arm.offset_m);
       const Quad up = p.z() - Quad(arm.side) * Quad(arm.arm_m) * sin(q[i]);
