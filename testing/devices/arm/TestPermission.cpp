@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arms whose files a person may not use, as `palpate devices` lists them: the system's answers are the test's.
 #include <cerrno>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <utility>
@@ -14,16 +12,14 @@
 #include "devices/DeviceFactory.h"
 #include "devices/arm/kit/Kits.h"
 #include "devices/hid/HidapiBus.h"
+#include "testing/devices/arm/FakeSys.h"
 #include "testing/devices/arm/WoodenHapticsRig.h"
 #include "testing/devices/hid/FakeHidBus.h"
-#include "testing/support/TemporaryFolder.h"
 
 namespace palpate
 {
 namespace
 {
-
-namespace files = std::filesystem;
 
 std::vector<std::pair<std::string, int>> asked; ///< files, and for which uses
 
@@ -35,36 +31,21 @@ int answering(const char* path, int mode)
   return Reason == 0 ? 0 : -1;
 }
 
-void writeLine(const files::path& folder, const std::string& name, const std::string& line)
-{
-  files::create_directories(folder);
-  std::ofstream(folder / name) << line << '\n';
-}
-
 /// The kernel's lists of a Falcon and of a 2DIY.
 class TwoPlugs
 {
 public:
   TwoPlugs()
   {
-    const files::path falcon = this->sys_.path() / "bus/usb/devices/1-1";
-    writeLine(falcon, "idVendor", "0403");
-    writeLine(falcon, "idProduct", "cb48");
-    writeLine(falcon, "busnum", "1");
-    writeLine(falcon, "devnum", "7");
-    const files::path board = this->sys_.path() / "devices/usb1/1-2", line = this->sys_.path() / "class/tty/ttyACM3";
-    writeLine(board, "idVendor", "2341");
-    writeLine(board, "idProduct", "003e");
-    files::create_directories(board / "1-2:1.0");
-    files::create_directories(line);
-    files::create_symlink(board / "1-2:1.0", line / "device");
+    this->sys_.plugUsb("0403", "cb48", 7);
+    this->sys_.plugSerial("ttyACM3", "2341", "003e");
   }
   /// As they are listed where the system answers so.
   [[nodiscard]] std::vector<KnownDevice> listed(FileAccess access) const
   {
     DeviceOptions options;
     options.hid = std::make_shared<test::FakeHidBus>();
-    const std::string sys = this->sys_.path().string();
+    const std::string sys = this->sys_.path();
     options.arms = std::make_shared<const std::vector<ArmKit>>(
       std::vector<ArmKit>{ falconKit(sys, access), twoDiyKit(sys, access) });
     std::vector<KnownDevice> known = knownDevices(options);
@@ -72,13 +53,14 @@ public:
   }
 
 private:
-  test::TemporaryFolder sys_;
+  test::FakeSys sys_;
 };
 
 std::string refusalOf(const std::string& file)
 {
   return "no permission to use " + file +
-         ": copy devices/udev/70-palpate.rules to /etc/udev/rules.d/ and plug the device in again";
+         ": copy devices/udev/70-palpate.rules to /etc/udev/rules.d/, see that it has a line for this device, and plug "
+         "the device in again";
 }
 
 TEST(Permission, ThatIsMissingIsSaidWithTheFileAndTheRemedy)
