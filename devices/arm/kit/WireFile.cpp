@@ -46,7 +46,7 @@ UsbIds usbOf(const Node& node)
   return ids;
 }
 
-void checkKeys(const Node& node, std::initializer_list<const char*> own)
+void checkWireKeys(const Node& node, std::initializer_list<const char*> own)
 {
   std::vector<const char*> keys{ "protocol", "usb", "serial", "pose" };
   keys.insert(keys.end(), own);
@@ -71,7 +71,7 @@ std::array<bool, 2> turnsOf(const Node& node, const char* key)
 
 void read2Diy(const Node& node, ArmWire& wire)
 {
-  checkKeys(node, { "pose_tolerance_deg", "device", "motors_turned", "encoders_turned" });
+  checkWireKeys(node, { "pose_tolerance_deg", "device", "motors_turned", "encoders_turned" });
   wire.poseTolerance = toleranceOf(node, "pose_tolerance_deg", 3.0, 1.0, 30.0);
   TwoDiyBoard board;
   board.device = static_cast<std::uint8_t>(node.whole("device", board.device, 1, 255));
@@ -82,7 +82,7 @@ void read2Diy(const Node& node, ArmWire& wire)
 
 void readWoodenHaptics(const Node& node, ArmWire& wire)
 {
-  checkKeys(node, { "pose_tolerance_counts", "report_bytes", "grip" });
+  checkWireKeys(node, { "pose_tolerance_counts", "report_bytes", "grip" });
   wire.poseTolerance = toleranceOf(node, "pose_tolerance_counts", 300.0, 1.0, 3000.0);
   constexpr int least = WoodenHapticsWire::length, most = 64; // of USB at full speed
   WoodenHapticsBoard board;
