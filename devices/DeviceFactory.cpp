@@ -167,9 +167,12 @@ std::shared_ptr<EvdevBus> eventDevices(const DeviceOptions& options)
   return options.hid != nullptr || options.evdev != nullptr ? options.evdev : systemEvdevBus();
 }
 
-/// One device is listed once: a device that HID cannot use may be one that the kernel's driver pushes.
+/// One device is listed once: a device that HID cannot use may be one that the kernel's driver pushes, and one that an
+/// owner's arm file names is that arm.
 std::vector<Kind> pluggedIn(const DeviceOptions& options)
 {
+  const std::shared_ptr<const std::vector<ArmKit>> kits = armKits(options);
+  const auto isOthers = [&kits](const HidEntry& entry) { return kits != nullptr && isClaimed(*kits, entry); };
   const std::shared_ptr<HidBus> bus = options.hid != nullptr ? options.hid : systemHidBus();
   const std::shared_ptr<EvdevBus> events = eventDevices(options);
   const std::vector<FoundEvdev> driven = events != nullptr ? findEvdevDevices(*events) : std::vector<FoundEvdev>{};
@@ -177,16 +180,19 @@ std::vector<Kind> pluggedIn(const DeviceOptions& options)
   for (const FoundHid& found : findHidDevices(*bus))
   {
     const auto isIt = [&](const FoundEvdev& other) { return sameKind(found.entry, other.entry); };
-    if (found.kind != FoundHid::Kind::Unusable || std::none_of(driven.begin(), driven.end(), isIt))
+    const bool isDriven = found.kind == FoundHid::Kind::Unusable && std::any_of(driven.begin(), driven.end(), isIt);
+    if (!isDriven && !isOthers(found.entry))
     {
       all.push_back(kindOf(found, bus));
     }
   }
   for (const FoundEvdev& found : driven)
   {
-    all.push_back(kindOf(found, events));
+    if (!isOthers(found.entry))
+    {
+      all.push_back(kindOf(found, events));
+    }
   }
-  const std::shared_ptr<const std::vector<ArmKit>> kits = armKits(options);
   for (const FoundArm& found : kits != nullptr ? findArms(*kits) : std::vector<FoundArm>{})
   {
     all.push_back(kindOf(found));

@@ -17,6 +17,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "devices/common/UserFolder.h"
+
 namespace palpate
 {
 namespace
@@ -94,12 +96,7 @@ std::string writeFile(const std::string& path, const std::string& text)
 
 std::string userCalibrationFolder(const char* xdgConfigHome, const char* home)
 {
-  const auto isFolder = [](const char* path) { return path != nullptr && *path == '/'; };
-  if (isFolder(xdgConfigHome))
-  {
-    return std::string(xdgConfigHome) + "/palpate/calibration";
-  }
-  return isFolder(home) ? std::string(home) + "/.config/palpate/calibration" : "";
+  return userFolder(xdgConfigHome, home, "calibration");
 }
 
 std::string calibrationFile(const std::string& folder, const std::string& device, const std::string& serial)

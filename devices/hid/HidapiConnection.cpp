@@ -163,7 +163,8 @@ std::string openProblem(const std::string& path, int systemError)
     case EACCES:
     case EPERM:
       return "no permission to use " + path +
-             ": copy devices/udev/70-palpate.rules to /etc/udev/rules.d/ and plug the device in again";
+             ": copy devices/udev/70-palpate.rules to /etc/udev/rules.d/, see that it has a line for this device, and "
+             "plug the device in again";
     case EBUSY:
       return path + " is busy: close the other program that uses it";
     case ENOENT:

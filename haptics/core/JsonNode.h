@@ -210,6 +210,36 @@ public:
     return numbers;
   }
 
+  /// The texts of a list.
+  [[nodiscard]] std::vector<std::string> texts(const char* key) const
+  {
+    const Json list = this->has(key) ? this->json_[key] : Json();
+    const bool areTexts =
+      list.is_array() && std::all_of(list.begin(), list.end(), [](const Json& value) { return value.is_string(); });
+    if (!areTexts)
+    {
+      this->fail(key, "must be a list of texts in quotes");
+    }
+    return list.template get<std::vector<std::string>>();
+  }
+
+  /// So many times true or false, false where this key is missing.
+  [[nodiscard]] std::vector<bool> flags(const char* key, std::size_t count) const
+  {
+    if (!this->has(key))
+    {
+      return std::vector<bool>(count, false);
+    }
+    const Json& list = this->json_[key];
+    const bool areFlags = list.is_array() && list.size() == count &&
+                          std::all_of(list.begin(), list.end(), [](const Json& value) { return value.is_boolean(); });
+    if (!areFlags)
+    {
+      this->fail(key, "must be a list of " + std::to_string(count) + " times true or false");
+    }
+    return list.template get<std::vector<bool>>();
+  }
+
 private:
   [[nodiscard]] double toNumber(const char* key, const Json& value) const
   {

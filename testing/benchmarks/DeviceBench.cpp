@@ -209,7 +209,8 @@ bool benchmarkArms(Sliding& sliding, std::size_t ticks)
     benchmarkArm("falcon", ArmDevice("falcon", falcon.rig.bus, falcon.rig.entry, falconSetup()), sliding, ticks) &&
     within;
   TwoDiyRig diy;
-  within = benchmarkArm("2diy", ArmDevice("2diy", diy.rig.bus, diy.rig.entry, twoDiySetup()), sliding, ticks) && within;
+  within =
+    benchmarkArm("2diy", ArmDevice("2diy", diy.rig.bus, diy.rig.entry, setupOf(twoDiyArm())), sliding, ticks) && within;
   const FakeService service;
   const ArmKit haply = haplyKit({ service.port(), service.port(), service.eventPort(), "/nowhere" });
   within = benchmarkLibrary("haply", haply, sliding, ticks) && within;

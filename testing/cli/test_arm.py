@@ -47,6 +47,42 @@ class Arm(CommandLineTest):
         file.write_text(json.dumps(arm))
         self.assertIn("note: the arm does not reach", described(str(file)))
 
+    def wired(self, **changes):
+        """The pantograph's file with other keys in its wire."""
+        arm = json.loads((ARMS / "pantograph.json").read_text())
+        arm["wire"] |= changes
+        return self.write("wired.json", json.dumps(arm))
+
+    def test_a_file_with_a_wire_says_which_devices_it_is_for(self):
+        file = self.wired(usb=["16d0:1234", "16d0:abcd"], serial="7")
+        self.assertIn("\n  wire: 2diy, USB 16d0:1234, 16d0:abcd, serial number 7\n", described(str(file)))
+        self.assertEqual(json.loads(described(str(file), "--json"))["wire"],
+                         {"protocol": "2diy", "usb": ["16d0:1234", "16d0:abcd"], "serial": "7"})
+        self.assertNotIn("wire", described("falcon"))
+        self.assertNotIn("wire", json.loads(described("falcon", "--json")))
+
+    def test_a_wrong_wire_is_refused(self):
+        self.refused("arm", self.wired(protocol="smoke"), saying=["wired.json: wire.protocol: unknown protocol \"smoke\""])
+
+    def listed(self):
+        """The lines of `palpate devices` of a person with these files of arms, and nothing plugged in."""
+        environment = dict(os.environ, XDG_CONFIG_HOME=str(self.folder))
+        run = subprocess.run([PROGRAM, "devices"], env=environment, capture_output=True, text=True, timeout=60)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return [line for line in run.stdout.splitlines() if not line.startswith("  ")]
+
+    def test_a_wrong_file_in_the_folder_of_arms_is_told_where_devices_are_listed_and_a_good_one_is_not(self):
+        before = self.listed()
+        folder = self.folder / "palpate" / "arms"
+        folder.mkdir(parents=True)
+        good = self.wired(usb=["16d0:1234"])
+        (folder / "good.json").write_text(good.read_text())
+        self.assertEqual(self.listed(), before)
+        wrong = self.wired(usb=["16d0"])
+        (folder / "my arm.json").write_text(wrong.read_text())
+        sentence = ("wire.usb: each text must have the numbers of a device as lsusb shows them, such as \"2341:003e\"")
+        self.assertEqual(self.listed(), [*before, f"my-arm: cannot be used: {folder}/my arm.json: {sentence}"])
+
     def test_bad_input_is_named(self):
         text = (ARMS / "falcon.json").read_text()
         short = self.folder / "short.json"

@@ -118,10 +118,10 @@ constexpr double longestLever_m = 0.7; ///< of these arms, whatever their postur
 
 Kind woodenHaptics()
 {
-  Outcome<WoodenHapticsArm> arm = readWoodenHapticsFile(test::WoodenHapticsModel::file());
+  const Outcome<WiredArm> arm = readWoodenHapticsFile(test::WoodenHapticsModel::file());
   require(arm.ok());
   const Bytes answer{ 0, 0, 0, 0, 0x70, 0x17, 0, 0, 0, 0, 0, 0, 0, 0 }; // 0 0 6000
-  return { "woodenhaptics", arm.value.setup, std::make_shared<WoodenHapticsWire>(arm.value.constants_Nm_per_A), true,
+  return { "woodenhaptics", setupOf(arm.value), std::make_shared<WoodenHapticsWire>(constantsOf(arm.value.plan)), true,
     answer, answer, [](View bytes) { return bytes.size() >= 14; },
     [](View order)
     {
@@ -187,7 +187,7 @@ Kind twoDiy()
   setup.poseTolerance = 3.0;
   const auto isAnswer = [](View answer)
   { return answer[0] == 5 && std::fabs(floatAt(answer, 1)) <= 7200.0 && std::fabs(floatAt(answer, 5)) <= 7200.0; };
-  const TwoDiyWire::Setup board{ 5, {}, {}, { 180.0, 0.0 }, { 13824.0, 13824.0 }, 0.123 };
+  const TwoDiyWire::Setup board{ 5, {}, {}, { 180.0, 0.0 }, { 13824.0, 13824.0 } };
   return { "2diy", setup, std::make_shared<TwoDiyWire>(board), false,
     { 5, 0, 0, 0x34, 0x43, 0, 0, 0, 0 },       // 180 and 0 degrees
     { 5, 0, 0, 0x0C, 0x43, 0, 0, 0x20, 0x42 }, // 140 and 40

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "devices/arm/kit/WireFile.h"
 #include "devices/arm/kit/WoodenHapticsFile.h"
 #include "devices/arm/protocol/FalconWire.h"
 #include "devices/arm/protocol/HaplyServiceWire.h"
@@ -35,7 +36,7 @@ std::unique_ptr<WireProtocol> wireOf(unsigned which)
       return std::make_unique<palpate::FalconWire>();
     case 2:
       return std::make_unique<palpate::TwoDiyWire>(
-        palpate::TwoDiyWire::Setup{ 5, {}, {}, { 180.0, 0.0 }, { 13824.0, 13824.0 }, 0.123 });
+        palpate::TwoDiyWire::Setup{ 5, {}, {}, { 180.0, 0.0 }, { 13824.0, 13824.0 } });
     default:
       return std::make_unique<palpate::HaplyServiceWire>("049D", which % 8 < 4);
   }
@@ -132,6 +133,30 @@ void judgeOrder(const WireProtocol& wire, unsigned which, const WireOrder& order
   }
 }
 
+/// Of an arm that is not refused every number that goes to its board can be sent.
+void judgeFile(const palpate::Outcome<palpate::WiredArm>& arm)
+{
+  require(arm.problem.find('\n') == std::string::npos);
+  if (!arm.ok() || !arm.value.wire)
+  {
+    return;
+  }
+  const palpate::ArmSetup setup = palpate::setupOf(arm.value);
+  require(!setup.pose.empty() && setup.poseTolerance >= 1.0);
+  for (const double constant_Nm_per_A : palpate::constantsOf(arm.value.plan))
+  {
+    require(setup.tellsAngles || constant_Nm_per_A > 0.0);
+  }
+  if (setup.tellsAngles)
+  {
+    const palpate::TwoDiyWire::Setup board = palpate::boardOf(arm.value);
+    for (std::size_t i = 0; i < board.gear.size(); ++i)
+    {
+      require(std::fabs(board.offset_deg[i]) <= 360.0 && board.countsPerTurn[i] >= 0.0 && board.gear[i] != 0.0);
+    }
+  }
+}
+
 } // namespace
 
 // NOLINTNEXTLINE(readability-identifier-naming) the name that libFuzzer calls
@@ -150,7 +175,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static_cast<void>(palpate::haplyHasVector(text));
   static_cast<void>(palpate::haplySession(text));
   static_cast<void>(palpate::haplyStop(text, "049D"));
-  const auto file = palpate::readWoodenHapticsFile(std::string(text));
-  require(file.ok() ? file.value.setup.plan.has_value() : !file.problem.empty());
+  judgeFile(palpate::readWoodenHapticsFile(std::string(text)));
+  judgeFile(palpate::parseWiredArm(std::string(text)));
   return 0;
 }

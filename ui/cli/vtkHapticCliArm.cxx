@@ -3,8 +3,8 @@
 
 #include <iostream>
 
+#include "devices/arm/kit/WireFile.h"
 #include "haptics/arm/ArmWorkSpaceMap.h"
-#include "haptics/arm/file/ArmFile.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticJson.h"
 
@@ -12,7 +12,28 @@ namespace
 {
 constexpr int Steps = 20; ///< along the diameter of the work space
 
-nlohmann::ordered_json ToJson(const palpate::Arm& arm, const palpate::ArmRange& range, const std::string& note)
+std::string Describe(const palpate::ArmWire& wire)
+{
+  std::string devices;
+  for (const std::string& id : palpate::numbersOf(wire.devices))
+  {
+    devices += (devices.empty() ? "" : ", ") + id;
+  }
+  return palpate::protocolOf(wire) + std::string(", USB ") + devices +
+         (wire.devices.serial.empty() ? "" : ", serial number " + wire.devices.serial);
+}
+
+nlohmann::ordered_json ToJson(const palpate::ArmWire& wire)
+{
+  nlohmann::ordered_json json;
+  json["protocol"] = palpate::protocolOf(wire);
+  json["usb"] = palpate::numbersOf(wire.devices);
+  json["serial"] = wire.devices.serial;
+  return json;
+}
+
+nlohmann::ordered_json ToJson(const palpate::Arm& arm, const palpate::ArmRange& range,
+  const std::optional<palpate::ArmWire>& wire, const std::string& note)
 {
   nlohmann::ordered_json json;
   json["name"] = arm.plan().name;
@@ -20,6 +41,10 @@ nlohmann::ordered_json ToJson(const palpate::Arm& arm, const palpate::ArmRange& 
   json["joints"] = arm.joints();
   json["motors"] = arm.motors();
   json["source"] = arm.plan().source;
+  if (wire)
+  {
+    json["wire"] = ToJson(*wire);
+  }
   if (range.usable > 0)
   {
     json["places"] = range.places;
@@ -34,13 +59,18 @@ nlohmann::ordered_json ToJson(const palpate::Arm& arm, const palpate::ArmRange& 
   return json;
 }
 
-void Print(const palpate::Arm& arm, const palpate::ArmRange& range, const std::string& note)
+void Print(const palpate::Arm& arm, const palpate::ArmRange& range, const std::optional<palpate::ArmWire>& wire,
+  const std::string& note)
 {
   std::cout << arm.plan().name << ": " << palpate::nameOf(arm.plan().geometry) << ", " << arm.joints() << " joints, "
             << arm.motors() << " motors\n";
   if (!arm.plan().source.empty())
   {
     std::cout << "  source: " << arm.plan().source << '\n';
+  }
+  if (wire)
+  {
+    std::cout << "  wire: " << Describe(*wire) << '\n';
   }
   if (range.usable > 0)
   {
@@ -62,21 +92,21 @@ void Print(const palpate::Arm& arm, const palpate::ArmRange& range, const std::s
 
 int vtkHapticCliArm(const std::string& file, bool json)
 {
-  const palpate::Outcome<palpate::ArmPlan> plan = palpate::armNamed(file);
-  if (!plan.ok())
+  const palpate::Outcome<palpate::WiredArm> wired = palpate::wiredArmNamed(file);
+  if (!wired.ok())
   {
-    throw vtkHapticCliProblem(plan.problem);
+    throw vtkHapticCliProblem(wired.problem);
   }
-  const palpate::Arm arm(plan.value);
+  const palpate::Arm arm(wired.value.plan);
   const palpate::ArmRange range = palpate::rangeOf(arm, palpate::mapWorkSpace(arm, Steps));
   const std::string note = palpate::noteOn(arm, range);
   if (json)
   {
-    std::cout << ToJson(arm, range, note).dump(2) << '\n';
+    std::cout << ToJson(arm, range, wired.value.wire, note).dump(2) << '\n';
   }
   else
   {
-    Print(arm, range, note);
+    Print(arm, range, wired.value.wire, note);
   }
   return 0;
 }

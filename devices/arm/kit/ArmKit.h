@@ -3,14 +3,23 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "devices/arm/ArmLine.h"
 #include "devices/arm/ArmSetup.h"
+#include "devices/arm/link/Plugs.h"
 
 namespace palpate
 {
+
+/// A file of an owner that says which devices are its arm.
+struct ArmClaim
+{
+  std::string file;
+  UsbDevices devices;
+};
 
 /// One kind of arm to look for: the places to look in, and its properties.
 struct ArmKit
@@ -20,6 +29,7 @@ struct ArmKit
   ArmSetup setup;
   std::function<bool()> isPlugged = {}; ///< tells whether a listed arm is attached; null: every listed one is
   std::function<ArmSetup(const HidEntry&)> setupOf = {}; ///< of one arm, where the arms differ; null: `setup` of all
+  std::optional<ArmClaim> claim = {};                    ///< none: the kit is built in
 };
 
 /// An arm that is attached, as far as is known, usable or not.
@@ -35,7 +45,12 @@ struct FoundArm
   bool isAssumed = false; ///< nothing shows that it is attached
 };
 
-/// The arms of these kits that are attached. Tells no device anything.
+/// The arms of these kits that are attached. A device that an owner's file names belongs to that file alone; a file
+/// with a serial number goes before one without. A file with a problem is told also where no device of it is attached.
+/// Tells no device anything.
 [[nodiscard]] std::vector<FoundArm> findArms(const std::vector<ArmKit>& kits);
+
+/// True if one of these files names the device.
+[[nodiscard]] bool isClaimed(const std::vector<ArmKit>& kits, const HidEntry& entry);
 
 } // namespace palpate

@@ -7,14 +7,30 @@
 #include <vector>
 
 #include "devices/arm/kit/ArmKit.h"
+#include "devices/arm/kit/WiredArm.h"
 #include "devices/arm/link/Plugs.h"
-#include "devices/arm/protocol/TwoDiyWire.h"
 
 namespace palpate
 {
 
-/// All of these kits, as they are on this computer.
+/// All of these kits, as they are on this computer, and those of the owner's files.
 [[nodiscard]] std::vector<ArmKit> systemArmKits();
+
+/// Where arms of known wires are looked for.
+struct ArmPlaces
+{
+  std::shared_ptr<HidBus> hid;  ///< those on USB HID
+  std::string sys = "/sys";     ///< serial lines, as the kernel lists them
+  FileAccess access = ::access; ///< whether this process may use their files
+};
+
+/// The kit of an arm of a known wire; `road`: first word of the names of its devices. Its problem is that of `arm`, and
+/// the devices that it names are listed all the same. A board that keeps its torque has a guard.
+[[nodiscard]] ArmKit wiredKit(const std::string& road, const Outcome<WiredArm>& arm, const ArmPlaces& places);
+
+/// The kits of an owner's arm files, NAME.json in that folder, by name: an arm file with the object "wire". A file that
+/// is wrong is a kit with a problem, which names the file.
+[[nodiscard]] std::vector<ArmKit> ownArmKits(const std::string& folder, const ArmPlaces& places);
 
 /// WoodenHaptics and Polhem arms on USB HID. `file`: the owner's woodenhaptics.json.
 [[nodiscard]] ArmKit woodenHapticsKit(const std::shared_ptr<HidBus>& hid, const std::string& file);
@@ -42,9 +58,7 @@ struct HaplyPorts
 
 /// Haply 2DIY boards on serial lines, likewise.
 [[nodiscard]] ArmKit twoDiyKit(const std::string& sys = "/sys", FileAccess access = ::access);
-[[nodiscard]] ArmSetup twoDiySetup();
-[[nodiscard]] TwoDiyWire::Setup twoDiyBoard();
-/// Sets the board up, with a guard beside it.
-[[nodiscard]] ArmBus::Opened openTwoDiy(const std::string& path);
+/// The arm of data/arms/pantograph.json.
+[[nodiscard]] WiredArm twoDiyArm();
 
 } // namespace palpate

@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "devices/arm/protocol/WoodenHapticsWire.h"
 #include "haptics/arm/file/ArmFile.h"
 #include "haptics/core/JsonNode.h"
 
@@ -50,7 +49,6 @@ ArmJoint jointOf(const Numbers& numbers, char axis)
   joint.countsPerTurn = numbers.of("cpr_encoder", axis);
   joint.calibrated = static_cast<std::int32_t>(std::lround(std::fmod(numbers.of("calibrate_enc", axis), 32768.0)));
   joint.torqueConstant_Nm_per_A = numbers.of("torque_constant_motor", axis);
-  joint.maxTorque_Nm = 1e-3 * WoodenHapticsWire::largest_mA * joint.torqueConstant_Nm_per_A;
   return joint;
 }
 
@@ -68,7 +66,7 @@ void addMasses(const Numbers& numbers, ArmPlan& plan)
 ArmPlan planOf(const Numbers& numbers)
 {
   ArmPlan plan;
-  plan.name = "WoodenHaptics";
+  plan.name = "WoodenHaptics or Polhem arm";
   plan.source = "the owner's woodenhaptics.json";
   plan.geometry =
     WoodenGeometry{ numbers.of("length_body", 'a'), numbers.of("length_body", 'b'), numbers.of("length_body", 'c') };
@@ -91,38 +89,40 @@ ArmPlan planOf(const Numbers& numbers)
   return plan;
 }
 
-WoodenHapticsArm armOf(const Numbers& numbers)
+WiredArm armOf(const Numbers& numbers)
 {
   const double variant = numbers.of("variant");
   numbers.node().accept(
     "variant", variant >= 0.0 && variant <= 2.0
                  ? ""
                  : "the kinematics of " + std::to_string(std::lround(variant)) + " are not known: 0, 1 and 2 are");
-  WoodenHapticsArm arm;
-  arm.setup.what = "WoodenHaptics or Polhem arm";
-  arm.setup.plan = planOf(numbers);
-  numbers.node().accept("", refuse(*arm.setup.plan));
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-  {
-    arm.constants_Nm_per_A[i] = arm.setup.plan->joints[i].torqueConstant_Nm_per_A;
-    arm.setup.counters[i] = static_cast<std::int16_t>(arm.setup.plan->joints[i].calibrated);
-    numbers.node().accept("", arm.constants_Nm_per_A[i] > 0.0 ? "" : "a torque constant must be above 0");
-  }
-  arm.setup.counterBits = 16;
-  arm.setup.grips = true;
-  arm.setup.pose = "Hold the arm in its calibration pose, then press the button: its counters are set there.";
+  WiredArm arm{ planOf(numbers), woodenHapticsWire() };
+  numbers.node().accept("", refuse(arm.plan));
+  limitToWire(arm.plan, *arm.wire);
+  numbers.node().accept("", refuse(arm.plan, *arm.wire));
   return arm;
 }
 
 } // namespace
 
-Outcome<WoodenHapticsArm> readWoodenHapticsFile(const std::string& text)
+/// An mbed, and a Teensy.
+ArmWire woodenHapticsWire()
+{
+  ArmWire wire;
+  wire.devices.ids = { { 0x1234, 0x0006 }, { 0x16C0, 0x0486 } };
+  wire.pose = "Hold the arm in its calibration pose, then press the button: its counters are set there.";
+  wire.poseTolerance = 300.0;
+  wire.board = WoodenHapticsBoard{ 0, true };
+  return wire;
+}
+
+Outcome<WiredArm> readWoodenHapticsFile(const std::string& text)
 {
   if (text.size() > longestText)
   {
     return { {}, "it has more than 64 KiB" };
   }
-  Outcome<WoodenHapticsArm> arm;
+  Outcome<WiredArm> arm;
   arm.problem = jsonProblemOf<Json>(
     [&]
     {

@@ -28,12 +28,30 @@ std::optional<HidEntry> plugAt(const files::path& folder, const UsbIds& ids)
   entry.product = hexIn(folder / "idProduct");
   entry.serial = lineOf(folder / "serial");
   entry.name = lineOf(folder / "product");
-  const bool wanted = std::any_of(ids.begin(), ids.end(),
-    [&entry](const auto& id) { return id.first == entry.vendor && (id.second == entry.product || id.second == 0); });
-  return wanted ? std::optional(entry) : std::nullopt;
+  return UsbDevices{ ids, {} }.have(entry) ? std::optional(entry) : std::nullopt;
 }
 
 } // namespace
+
+bool UsbDevices::have(const HidEntry& entry) const noexcept
+{
+  const auto isIt = [&entry](const auto& id)
+  { return id.first == entry.vendor && (id.second == entry.product || id.second == 0); };
+  return std::any_of(this->ids.begin(), this->ids.end(), isIt) &&
+         (this->serial.empty() || this->serial == entry.serial);
+}
+
+std::vector<std::string> numbersOf(const UsbDevices& devices)
+{
+  std::vector<std::string> numbers;
+  for (const auto& [maker, product] : devices.ids)
+  {
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "%04x:%04x", maker, product);
+    numbers.emplace_back(text.data());
+  }
+  return numbers;
+}
 
 std::vector<HidEntry> usbPlugs(const UsbIds& ids, const std::string& sys)
 {

@@ -14,6 +14,17 @@ namespace palpate
 
 using UsbIds = std::vector<std::pair<std::uint16_t, std::uint16_t>>; ///< maker and product, 0: any
 
+/// Devices by their numbers, or one of them.
+struct UsbDevices
+{
+  UsbIds ids;
+  std::string serial; ///< empty: any
+
+  [[nodiscard]] bool have(const HidEntry& entry) const noexcept;
+};
+/// Their numbers as lsusb shows them, "2341:003e".
+[[nodiscard]] std::vector<std::string> numbersOf(const UsbDevices& devices);
+
 /// USB devices with these numbers, as the kernel lists them below `sys`; a path is a file of /dev/bus/usb. Needs no
 /// permission.
 [[nodiscard]] std::vector<HidEntry> usbPlugs(const UsbIds& ids, const std::string& sys = "/sys");

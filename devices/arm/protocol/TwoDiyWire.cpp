@@ -34,8 +34,8 @@ void TwoDiyWire::encode(const WireOrder& order, WireBytes& bytes) const
   bytes.insert(bytes.end(), { pushAndTell, this->setup_.device });
   for (std::size_t i = 0; i < axes; ++i)
   {
-    const double asked_Nm = order.counters ? 0.0 : order.joint_Nm[i], most_Nm = this->setup_.largest_Nm;
-    putFloat(bytes, std::isfinite(asked_Nm) ? static_cast<float>(std::clamp(asked_Nm, -most_Nm, most_Nm)) : 0.0F);
+    const double asked_Nm = order.counters ? 0.0 : order.joint_Nm[i] / this->setup_.gear[i];
+    putFloat(bytes, std::isfinite(asked_Nm) ? static_cast<float>(std::clamp(asked_Nm, -largest_Nm, largest_Nm)) : 0.0F);
   }
 }
 

@@ -12,13 +12,15 @@ namespace palpate
 class TwoDiyWire final : public WireProtocol
 {
 public:
+  static constexpr double largest_Nm = 0.123; ///< of a motor: where the firmware clamps
+
   /// How the board is wired; both motors stand on the first two ports.
   struct Setup
   {
     std::uint8_t device = 5;
     std::array<std::uint8_t, 2> motorTurned{}, encoderTurned{}; ///< 1: the other way round
-    std::array<double, 2> offset_deg{}, countsPerTurn{};        ///< offset: where the arms stand when it is set up
-    double largest_Nm = 0.0;                                    ///< where the firmware clamps
+    std::array<double, 2> offset_deg{}, countsPerTurn{};        ///< of joints; offset: where they stand at the set-up
+    std::array<double, 2> gear{ 1.0, 1.0 };                     ///< turns of the motor per turn of the joint
   };
   explicit TwoDiyWire(const Setup& setup) : setup_(setup) {}
 

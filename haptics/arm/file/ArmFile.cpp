@@ -25,7 +25,8 @@ constexpr double rad_per_deg = std::numbers::pi / 180.0;
 void checkKeys(const Node& root, std::initializer_list<const char*> own)
 {
   std::vector<const char*> keys{ "format", "version", "name", "source", "kind", "at_m", "turn", "joints", "masses",
-    "gravity_m_per_s2", "work_space", "max_force_N", "max_stiffness_N_per_m", "max_damping_Ns_per_m", "max_condition" };
+    "gravity_m_per_s2", "work_space", "max_force_N", "max_stiffness_N_per_m", "max_damping_Ns_per_m", "max_condition",
+    "wire" };
   keys.insert(keys.end(), own);
   root.knows(keys);
 }
@@ -204,6 +205,10 @@ ArmPlan planOf(const Node& root)
   plan.maxDamping_Ns_per_m = root.number("max_damping_Ns_per_m", plan.maxDamping_Ns_per_m);
   plan.maxCondition = root.number("max_condition", plan.maxCondition);
   root.accept("", refuse(plan));
+  if (root.has("wire"))
+  {
+    static_cast<void>(root.part("wire")); // whoever drives the arm reads it
+  }
   return plan;
 }
 
@@ -221,19 +226,23 @@ Outcome<ArmPlan> parseArm(const std::string& text)
   return result;
 }
 
-Outcome<ArmPlan> readArmFile(const std::string& file)
+Outcome<std::string> armFileText(const std::string& file)
 {
   std::ifstream in(file, std::ios::binary);
-  std::string text(static_cast<std::size_t>(mostBytes) + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  Outcome<ArmPlan> result;
-  result.problem = !in.is_open() || text.empty() ? "it cannot be read, or it is empty" : "";
-  if (result.ok() && text.size() > static_cast<std::size_t>(mostBytes))
-  {
-    result.problem = "an arm file has 1 MiB at most";
-  }
-  result = result.ok() ? parseArm(text) : result;
+  Outcome<std::string> text;
+  text.value.resize(static_cast<std::size_t>(mostBytes) + 1);
+  in.read(text.value.data(), static_cast<std::streamsize>(text.value.size()));
+  text.value.resize(static_cast<std::size_t>(in.gcount()));
+  text.problem = !in.is_open() || text.value.empty()                       ? "it cannot be read, or it is empty"
+                 : text.value.size() > static_cast<std::size_t>(mostBytes) ? "an arm file has 1 MiB at most"
+                                                                           : "";
+  return text;
+}
+
+Outcome<ArmPlan> readArmFile(const std::string& file)
+{
+  const Outcome<std::string> text = armFileText(file);
+  Outcome<ArmPlan> result = text.ok() ? parseArm(text.value) : Outcome<ArmPlan>{ {}, text.problem };
   result.problem = result.ok() ? "" : file + ": " + result.problem;
   return result;
 }

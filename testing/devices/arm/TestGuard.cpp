@@ -19,6 +19,7 @@
 #include "devices/arm/link/Guard.h"
 #include "devices/arm/link/SerialPort.h"
 #include "devices/arm/protocol/FalconWire.h"
+#include "haptics/arm/file/ArmFile.h"
 #include "testing/devices/arm/FalconModel.h"
 #include "testing/devices/arm/PtyBoard.h"
 #include "testing/devices/arm/TwoDiyModel.h"
@@ -39,8 +40,21 @@ constexpr int generous_ms = 20000; ///< for an answer on a machine that is busy
 struct KilledTwoDiy
 {
   using Model = test::TwoDiyModel;
-  static ArmBus::Opened open(const std::string& path) { return openTwoDiy(path); }
+  static ArmBus::Opened open(const std::string& path) { return twoDiyKit().bus->open({ path, 0, 0, {}, {} }); }
   static double torque(const Model& model) { return std::hypot(model.torque_Nm[0], model.torque_Nm[1]); }
+};
+
+/// The arm of an owner's file on such a board.
+struct KilledOwnArm
+{
+  using Model = test::TwoDiyModel;
+  static ArmBus::Opened open(const std::string& path)
+  {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder.file("own.json")) << armText("pantograph").value;
+    return ownArmKits(folder.path(), {}).at(0).bus->open({ path, 0, 0, {}, {} });
+  }
+  static double torque(const Model& model) { return KilledTwoDiy::torque(model); }
 };
 
 struct KilledFalcon
@@ -123,7 +137,7 @@ template<class Kit>
 class GuardOfAKilledProgram : public testing::Test
 {
 };
-using KilledArms = testing::Types<KilledTwoDiy, KilledFalcon>;
+using KilledArms = testing::Types<KilledTwoDiy, KilledOwnArm, KilledFalcon>;
 TYPED_TEST_SUITE(GuardOfAKilledProgram, KilledArms);
 
 TYPED_TEST(GuardOfAKilledProgram, EndsTheTorque)
@@ -187,7 +201,7 @@ TEST(Guard, ThatIsKilledEndsTheForceOfItsLine)
 {
   test::TwoDiyModel model;
   test::PtyBoard board(model);
-  const ArmBus::Opened opened = openTwoDiy(board.path());
+  const ArmBus::Opened opened = KilledTwoDiy::open(board.path());
   ASSERT_NE(opened.value, nullptr) << opened.problem;
   WireOrder order;
   order.joint_Nm = { pushed_Nm, -pushed_Nm, 0.0 };

@@ -31,7 +31,8 @@ int answering(const char* path, int mode)
 std::string refusalOf(const std::string& file)
 {
   return "no permission to use " + file +
-         ": copy devices/udev/70-palpate.rules to /etc/udev/rules.d/ and plug the device in again";
+         ": copy devices/udev/70-palpate.rules to /etc/udev/rules.d/, see that it has a line for this device, and plug "
+         "the device in again";
 }
 
 TEST(Permission, ThatIsMissingIsSaidWithTheFileAndTheRemedy)

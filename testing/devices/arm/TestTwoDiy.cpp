@@ -31,7 +31,7 @@ TEST(TwoDiyModel, HasThePlacesOfTheTableOfFacts)
 /// A message that was cut short stands before the guard's: the greeting of a board that pushes already, or torques.
 TEST(TwoDiy, GuardEndsItsTorqueWhateverWasCutShort)
 {
-  const TwoDiyWire wire(twoDiyBoard());
+  const TwoDiyWire wire(boardOf(twoDiyArm()));
   WireOrder order;
   order.joint_Nm = { 0.07, -0.05, 0.0 };
   WireBytes push, anew = wire.greeting();
@@ -100,7 +100,8 @@ TEST(TwoDiy, IsNoWheelWhateverThePersonSays)
     [](const HidEntry&) { return ArmBus::Opened{}; }, [](const HidEntry&) { return ""; } });
   DeviceOptions options;
   options.hid = std::make_shared<test::FakeHidBus>();
-  options.arms = std::make_shared<const std::vector<ArmKit>>(std::vector<ArmKit>{ { "2diy", bus, twoDiySetup() } });
+  options.arms =
+    std::make_shared<const std::vector<ArmKit>>(std::vector<ArmKit>{ { "2diy", bus, setupOf(twoDiyArm()) } });
   const std::string name = "2diy-2341-003e-7";
   EXPECT_EQ(makeDevice(name, options).device->info().deviceClass, DeviceClass::Joystick2D);
   options.wheel = true;

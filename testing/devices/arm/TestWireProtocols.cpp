@@ -130,7 +130,7 @@ TEST(FalconWire, FindsThePacketBehindTheRestOfAnother)
 
 TEST(TwoDiyWire, SendsTorquesAndItsOff)
 {
-  const TwoDiyWire wire(twoDiyBoard());
+  const TwoDiyWire wire(boardOf(twoDiyArm()));
   WireOrder order;
   EXPECT_EQ(hexOf(encoded(wire, order)), "02050000000000000000");
   order.joint_Nm = { 0.05, -0.02, 7.0 };
@@ -143,7 +143,7 @@ TEST(TwoDiyWire, SendsTorquesAndItsOff)
 
 TEST(TwoDiyWire, SetsTheBoardUpBeforeAnythingElse)
 {
-  TwoDiyWire::Setup setup = twoDiyBoard();
+  TwoDiyWire::Setup setup = boardOf(twoDiyArm());
   setup.motorTurned = { 1, 0 };
   // set-up, device 5; motors on ports 1 and 2, the first turned round; encoders likewise, none turned; no sensor, no
   // PWM; 180 degrees (0x43340000), 13824 counts (0x46580000), 0 degrees, 13824 counts.
@@ -154,9 +154,19 @@ TEST(TwoDiyWire, SetsTheBoardUpBeforeAnythingElse)
                                                  "00005846");
 }
 
+TEST(TwoDiyWire, SendsTheTorqueOfMotorsBehindGearsOneOfThemReversed)
+{
+  TwoDiyWire::Setup setup = boardOf(twoDiyArm());
+  setup.gear = { 2.0, -4.0 };
+  WireOrder order;
+  order.joint_Nm = { 0.1, 0.08, 0.0 };
+  // 0.05 and -0.02 N m
+  EXPECT_EQ(hexOf(encoded(TwoDiyWire(setup), order)), "0205cdcc4c3d0ad7a3bc");
+}
+
 TEST(TwoDiyWire, TellsDegreesAndRefusesWhatIsNone)
 {
-  const TwoDiyWire wire(twoDiyBoard());
+  const TwoDiyWire wire(boardOf(twoDiyArm()));
   WireBytes answer{ 5 };
   putFloat(answer, 140.25F);
   putFloat(answer, -40.5F);

@@ -432,7 +432,7 @@ TEST(WoodenHapticsFile, SaysWhatIsWrongWithIt)
   EXPECT_EQ(with("\"length_body_b\"", "\"length_body_x\""), "length_body_b: this key is missing");
   EXPECT_EQ(with("\"cpr_encoder_a\": 2000", "\"cpr_encoder_a\": \"no\""), "cpr_encoder_a: must be a finite number");
   EXPECT_EQ(with("\"variant\": 0", "\"variant\": 3"), "variant: the kinematics of 3 are not known: 0, 1 and 2 are");
-  EXPECT_EQ(with("motor_a\": 0.0259", "motor_a\": 0"), "a torque constant must be above 0");
+  EXPECT_EQ(with("motor_a\": 0.0259", "motor_a\": 0"), "joint 1: its torque constant must be above 0");
   EXPECT_EQ(with("aligned_b\": false", "aligned_b\": \"no\""), "motor_and_body_aligned_b: must be true or false");
   EXPECT_EQ(with("aligned_b\": false", "aligned_b\": 0"), "");
   EXPECT_EQ(readWoodenHapticsFile("{").problem, "not JSON: byte 2 is unexpected");

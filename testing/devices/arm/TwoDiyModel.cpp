@@ -31,15 +31,15 @@ void append(std::vector<std::uint8_t>& bytes, float value)
 
 } // namespace
 
-TwoDiyModel::TwoDiyModel()
+TwoDiyModel::TwoDiyModel(const TwoDiyBody& body) : body_(body)
 {
-  this->place({ 180.0 * deg, 0.0, 0.0 });
+  this->place({ body.pose_deg[0] * deg, body.pose_deg[1] * deg, 0.0 });
 }
 
 /// Elbows l from motors that are d apart, forearms L; the origin is the right motor, as the API has it.
 Vec3 TwoDiyModel::tipOf(const Vec3& q) const
 {
-  constexpr double l = 0.05, L = 0.07, d = 0.02;
+  const double l = this->body_.arm_m, L = this->body_.forearm_m, d = this->body_.base_m;
   // The left arm's motor stands at 0 there and the right arm's at d.
   const double x1 = l * std::cos(q[0]), y1 = l * std::sin(q[0]), x2 = d + l * std::cos(q[1]), y2 = l * std::sin(q[1]);
   const double half = 0.5 * std::hypot(x2 - x1, y2 - y1), up = std::sqrt(std::max(0.0, L * L - half * half));
@@ -112,9 +112,11 @@ TwoDiyModel::SetUp TwoDiyModel::setUpIn() const
   const auto at = [this](std::size_t i) { return i < this->inbox_.size() ? this->inbox_[i] : std::uint8_t{ 0 }; };
   const auto ports = [](std::uint8_t mask) { return static_cast<std::size_t>(std::popcount(mask & 0xFU)); };
   SetUp found;
+  found.motorTurns = 3;
   const std::size_t encoderMask = 3 + ports(at(2));
   found.encoders = ports(at(encoderMask));
-  const std::size_t sensors = encoderMask + 1 + found.encoders;
+  found.encoderTurns = encoderMask + 1;
+  const std::size_t sensors = found.encoderTurns + found.encoders;
   found.pulses = sensors + 1 + at(sensors);
   found.parameters = found.pulses + 1 + at(found.pulses);
   found.length = found.parameters + 8 * found.encoders;
@@ -130,8 +132,10 @@ void TwoDiyModel::setUp()
   {
     this->pins_.insert(this->inbox_[i]);
   }
-  for (std::size_t i = 0; i < std::min<std::size_t>(2, found.encoders); ++i)
+  for (std::size_t i = 0; i < std::min(this->torque_Nm.size(), found.encoders); ++i)
   {
+    this->motorTurned_[i] = this->inbox_[found.motorTurns + i] != 0;
+    this->encoderTurned_[i] = this->inbox_[found.encoderTurns + i] != 0;
     this->offset_deg_[i] = floatAt(this->inbox_, found.parameters + 8 * i);
     this->countsPerTurn_[i] = floatAt(this->inbox_, found.parameters + 4 + 8 * i);
     this->began_deg_[i] = this->joints_rad()[static_cast<int>(i)] / deg;
@@ -149,23 +153,42 @@ void TwoDiyModel::push()
     {
       const double asked_Nm = std::clamp<double>(floatAt(this->inbox_, first + 4 * i), -largest_Nm, largest_Nm);
       this->torque_Nm[i] = std::trunc(steps * asked_Nm / largest_Nm) * largest_Nm / steps;
-      const double turned_deg = this->joints_rad()[static_cast<int>(i)] / deg - this->began_deg_[i];
-      const double counts = std::floor((this->offset_deg_[i] + turned_deg) * this->countsPerTurn_[i] / 360.0 + 1e-6);
-      append(answer, static_cast<float>(360.0 * counts / this->countsPerTurn_[i]));
+      append(answer, static_cast<float>(360.0 * this->counts(i) / this->countsPerTurn_[i]));
     }
   }
   this->say(answer);
 }
 
+/// The offset is written to the counter in whole counts, and the pins of an encoder that is turned are swapped.
+double TwoDiyModel::counts(std::size_t i) const
+{
+  const double turned_deg = this->joints_rad()[static_cast<int>(i)] / deg - this->began_deg_[i];
+  const double sense = this->body_.encoderWiredTurned[i] != this->encoderTurned_[i] ? -1.0 : 1.0;
+  const double perDegree = sense * this->body_.gear[i] * this->body_.countsPerTurn / 360.0;
+  const double began = std::trunc(this->offset_deg_[i] * this->countsPerTurn_[i] / 360.0);
+  return began + std::floor(turned_deg * perDegree + 1e-6);
+}
+
+Vec3 TwoDiyModel::forceOfMotors(const std::array<double, 2>& motor_Nm) const
+{
+  Vec3 joint_Nm = Vec3::Zero();
+  for (std::size_t i = 0; i < motor_Nm.size(); ++i)
+  {
+    const double sense = this->body_.motorWiredTurned[i] != this->motorTurned_[i] ? -1.0 : 1.0;
+    joint_Nm[static_cast<int>(i)] = sense * this->body_.gear[i] * motor_Nm[i];
+  }
+  return this->forceOf(joint_Nm);
+}
+
 Vec3 TwoDiyModel::force_N() const
 {
-  return this->forceOf({ this->torque_Nm[0], this->torque_Nm[1], 0.0 });
+  return this->forceOfMotors(this->torque_Nm);
 }
 
 double TwoDiyModel::step_N() const
 {
   const double step_Nm = largest_Nm / steps;
-  return std::max(this->forceOf({ step_Nm, step_Nm, 0.0 }).norm(), this->forceOf({ step_Nm, -step_Nm, 0.0 }).norm());
+  return std::max(this->forceOfMotors({ step_Nm, step_Nm }).norm(), this->forceOfMotors({ step_Nm, -step_Nm }).norm());
 }
 
 } // namespace palpate::test

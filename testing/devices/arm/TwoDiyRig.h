@@ -12,9 +12,14 @@
 namespace palpate::test
 {
 
-/// A 2DIY in virtual time, without a guard: its line is none of the system's.
+/// A 2DIY, or another arm on such a board, in virtual time, without a guard: its line is none of the system's.
 struct TwoDiyRig
 {
+  explicit TwoDiyRig(const WiredArm& itsArm = twoDiyArm(), const TwoDiyBody& body = {})
+    : arm(itsArm), model(std::make_shared<TwoDiyModel>(body))
+  {
+  }
+
   /// A person holds the arms stretched out and presses the button.
   void setInPose()
   {
@@ -23,13 +28,14 @@ struct TwoDiyRig
     this->rig.run(10);
   }
 
+  WiredArm arm;
   ModelTime time;
-  std::shared_ptr<TwoDiyModel> model = std::make_shared<TwoDiyModel>();
-  BoardRig rig{ time, model, twoDiySetup(),
+  std::shared_ptr<TwoDiyModel> model;
+  BoardRig rig{ time, model, setupOf(arm),
     [this]
     {
       auto line = std::make_unique<WireLine>(
-        std::make_unique<BoardSerial>(this->model, this->time), std::make_shared<TwoDiyWire>(twoDiyBoard()));
+        std::make_unique<BoardSerial>(this->model, this->time), std::make_shared<TwoDiyWire>(boardOf(this->arm)));
       std::string problem = line->begin();
       return ArmBus::Opened{ problem.empty() ? std::move(line) : nullptr, problem };
     } };

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "devices/DeviceFactory.h"
 #include "devices/arm/kit/Kits.h"
+#include "testing/devices/arm/FakeSys.h"
 #include "testing/devices/hid/FakeHidBus.h"
-#include "testing/support/TemporaryFolder.h"
 
 namespace palpate::test
 {
@@ -21,21 +19,11 @@ class TwoPlugs
 public:
   TwoPlugs()
   {
-    const std::filesystem::path falcon = this->sys_.path() / "bus/usb/devices/1-1";
-    writeLine(falcon, "idVendor", "0403");
-    writeLine(falcon, "idProduct", "cb48");
-    writeLine(falcon, "busnum", "1");
-    writeLine(falcon, "devnum", "7");
-    const std::filesystem::path board = this->sys_.path() / "devices/usb1/1-2";
-    const std::filesystem::path line = this->sys_.path() / "class/tty/ttyACM3";
-    writeLine(board, "idVendor", "2341");
-    writeLine(board, "idProduct", "003e");
-    std::filesystem::create_directories(board / "1-2:1.0");
-    std::filesystem::create_directories(line);
-    std::filesystem::create_symlink(board / "1-2:1.0", line / "device");
+    this->sys_.plugUsb("0403", "cb48", 7);
+    this->sys_.plugSerial("ttyACM3", "2341", "003e");
   }
 
-  [[nodiscard]] std::string sys() const { return this->sys_.path().string(); }
+  [[nodiscard]] std::string sys() const { return this->sys_.path(); }
   /// A computer with these two alone, whose system answers so.
   [[nodiscard]] DeviceOptions options(FileAccess access) const
   {
@@ -53,13 +41,7 @@ public:
   }
 
 private:
-  static void writeLine(const std::filesystem::path& folder, const std::string& name, const std::string& line)
-  {
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / name) << line << '\n';
-  }
-
-  TemporaryFolder sys_;
+  FakeSys sys_;
 };
 
 } // namespace palpate::test

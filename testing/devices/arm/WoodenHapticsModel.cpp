@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr double La = 0.080, Lb = 0.205, Lc = 0.245;
-constexpr double capstan = 0.010, counts = 2000.0, kt = 0.0259;
+constexpr double capstan = 0.010, counts = 2000.0;
 constexpr std::array<double, 3> body{ 0.160, 0.120, 0.120 };
 constexpr double ox = 0.22, oz = 0.08;
 constexpr std::array<double, 3> poseCounts{ 0.0, 0.0, 6000.0 };
@@ -85,7 +85,7 @@ void WoodenHapticsModel::say()
 
 bool WoodenHapticsModel::take(HidReportKind kind, std::span<const std::uint8_t> bytes)
 {
-  if (this->frozen || kind != HidReportKind::Output || bytes.size() != 15 || bytes[0] != 0)
+  if (this->frozen || kind != HidReportKind::Output || bytes.size() != 1 + this->reportBytes || bytes[0] != 0)
   {
     return false;
   }
@@ -139,7 +139,7 @@ Vec3 WoodenHapticsModel::force_N() const
   Vec3 torque_Nm;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    torque_Nm[static_cast<int>(i)] = 1e-3 * this->current_mA[i] * kt * body[i] / capstan;
+    torque_Nm[static_cast<int>(i)] = 1e-3 * this->current_mA[i] * this->constants_Nm_per_A[i] * body[i] / capstan;
   }
   return this->forceOf(torque_Nm);
 }
@@ -152,7 +152,8 @@ double WoodenHapticsModel::halfStep_N() const
     Vec3 torque_Nm;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      torque_Nm[static_cast<int>(i)] = ((signs >> i) & 1 ? -1 : 1) * 0.5e-3 * kt * body[i] / capstan;
+      torque_Nm[static_cast<int>(i)] =
+        ((signs >> i) & 1 ? -1 : 1) * 0.5e-3 * this->constants_Nm_per_A[i] * body[i] / capstan;
     }
     most_N = std::max(most_N, this->forceOf(torque_Nm).norm());
   }

@@ -39,7 +39,9 @@ public:
   /// The owner's file for it.
   [[nodiscard]] static std::string file();
 
+  std::array<double, 3> constants_Nm_per_A{ 0.0259, 0.0259, 0.0259 }; ///< of its motors
   std::array<double, 3> current_mA{};
+  std::size_t reportBytes = 14;  ///< that it takes
   bool frozen = false;           ///< it takes nothing and says nothing more
   bool pressed = false;          ///< its calibration button
   int cutAnswers = 0;            ///< so many answers are half as long

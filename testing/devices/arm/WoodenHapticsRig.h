@@ -17,7 +17,10 @@ namespace palpate::test
 /// A WoodenHaptics on a bus in virtual time: a tick of the servo, then an exchange.
 struct WoodenHapticsRig : ServoSide
 {
-  explicit WoodenHapticsRig(bool proven = true)
+  using KitOf = ArmKit (*)(const std::shared_ptr<FakeHidBus>& bus, const TemporaryFolder& folder);
+
+  explicit WoodenHapticsRig(bool proven = true, const HidEntry& plug = plugOf(), KitOf kitOf = kitOn)
+    : port(bus->plug(model, plug)), kit(kitOf(bus, folder))
   {
     if (proven)
     {
@@ -65,8 +68,8 @@ struct WoodenHapticsRig : ServoSide
   TemporaryFolder folder;
   std::shared_ptr<FakeHidBus> bus = std::make_shared<FakeHidBus>();
   std::shared_ptr<WoodenHapticsModel> model = std::make_shared<WoodenHapticsModel>();
-  FakePort& port = bus->plug(model, plugOf());
-  ArmKit kit = kitOn(bus, folder);
+  FakePort& port;
+  ArmKit kit;
   ArmDevice device{ "woodenhaptics", kit.bus, port.entry, kit.setup, { false, &bus->time() } };
 };
 

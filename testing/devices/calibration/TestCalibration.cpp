@@ -9,6 +9,7 @@
 
 #include "devices/calibration/CalibratedDevice.h"
 #include "devices/calibration/CalibrationFiles.h"
+#include "devices/common/UserFolder.h"
 #include "testing/support/Random.h"
 #include "testing/support/TemporaryFolder.h"
 
@@ -130,6 +131,7 @@ TEST(Calibration, TheFolderIsThatOfThePersonsSettings)
   EXPECT_EQ(userCalibrationFolder(nullptr, "/me"), "/me/.config/palpate/calibration");
   EXPECT_EQ(userCalibrationFolder("relative", "/me"), "/me/.config/palpate/calibration"); // must be ignored, says XDG
   EXPECT_EQ(userCalibrationFolder("", nullptr), "");
+  EXPECT_EQ(userFolder(nullptr, "/me", "arms"), "/me/.config/palpate/arms");
 }
 
 TEST(Calibration, DevicesThatDifferInOddCharactersOnlyHaveFilesOfTheirOwn)

@@ -67,6 +67,7 @@ TEST(ArmFile, IsRefusedWithThePlaceAndTheReason)
     { with(delta, "{}, {}, {}", "{}, {}"), "this kind of arm has 3 joints" },
     { with(delta, "\"base_m\"", "\"legs_deg\": [0, 120, 360], \"base_m\""), "two legs have the same azimuth" },
     { with(delta, "\"base_m\"", "\"side\": 2, \"base_m\""), "side: must be 1 or -1" },
+    { with(twoLinks, "\"tip_m\"", "\"wire\": 7, \"tip_m\""), "wire: must be an object, { ... }" },
     { "[]", "must be an object" },
     { "", "not JSON" },
   };
@@ -76,6 +77,12 @@ TEST(ArmFile, IsRefusedWithThePlaceAndTheReason)
     EXPECT_THAT(problem, HasSubstr(says));
     EXPECT_EQ(problem.find('\n'), std::string::npos);
   }
+}
+
+TEST(ArmFile, LeavesItsWireToWhoeverDrivesTheArm)
+{
+  const std::string wired = with(twoLinks, "\"tip_m\"", "\"wire\": { \"protocol\": \"smoke\" }, \"tip_m\"");
+  EXPECT_EQ(parseArm(wired).problem, "");
 }
 
 TEST(ArmFile, CutShortAnywhereIsNotJson)
