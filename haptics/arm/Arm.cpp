@@ -10,9 +10,9 @@
 #include "haptics/arm/ArmMeasures.h"
 #include "haptics/arm/DeltaArm.h"
 #include "haptics/arm/FiveBar.h"
+#include "haptics/arm/SerialArm.h"
 #include "haptics/arm/WoodenArm.h"
-#include "haptics/arm/chain/SerialArm.h"
-#include "haptics/arm/chain/Wrist.h"
+#include "haptics/arm/Wrist.h"
 #include "haptics/core/PoseMath.h"
 
 namespace palpate

@@ -7,9 +7,9 @@
 #include "haptics/arm/Arm.h"
 #include "haptics/arm/DeltaArm.h"
 #include "haptics/arm/FiveBar.h"
+#include "haptics/arm/SerialArm.h"
 #include "haptics/arm/WoodenArm.h"
-#include "haptics/arm/chain/SerialArm.h"
-#include "haptics/arm/chain/Wrist.h"
+#include "haptics/arm/Wrist.h"
 #include "haptics/core/PoseMath.h"
 
 namespace palpate
@@ -70,7 +70,7 @@ std::optional<JointVector> Arm::inverse(const Vec3& p_D) const noexcept
   return this->inverse(p_D, this->middle());
 }
 
-/// The joints before a wrist that bring what carries it to a place; nothing for a chain.
+/// The joints before a wrist that bring the tip of its kind to a place; nothing for a chain.
 std::optional<JointVector> Arm::baseFor(const Vec3& p) const noexcept
 {
   const auto solve = [&p](const auto& geometry) -> std::optional<JointVector>
@@ -117,8 +117,8 @@ std::optional<JointVector> Arm::inverse(const Pose& tip_D, const JointVector& ne
                                                                                : std::nullopt;
 }
 
-/// Brings what carries the wrist to where the tip is the goal's if the wrist stays as it is, then turns the wrist. With
-/// all hinges and the tip at one point that is the solution. False: no base is there.
+/// Moves the base so that the tip would be at the goal if the wrist kept its place, then turns the wrist. With all hinges
+/// and the tip at one point that is the solution. False: no joints of the base reach there.
 bool Arm::aim(const ChainGoal& goal, JointVector& q) const noexcept
 {
   const int own = this->plan_.wrist.count;
@@ -183,7 +183,8 @@ std::optional<JointVector> Arm::searched(const ChainGoal& goal, const JointVecto
         2.6457513110645907, 3.3166247903554, 3.605551275463989 };
       const double share = std::fmod(attempt * roots[static_cast<std::size_t>(k)], 1.0);
       const ArmJoint& joint = this->plan_.joints[static_cast<std::size_t>(k)];
-      const double low = std::max(joint.low_rad, -0.5 * wholeTurn_rad), high = std::min(joint.high_rad, 0.5 * wholeTurn_rad);
+      const double low = std::max(joint.low_rad, -0.5 * wholeTurn_rad),
+                   high = std::min(joint.high_rad, 0.5 * wholeTurn_rad);
       from[k] = low + share * (high - low);
     }
     found = this->checked(this->step(goal, from));

@@ -100,7 +100,7 @@ struct ArmPlan
   std::string source; ///< origin of the numbers
   ArmGeometry geometry;
   SerialGeometry
-    wrist; ///< hinges on the tip of any kind but a chain; count 0: none. chain/Wrist.h has the frame they stand in
+    wrist; ///< hinges on the tip of any kind but a chain; count 0: none. Wrist.h has the frame they stand in
   Pose base_D;
   std::array<ArmJoint, mostJoints> joints; ///< those with motors first, those of the wrist last
   std::vector<ArmMass> masses;

@@ -3,8 +3,8 @@
 
 #include <iostream>
 
-#include "haptics/arm/ArmWorkSpaceMap.h"
 #include "haptics/arm/file/ArmFile.h"
+#include "haptics/arm/shown/ArmWorkSpaceMap.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticJson.h"
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "haptics/arm/ArmSkeleton.h"
-#include "haptics/arm/ArmWorkSpaceMap.h"
 #include "haptics/arm/file/ArmFile.h"
+#include "haptics/arm/shown/ArmSkeleton.h"
+#include "haptics/arm/shown/ArmWorkSpaceMap.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"

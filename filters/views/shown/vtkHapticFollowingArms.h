@@ -7,7 +7,7 @@ class vtkSMProxy;
 struct vtkHapticViewScan;
 
 /// The arms of the pipeline that are drawn at the hand of a session (FollowHand of vtkHapticArm). A source on a server
-/// stays at its typed hand. What is made of such an arm follows the hand, so that it is not touched.
+/// stays at its typed hand. All that filters make of such an arm follows the hand too, and is not touched.
 class vtkHapticFollowingArms
 {
 public:

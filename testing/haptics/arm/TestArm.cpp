@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "haptics/arm/ArmMeasures.h"
-#include "haptics/arm/ArmSkeleton.h"
 #include "haptics/arm/file/ArmFile.h"
+#include "haptics/arm/shown/ArmSkeleton.h"
 #include "haptics/core/PoseMath.h"
 #include "testing/oracles/arm/ArmOracle.h"
 #include "testing/support/AllocationGuard.h"

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "haptics/arm/ArmWorkSpaceMap.h"
 #include "haptics/arm/file/ArmFile.h"
+#include "haptics/arm/shown/ArmWorkSpaceMap.h"
 #include "testing/support/TemporaryFolder.h"
 
 namespace palpate

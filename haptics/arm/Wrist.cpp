@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/arm/chain/Wrist.h"
+#include "haptics/arm/Wrist.h"
 
 #include <cmath>
 
-#include "haptics/arm/chain/SerialArm.h"
+#include "haptics/arm/SerialArm.h"
 #include "haptics/core/PoseMath.h"
 
 namespace palpate

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/arm/chain/SerialArm.h"
+#include "haptics/arm/SerialArm.h"
 
 #include <cmath>
 
-#include "haptics/arm/chain/PostureSearch.h"
+#include "haptics/arm/PostureSearch.h"
 #include "haptics/core/PoseMath.h"
 
 namespace palpate

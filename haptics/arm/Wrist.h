@@ -21,7 +21,7 @@ void turnCarrier(const FiveBarGeometry& arm, const JointVector& q, Posture& post
 /// The tip of a wrist whose last joints are q's.
 [[nodiscard]] Posture carried(const Posture& carrier, const SerialGeometry& wrist, const JointVector& q) noexcept;
 
-/// The same hinges with all their axes through one point: what of them turns.
+/// The same hinges with all their axes through one point, for the rotation alone.
 [[nodiscard]] SerialGeometry throughOnePoint(const SerialGeometry& wrist) noexcept;
 
 } // namespace palpate

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "haptics/arm/ArmPlan.h"
-#include "haptics/arm/chain/PostureSearch.h"
+#include "haptics/arm/PostureSearch.h"
 
 namespace palpate
 {

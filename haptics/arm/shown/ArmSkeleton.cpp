@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/arm/ArmSkeleton.h"
+#include "haptics/arm/shown/ArmSkeleton.h"
 
 #include "haptics/core/PoseMath.h"
 
