@@ -10,8 +10,8 @@ namespace palpate::test
 {
 
 /// Kinematics from the constraints of each kind in 113 bits, by other formulas than those of the arms: chains and
-/// wrists by Rodrigues' formula, legs by Newton steps on the lengths of their rods, what carries a wrist by the
-/// directions of its links.
+/// wrists by Rodrigues' formula, legs by Newton steps on the lengths of their rods, the frame of a wrist by the
+/// directions of the links before it.
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
 using QuadVector = Eigen::Matrix<Quad, Eigen::Dynamic, 1>;
