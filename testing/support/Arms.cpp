@@ -176,7 +176,8 @@ std::vector<ArmPlan> armsWithWrists()
   placed.base_D = { Vec3(0.1, -0.2, 0.3), Quat(0.5, 0.5, -0.5, 0.5) };
   return { placed, withWrist(hangingDelta(), "delta with a tilting plate", wristOf({ x, y }, 0.0, { 0.0, 0.0, 0.05 })),
     withWrist(wooden, "woodenhaptics with a gimbal", wristOf({ z, x, y }, 0.0, Vec3::Zero())),
-    withWrist(wooden, "woodenhaptics with a stylus", wristOf({ z, x, y }, 0.005, { 0.0, 0.02, 0.03 })), turning };
+    withWrist(wooden, "woodenhaptics with a stylus", wristOf({ z, x, y }, 0.005, { 0.0, 0.02, 0.03 })), turning,
+    withWrist(fiveBar(), "five-bar with a tilting handle", wristOf({ z, x }, 0.0, { 0.0, 0.03, 0.02 })) };
 }
 
 std::vector<UsablePlace> usablePlaces(const Arm& arm, double step_m)

@@ -188,6 +188,21 @@ TEST(Arm, OfAWristThroughOnePointReachesAPoseFromAnywhereAndNoneThatItsLimitsExc
   EXPECT_FALSE(arm.inverse(Pose{ Vec3(0, 0, 0.5), Quat::Identity() }, middle)) << "out of reach";
 }
 
+TEST(Arm, WithAWristReachesAPlaceThatIsOffItsPlaneToo)
+{
+  forEachWrist(888,
+    [](const Arm& arm, const JointVector& q, test::Random&)
+    {
+      const Vec3 p_D = arm.forward(q)->p;
+      JointVector from = q;
+      from.array() += 0.05;
+      const std::optional<JointVector> back = arm.inverse(p_D, from);
+      ASSERT_TRUE(back) << q.transpose();
+      EXPECT_TRUE(arm.withinLimits(*back));
+      EXPECT_LE((arm.forward(*back)->p - p_D).norm(), 1e-12 * p_D.norm());
+    });
+}
+
 TEST(Arm, WithoutAWristHasTheSamePostureAsWithOneThatStandsStillAtItsTip)
 {
   for (const ArmPlan& with : test::armsWithWrists())
