@@ -117,8 +117,8 @@ std::optional<JointVector> Arm::inverse(const Pose& tip_D, const JointVector& ne
                                                                                : std::nullopt;
 }
 
-/// Moves the base so that the tip would be at the goal if the wrist kept its place, then turns the wrist. With all hinges
-/// and the tip at one point that is the solution. False: no joints of the base reach there.
+/// Moves the base so that the tip would be at the goal if the wrist kept its place, then turns the wrist. With all
+/// hinges and the tip at one point that is the solution. False: no joints of the base reach there.
 bool Arm::aim(const ChainGoal& goal, JointVector& q) const noexcept
 {
   const int own = this->plan_.wrist.count;
@@ -145,23 +145,21 @@ bool Arm::aim(const ChainGoal& goal, JointVector& q) const noexcept
   return true;
 }
 
-/// The joints for a goal that are found from there. With a wrist the arm is aimed twice, since a wrist off its centre
-/// moves the tip where it turns, and then all joints move at once.
+/// The joints for a goal that are found from there. A wrist through one point is aimed first, and that is the solution.
+/// Any other one moves the tip where it turns: all joints move at once from there, and then from where two aims lead.
 std::optional<JointVector> Arm::step(const ChainGoal& goal, const JointVector& from) const noexcept
 {
   if (const auto* const chain = std::get_if<SerialGeometry>(&this->plan_.geometry))
   {
     return stepTo(*chain, goal, from);
   }
-  JointVector q = from;
-  const bool reached = this->aim(goal, q) && this->aim(goal, q);
-  if (!reached && reachOf(this->plan_.wrist) == 0.0)
-  {
-    return std::nullopt;
-  }
+  const double wrist_m = reachOf(this->plan_.wrist);
   const double size_m = std::visit([](const auto& geometry) { return sizeOf(geometry); }, this->plan_.geometry);
-  const double reach_m = size_m + reachOf(this->plan_.wrist);
-  return stepTo([this](const JointVector& at) { return this->ownPosture(at); }, reach_m, goal, q);
+  const auto all = [&](const JointVector& q)
+  { return stepTo([this](const JointVector& at) { return this->ownPosture(at); }, size_m + wrist_m, goal, q); };
+  const std::optional<JointVector> near = wrist_m > 0.0 ? all(from) : std::nullopt;
+  JointVector q = from;
+  return near ? near : this->aim(goal, q) && this->aim(goal, q) ? all(q) : std::nullopt;
 }
 
 /// Searches from `near`, then from points spread over the joints' ranges.

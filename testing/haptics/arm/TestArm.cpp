@@ -16,6 +16,8 @@ namespace palpate
 namespace
 {
 
+constexpr std::size_t postures = 2000; // of each arm
+
 JointVector randomWay(const Arm& arm, test::Random& random)
 {
   JointVector way(arm.joints());
@@ -28,15 +30,15 @@ JointVector randomWay(const Arm& arm, test::Random& random)
 
 /// Calls visit(arm, q, random) for random postures of each arm.
 template<class Visit>
-void forEachPosture(std::uint64_t seed, const Visit& visit)
+void forEachPosture(std::uint64_t seed, const std::vector<ArmPlan>& arms, std::size_t count, const Visit& visit)
 {
-  for (const ArmPlan& plan : test::allArms())
+  for (const ArmPlan& plan : arms)
   {
     ASSERT_EQ(refuse(plan), "") << plan.name;
     SCOPED_TRACE(plan.name);
     const Arm arm(plan);
     test::Random random(test::testSeed(seed));
-    for (std::size_t i = 0; i < test::testCount(2000) && !testing::Test::HasFailure(); ++i)
+    for (std::size_t i = 0; i < test::testCount(count) && !testing::Test::HasFailure(); ++i)
     {
       visit(arm, test::randomJoints(arm, random), random);
     }
@@ -45,7 +47,7 @@ void forEachPosture(std::uint64_t seed, const Visit& visit)
 
 TEST(Arm, BringsTheTipWhereTheConstraintsOfItsLinksPutIt)
 {
-  forEachPosture(871,
+  forEachPosture(871, test::allArms(), postures,
     [](const Arm& arm, const JointVector& q, test::Random&)
     {
       const Vec3 p = arm.forward(q)->p;
@@ -57,7 +59,7 @@ TEST(Arm, BringsTheTipWhereTheConstraintsOfItsLinksPutIt)
 
 TEST(Arm, ReachesAgainWhereItWas)
 {
-  forEachPosture(872,
+  forEachPosture(872, test::allArms(), postures,
     [](const Arm& arm, const JointVector& q, test::Random&)
     {
       const Pose tip = *arm.forward(q);
@@ -74,7 +76,7 @@ TEST(Arm, ReachesAgainWhereItWas)
 
 TEST(Arm, HasTheJacobianOfDifferencesAndDoesTheWorkOfItsTorques)
 {
-  forEachPosture(873,
+  forEachPosture(873, test::allArms(), postures,
     [](const Arm& arm, const JointVector& q, test::Random& random)
     {
       const Posture posture = arm.posture(q);
@@ -117,18 +119,12 @@ Mat3 turnInQuad(const ArmPlan& plan, const JointVector& q, const Vec3& near_D)
   return turn;
 }
 
-/// Calls visit(arm, q, random) for random postures of each arm with a wrist.
+/// The same for arms with wrists alone.
 template<class Visit>
 void forEachWrist(std::uint64_t seed, const Visit& visit)
 {
-  forEachPosture(seed,
-    [&visit](const Arm& arm, const JointVector& q, test::Random& random)
-    {
-      if (arm.plan().wrist.count > 0)
-      {
-        visit(arm, q, random);
-      }
-    });
+  constexpr std::size_t count = 200;
+  forEachPosture(seed, test::armsWithWrists(), count, visit);
 }
 
 TEST(Arm, TurnsTheTipOfAWristAsTheDirectionsOfItsLinksSay)
