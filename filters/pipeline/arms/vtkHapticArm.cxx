@@ -22,6 +22,15 @@
 
 vtkStandardNewMacro(vtkHapticArm);
 
+/// A hand as it was shown: position from the middle of the work space, turn, map into the scene by rows.
+struct vtkHapticShownHand
+{
+  std::array<double, 3> Position{};
+  std::array<double, 4> Turn{};
+  std::array<double, 16> ToScene{};
+  bool operator==(const vtkHapticShownHand&) const = default;
+};
+
 namespace
 {
 using palpate::JointVector;
@@ -36,22 +45,13 @@ struct Placement
   Vec3 operator*(const Vec3& p_D) const { return this->Origin + this->Axes * p_D; }
 };
 
-/// A hand as it was shown: position from the middle of the work space, turn, map into the scene by rows.
-struct ShownHand
-{
-  std::array<double, 3> Position{};
-  std::array<double, 4> Turn{};
-  std::array<double, 16> ToScene{};
-  bool operator==(const ShownHand&) const = default;
-};
-
-Vec3 PositionOf(const ShownHand& hand, const palpate::Arm& arm)
+Vec3 PositionOf(const vtkHapticShownHand& hand, const palpate::Arm& arm)
 {
   return arm.plan().workSpace.centre_D + Vec3(hand.Position.data());
 }
 
 /// The hand's position is from the middle of the work space.
-Placement PlacementOf(const ShownHand& hand, const palpate::Arm& arm)
+Placement PlacementOf(const vtkHapticShownHand& hand, const palpate::Arm& arm)
 {
   const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> toScene(hand.ToScene.data());
   Placement placement;
@@ -62,7 +62,7 @@ Placement PlacementOf(const ShownHand& hand, const palpate::Arm& arm)
 
 /// Joints for a hand, turned as the hand where the arm can be; nothing out of reach.
 std::optional<JointVector> JointsAt(
-  const ShownHand& hand, const palpate::Arm& arm, const std::optional<JointVector>& before)
+  const vtkHapticShownHand& hand, const palpate::Arm& arm, const std::optional<JointVector>& before)
 {
   const Vec3 p_D = PositionOf(hand, arm);
   const std::optional<JointVector> placed = before ? arm.inverse(p_D, *before) : arm.inverse(p_D);
@@ -136,9 +136,9 @@ public:
   std::optional<palpate::Arm> Arm;
   std::vector<palpate::ArmPlace> Places;
 
-  std::optional<ShownHand> Hand;     ///< none: the typed one
-  std::optional<JointVector> Joints; ///< of the last hand that was in reach
-  bool Warned = false;               ///< that one was not
+  std::optional<vtkHapticShownHand> Hand; ///< none: the typed one
+  std::optional<JointVector> Joints;      ///< of the last hand that was in reach
+  bool Warned = false;                    ///< that one was not
 };
 
 vtkHapticArm::vtkHapticArm() : Impl(std::make_unique<Internals>())
@@ -158,7 +158,7 @@ void vtkHapticArm::PrintSelf(ostream& os, vtkIndent indent)
 
 bool vtkHapticArm::ShowHand(const double hand_D[3], const double turn_D[4], vtkMatrix4x4* toScene)
 {
-  ShownHand hand;
+  vtkHapticShownHand hand;
   std::copy(hand_D, hand_D + 3, hand.Position.begin());
   std::copy(turn_D, turn_D + 4, hand.Turn.begin());
   std::copy(toScene->GetData(), toScene->GetData() + 16, hand.ToScene.begin());
@@ -224,7 +224,7 @@ int vtkHapticArm::RequestData(vtkInformation*, vtkInformationVector**, vtkInform
   }
   Internals& impl = *this->Impl;
   const palpate::Arm& arm = *impl.Arm;
-  const ShownHand* const hand = this->FollowHand && impl.Hand ? &*impl.Hand : nullptr;
+  const vtkHapticShownHand* const hand = this->FollowHand && impl.Hand ? &*impl.Hand : nullptr;
   const Vec3 typed_D = arm.plan().workSpace.centre_D + Vec3(this->Hand);
   std::optional<JointVector> joints = hand ? JointsAt(*hand, arm, impl.Joints) : arm.inverse(typed_D);
   if (!joints)
