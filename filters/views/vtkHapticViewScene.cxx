@@ -82,7 +82,7 @@ public:
   {
     options.Remote = &this->Remote;
     vtkHapticViewScan scan = vtkHapticScanView(this->View, this->Shapes, options);
-    this->Handed.Change(this->Session, scan);
+    this->Handed.Change(this->Session, this->View, scan);
     return scan;
   }
 

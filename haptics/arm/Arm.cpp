@@ -12,6 +12,7 @@
 #include "haptics/arm/FiveBar.h"
 #include "haptics/arm/SerialArm.h"
 #include "haptics/arm/WoodenArm.h"
+#include "haptics/arm/Wrist.h"
 #include "haptics/core/PoseMath.h"
 
 namespace palpate
@@ -31,7 +32,7 @@ double sharePast(double left, double width) noexcept
 } // namespace
 
 Arm::Arm(const ArmPlan& plan)
-  : plan_(plan), joints_(jointCountOf(plan.geometry)), directions_(isPlanar(plan.geometry) ? 2 : 3),
+  : plan_(plan), joints_(jointCountOf(plan.geometry) + plan.wrist.count), directions_(isPlanar(plan.geometry) ? 2 : 3),
     turn_D_(plan.base_D.q.toRotationMatrix()), gears_(JointMatrix::Zero(this->joints_, this->joints_))
 {
   for (int k = 0; k < this->joints_; ++k)
@@ -108,22 +109,73 @@ bool Arm::withinLimits(const JointVector& q) const noexcept
   return true;
 }
 
+/// With the orientation of the link that carries the wrist.
+Posture Arm::ownCarrier(const JointVector& q) const noexcept
+{
+  const JointVector base = q.head(this->joints_ - this->plan_.wrist.count);
+  const auto made = [&base](const auto& geometry)
+  {
+    Posture posture = postureOf(geometry, base);
+    // The platform of a delta keeps its orientation.
+    if constexpr (requires { turnCarrier(geometry, base, posture); })
+    {
+      if (posture.exists)
+      {
+        turnCarrier(geometry, base, posture);
+      }
+    }
+    return posture;
+  };
+  return std::visit(made, this->plan_.geometry);
+}
+
+/// In the frame of the base.
+Posture Arm::ownPosture(const JointVector& q) const noexcept
+{
+  const SerialGeometry& wrist = this->plan_.wrist;
+  if (wrist.count == 0)
+  {
+    return std::visit([&q](const auto& geometry) { return postureOf(geometry, q); }, this->plan_.geometry);
+  }
+  const Posture carrier = this->ownCarrier(q);
+  return carrier.exists ? carried(carrier, wrist, q.tail(wrist.count)) : carrier;
+}
+
+void Arm::place(Posture& posture) const noexcept
+{
+  posture.tip = this->plan_.base_D * posture.tip;
+  posture.jacobian.topRows<3>() = (this->turn_D_ * posture.jacobian.topRows<3>()).eval();
+  posture.jacobian.bottomRows<3>() = (this->turn_D_ * posture.jacobian.bottomRows<3>()).eval();
+}
+
 Posture Arm::posture(const JointVector& q) const noexcept
 {
   Posture posture;
   if (q.size() == this->joints_ && q.allFinite())
   {
-    posture = std::visit([&q](const auto& geometry) { return postureOf(geometry, q); }, this->plan_.geometry);
+    posture = this->ownPosture(q);
   }
   if (!posture.exists)
   {
     posture.jacobian = ArmJacobian::Zero(6, this->joints_);
     return posture;
   }
-  posture.tip = this->plan_.base_D * posture.tip;
-  posture.jacobian.topRows<3>() = (this->turn_D_ * posture.jacobian.topRows<3>()).eval();
-  posture.jacobian.bottomRows<3>() = (this->turn_D_ * posture.jacobian.bottomRows<3>()).eval();
+  this->place(posture);
   return posture;
+}
+
+Posture Arm::carrier(const JointVector& q) const noexcept
+{
+  if (this->plan_.wrist.count == 0 || q.size() != this->joints_ || !q.allFinite())
+  {
+    return this->posture(q);
+  }
+  Posture carrier = this->ownCarrier(q);
+  if (carrier.exists)
+  {
+    this->place(carrier);
+  }
+  return carrier;
 }
 
 std::optional<Pose> Arm::forward(const JointVector& q) const noexcept
@@ -132,14 +184,10 @@ std::optional<Pose> Arm::forward(const JointVector& q) const noexcept
   return posture.exists ? std::optional(posture.tip) : std::nullopt;
 }
 
-LinkPoint Arm::linkPoint(const JointVector& q, int link, const Vec3& at) const noexcept
+/// On a link before the wrist, with the joints before it.
+LinkPoint Arm::ownPoint(const JointVector& q, int link, const Vec3& at) const noexcept
 {
-  LinkPoint point;
-  point.jacobian = PointJacobian::Zero(3, this->joints_);
-  if (q.size() != this->joints_ || !q.allFinite())
-  {
-    return point;
-  }
+  const PointJacobian none = PointJacobian::Zero(3, q.size());
   const auto pointOn = [&](const auto& geometry)
   {
     using Geometry = std::decay_t<decltype(geometry)>;
@@ -150,109 +198,38 @@ LinkPoint Arm::linkPoint(const JointVector& q, int link, const Vec3& at) const n
     else
     {
       const Posture posture = postureOf(geometry, q);
-      return posture.exists ? linkPointOf(geometry, q, posture, link, at) : point;
+      return posture.exists ? linkPointOf(geometry, q, posture, link, at) : LinkPoint{ Vec3::Zero(), none };
     }
   };
-  point = std::visit(pointOn, this->plan_.geometry);
+  return std::visit(pointOn, this->plan_.geometry);
+}
+
+LinkPoint Arm::linkPoint(const JointVector& q, int link, const Vec3& at) const noexcept
+{
+  LinkPoint point;
+  point.jacobian = PointJacobian::Zero(3, this->joints_);
+  if (q.size() != this->joints_ || !q.allFinite())
+  {
+    return point;
+  }
+  const int before = linkCountOf(this->plan_.geometry), own = this->plan_.wrist.count;
+  if (own == 0)
+  {
+    point = this->ownPoint(q, link, at);
+  }
+  else if (link <= before)
+  {
+    const LinkPoint ofBase = this->ownPoint(q.head(this->joints_ - own), link, at);
+    point.p = ofBase.p;
+    point.jacobian.leftCols(this->joints_ - own) = ofBase.jacobian;
+  }
+  else if (const Posture carrier = this->ownCarrier(q); carrier.exists)
+  {
+    point = carried(carrier, linkPointOf(this->plan_.wrist, q.tail(own), link - before, at));
+  }
   point.p = this->plan_.base_D * point.p;
   point.jacobian = (this->turn_D_ * point.jacobian).eval();
   return point;
-}
-
-JointVector Arm::middle() const noexcept
-{
-  JointVector q(this->joints_);
-  for (int k = 0; k < this->joints_; ++k)
-  {
-    const ArmJoint& joint = this->plan_.joints[static_cast<std::size_t>(k)];
-    const double middle = 0.5 * (joint.low_rad + joint.high_rad);
-    q[k] = std::isfinite(middle) ? middle : joint.zero_rad;
-  }
-  return q;
-}
-
-std::optional<JointVector> Arm::checked(std::optional<JointVector> q) const noexcept
-{
-  for (int k = 0; q && k < this->joints_; ++k)
-  {
-    // Angles that differ by whole turns are one position: the angle within the limits counts.
-    const ArmJoint& joint = this->plan_.joints[static_cast<std::size_t>(k)];
-    double& angle = (*q)[k];
-    angle += angle > joint.high_rad  ? -turn_rad * std::ceil((angle - joint.high_rad) / turn_rad)
-             : angle < joint.low_rad ? turn_rad * std::ceil((joint.low_rad - angle) / turn_rad)
-                                     : 0.0;
-  }
-  return q && q->allFinite() && this->withinLimits(*q) ? q : std::nullopt;
-}
-
-std::optional<JointVector> Arm::inverse(const Vec3& p_D) const noexcept
-{
-  return this->inverse(p_D, this->middle());
-}
-
-std::optional<JointVector> Arm::inverse(const Vec3& p_D, const JointVector& near) const noexcept
-{
-  const Vec3 p = into(this->plan_.base_D, p_D);
-  if (!p.allFinite() || (this->directions_ == 2 && std::fabs(p.z()) > 1e-9))
-  {
-    return std::nullopt;
-  }
-  if (const auto* const chain = std::get_if<SerialGeometry>(&this->plan_.geometry))
-  {
-    return this->searched(*chain, { p, std::nullopt }, near);
-  }
-  const auto solve = [&p](const auto& geometry) -> std::optional<JointVector>
-  {
-    if constexpr (std::is_same_v<std::decay_t<decltype(geometry)>, SerialGeometry>)
-    {
-      return std::nullopt;
-    }
-    else
-    {
-      return inverseOf(geometry, p);
-    }
-  };
-  const std::optional<JointVector> q = this->checked(std::visit(solve, this->plan_.geometry));
-  // Legs that reach p_D may close elsewhere: in the other solution of the forward kinematics.
-  const std::optional<Pose> closed = q ? this->forward(*q) : std::nullopt;
-  return closed && (closed->p - p_D).norm() <= 1e-9 ? q : std::nullopt;
-}
-
-std::optional<JointVector> Arm::inverse(const Pose& tip_D, const JointVector& near) const noexcept
-{
-  const auto* const chain = std::get_if<SerialGeometry>(&this->plan_.geometry);
-  const Pose tip = into(this->plan_.base_D, tip_D);
-  return chain != nullptr && tip.p.allFinite() && tip.q.coeffs().allFinite()
-           ? this->searched(*chain, { tip.p, tip.q }, near)
-           : std::nullopt;
-}
-
-/// Searches from `near`, then from points spread over the joints' ranges.
-std::optional<JointVector> Arm::searched(
-  const SerialGeometry& chain, const ChainGoal& goal, const JointVector& near) const noexcept
-{
-  constexpr int tries = 24;
-  if (near.size() != this->joints_ || !near.allFinite())
-  {
-    return std::nullopt;
-  }
-  std::optional<JointVector> found = this->checked(stepTo(chain, goal, near));
-  for (int attempt = 1; !found && attempt < tries; ++attempt)
-  {
-    JointVector from(this->joints_);
-    for (int k = 0; k < this->joints_; ++k)
-    {
-      // Multiples of square roots of primes, less their whole part, are spread evenly (Weyl 1916).
-      constexpr std::array<double, mostJoints> roots{ 1.4142135623730951, 1.7320508075688772, 2.23606797749979,
-        2.6457513110645907, 3.3166247903554, 3.605551275463989 };
-      const double share = std::fmod(attempt * roots[static_cast<std::size_t>(k)], 1.0);
-      const ArmJoint& joint = this->plan_.joints[static_cast<std::size_t>(k)];
-      const double low = std::max(joint.low_rad, -0.5 * turn_rad), high = std::min(joint.high_rad, 0.5 * turn_rad);
-      from[k] = low + share * (high - low);
-    }
-    found = this->checked(stepTo(chain, goal, from));
-  }
-  return found;
 }
 
 JointVector Arm::torqueOf(const JointVector& q, const Wrench& wrench_D) const noexcept

@@ -43,6 +43,8 @@ public:
   /// Pose of the tip and Jacobian at once. Joints that are not finite, and those with which the links do not close,
   /// have no posture.
   [[nodiscard]] Posture posture(const JointVector& q) const noexcept;
+  /// The same of the place that carries the wrist, with the rotation of its link (Wrist.h); of the tip without a wrist.
+  [[nodiscard]] Posture carrier(const JointVector& q) const noexcept;
   /// The pose of the tip alone.
   [[nodiscard]] std::optional<Pose> forward(const JointVector& q) const noexcept;
   [[nodiscard]] ArmJacobian jacobian(const JointVector& q) const noexcept { return this->posture(q).jacobian; }
@@ -50,11 +52,11 @@ public:
   /// A point of a link, given as ArmMass says, and its Jacobian, which is zero where the arm has no posture.
   [[nodiscard]] LinkPoint linkPoint(const JointVector& q, int link, const Vec3& at) const noexcept;
 
-  /// Joints for a position of the tip; nothing if the position is out of reach or beyond the limits. A chain is solved
-  /// iteratively from `near`, then from other joints within its limits.
+  /// Joints for a position of the tip; nothing if the position is out of reach or beyond the limits. A chain and an arm
+  /// with a wrist are solved iteratively from `near`, then from other joints within their limits.
   [[nodiscard]] std::optional<JointVector> inverse(const Vec3& p_D) const noexcept;
   [[nodiscard]] std::optional<JointVector> inverse(const Vec3& p_D, const JointVector& near) const noexcept;
-  /// Likewise for a pose of the tip, for a chain of six joints.
+  /// Likewise for a pose of the tip, for a chain of six joints and for an arm with a wrist.
   [[nodiscard]] std::optional<JointVector> inverse(const Pose& tip_D, const JointVector& near) const noexcept;
 
   /// Torque of the joints for a wrench on the hand, at the tip: J^T w [N m]. 0 for joints without motor.
@@ -84,8 +86,15 @@ public:
 private:
   [[nodiscard]] std::optional<JointVector> checked(std::optional<JointVector> q) const noexcept;
   [[nodiscard]] JointVector middle() const noexcept;
-  [[nodiscard]] std::optional<JointVector> searched(
-    const SerialGeometry& chain, const ChainGoal& goal, const JointVector& near) const noexcept;
+  void place(Posture& posture) const noexcept;
+  [[nodiscard]] Posture ownCarrier(const JointVector& q) const noexcept;
+  [[nodiscard]] Posture ownPosture(const JointVector& q) const noexcept;
+  [[nodiscard]] LinkPoint ownPoint(const JointVector& q, int link, const Vec3& at) const noexcept;
+  [[nodiscard]] std::optional<JointVector> baseFor(const Vec3& p) const noexcept;
+  [[nodiscard]] bool aim(const ChainGoal& goal, JointVector& q) const noexcept;
+  [[nodiscard]] std::optional<JointVector> step(const ChainGoal& goal, const JointVector& from) const noexcept;
+  [[nodiscard]] std::optional<JointVector> searched(const ChainGoal& goal, const JointVector& near) const noexcept;
+  [[nodiscard]] bool isSearched() const noexcept; ///< iteratively
 
   ArmPlan plan_;
   int joints_ = 0, motors_ = 0, directions_ = 3;

@@ -23,25 +23,27 @@ struct Refusal
     return {};
   }
 
-  std::string operator()(const SerialGeometry& chain) const
+  /// `before`: joints before the first hinge.
+  static std::string hinges(const SerialGeometry& chain, int before)
   {
-    if (chain.count < 1 || chain.count > mostJoints)
-    {
-      return "a chain needs 1 to 6 joints";
-    }
     for (int k = 0; k < chain.count; ++k)
     {
       const SerialGeometry::Hinge& hinge = chain.hinges[static_cast<std::size_t>(k)];
       if (!(std::fabs(hinge.axis.norm() - 1.0) < 1e-9))
       {
-        return "the axis of joint " + std::to_string(k + 1) + " must have a direction";
+        return "the axis of joint " + std::to_string(before + k + 1) + " must have a direction";
       }
       if (!hinge.origin.p.allFinite() || !(std::fabs(hinge.origin.q.norm() - 1.0) < 1e-9))
       {
-        return "the place of joint " + std::to_string(k + 1) + " is not a finite pose";
+        return "the place of joint " + std::to_string(before + k + 1) + " is not a finite pose";
       }
     }
     return chain.tip.p.allFinite() ? "" : "the place of the tip is not finite";
+  }
+
+  std::string operator()(const SerialGeometry& chain) const
+  {
+    return chain.count < 1 || chain.count > mostJoints ? "a chain needs 1 to 6 joints" : hinges(chain, 0);
   }
   std::string operator()(const WoodenGeometry& arm) const
   {
@@ -68,11 +70,13 @@ struct Refusal
   }
 };
 
-int linksOf(const ArmGeometry& geometry)
+std::string refuseWrist(const ArmPlan& plan)
 {
-  const auto* const chain = std::get_if<SerialGeometry>(&geometry);
-  constexpr std::array<int, 4> links{ 0, 2, 7, 4 };
-  return chain != nullptr ? chain->count : links[geometry.index()];
+  const int count = plan.wrist.count;
+  return count == 0                                              ? ""
+         : std::holds_alternative<SerialGeometry>(plan.geometry) ? "a chain has no wrist: its joints go on to the tip"
+         : count < 0 || count > mostWristHinges                  ? "a wrist has 1 to 3 hinges"
+                                                : Refusal::hinges(plan.wrist, jointCountOf(plan.geometry));
 }
 
 std::string refuseJoint(const ArmJoint& joint)
@@ -101,7 +105,7 @@ std::string refuseJoint(const ArmJoint& joint)
 
 std::string refuseJoints(const ArmPlan& plan)
 {
-  const int count = jointCountOf(plan.geometry);
+  const int ofBase = jointCountOf(plan.geometry), count = ofBase + plan.wrist.count;
   for (int k = 0; k < count; ++k)
   {
     const ArmJoint& joint = plan.joints[static_cast<std::size_t>(k)];
@@ -118,8 +122,8 @@ std::string refuseJoints(const ArmPlan& plan)
   }
   const bool isChain = std::holds_alternative<SerialGeometry>(plan.geometry);
   return !plan.joints[0].hasMotor ? "no joint has a motor"
-         : !isChain && !plan.joints[static_cast<std::size_t>(count - 1)].hasMotor
-           ? "every joint of this kind needs a motor"
+         : !isChain && !plan.joints[static_cast<std::size_t>(ofBase - 1)].hasMotor
+           ? "every joint of this kind needs a motor, but those of its wrist"
            : "";
 }
 
@@ -131,10 +135,11 @@ std::string refuseMasses(const ArmPlan& plan)
     {
       return "a mass must not be below 0, and it must stand at a finite place";
     }
-    if (mass.link < 1 || mass.link > linksOf(plan.geometry))
+    const int links = linkCountOf(plan.geometry) + plan.wrist.count;
+    if (mass.link < 1 || mass.link > links)
     {
-      return "a mass is on link " + std::to_string(mass.link) + ", and this kind of arm has links 1 to " +
-             std::to_string(linksOf(plan.geometry));
+      return "a mass is on link " + std::to_string(mass.link) + ", and this arm has links 1 to " +
+             std::to_string(links);
     }
   }
   return {};
@@ -154,6 +159,20 @@ int jointCountOf(const ArmGeometry& geometry) noexcept
   return chain != nullptr ? chain->count : std::holds_alternative<FiveBarGeometry>(geometry) ? 2 : 3;
 }
 
+int linkCountOf(const ArmGeometry& geometry) noexcept
+{
+  const auto* const chain = std::get_if<SerialGeometry>(&geometry);
+  constexpr std::array<int, 4> links{ 0, 2, 7, 4 };
+  return chain != nullptr ? chain->count : links[geometry.index()];
+}
+
+const char* classOf(const ArmPlan& plan) noexcept
+{
+  const bool isParallel =
+    std::holds_alternative<DeltaGeometry>(plan.geometry) || std::holds_alternative<FiveBarGeometry>(plan.geometry);
+  return !isParallel ? "serial" : plan.wrist.count > 0 ? "hybrid" : "parallel";
+}
+
 bool isPlanar(const ArmGeometry& geometry) noexcept
 {
   const auto* const chain = std::get_if<SerialGeometry>(&geometry);
@@ -164,6 +183,7 @@ std::string refuse(const ArmPlan& plan)
 {
   const bool isSound = plan.maxForce_N > 0.0 && plan.maxStiffness_N_per_m > 0.0 && plan.maxDamping_Ns_per_m > 0.0;
   std::string problem = std::visit(Refusal{}, plan.geometry);
+  problem = problem.empty() ? refuseWrist(plan) : problem;
   problem = problem.empty() ? refuseJoints(plan) : problem;
   problem = problem.empty() ? refuseMasses(plan) : problem;
   return !problem.empty() ? problem

@@ -61,6 +61,8 @@ struct FiveBarGeometry
 
 using ArmGeometry = std::variant<SerialGeometry, WoodenGeometry, DeltaGeometry, FiveBarGeometry>;
 
+inline constexpr int mostWristHinges = 3;
+
 /// A joint, with its encoder and its motor.
 struct ArmJoint
 {
@@ -82,7 +84,8 @@ struct ArmJoint
 
 /// A mass on a link: a point, or a thin uniform rod from one point of the link to another. On the links of a delta, of
 /// a five-bar and of WoodenHaptics x is the distance along the link, from the joint nearer to the base; a forearm with
-/// hinges apart has the length of both together.
+/// hinges apart has the length of both together. The links of a wrist come after those of its kind; on them, as on
+/// those of a chain, a point is in the frame of the link.
 struct ArmMass
 {
   double mass_kg = 0.0;
@@ -103,8 +106,10 @@ struct ArmPlan
   std::string name;
   std::string source; ///< origin of the numbers
   ArmGeometry geometry;
+  SerialGeometry
+    wrist; ///< hinges on the tip of any kind but a chain; count 0: none. Wrist.h has the frame they stand in
   Pose base_D;
-  std::array<ArmJoint, mostJoints> joints; ///< those with motors first
+  std::array<ArmJoint, mostJoints> joints; ///< those with motors first, those of the wrist last
   std::vector<ArmMass> masses;
   Vec3 gravity_D{ 0.0, 0.0, -9.81 }; ///< [m/s2]
   ArmWorkSpace workSpace;
@@ -116,7 +121,12 @@ struct ArmPlan
 
 /// serial, woodenhaptics, delta, five-bar.
 [[nodiscard]] const char* nameOf(const ArmGeometry& geometry) noexcept;
+/// Without a wrist.
 [[nodiscard]] int jointCountOf(const ArmGeometry& geometry) noexcept;
+[[nodiscard]] int linkCountOf(const ArmGeometry& geometry) noexcept;
+/// serial: one chain of links carries the tip, as in woodenhaptics, whose motors on the column turn links of one chain;
+/// parallel: several chains carry it; hybrid: they carry a wrist (Antonov, Parallel-serial robotic manipulators, 2024).
+[[nodiscard]] const char* classOf(const ArmPlan& plan) noexcept;
 /// True if the arm moves only in the plane z = 0 of its frame.
 [[nodiscard]] bool isPlanar(const ArmGeometry& geometry) noexcept;
 

@@ -2,10 +2,8 @@
 #include "haptics/arm/SerialArm.h"
 
 #include <cmath>
-#include <limits>
 
-#include <Eigen/Cholesky>
-
+#include "haptics/arm/PostureSearch.h"
 #include "haptics/core/PoseMath.h"
 
 namespace palpate
@@ -35,31 +33,6 @@ Chain chainOf(const SerialGeometry& chain, const JointVector& q, int links) noex
     made.link.q = made.link.q * Quat(std::cos(half), sine.x(), sine.y(), sine.z());
   }
   return made;
-}
-
-using Error = Eigen::Matrix<double, 6, 1>;
-
-/// Error from the tip to the goal: the position in rows 0 .. 2 [m], a goal's rotation in rows 3 .. 5 [m at the lever].
-Error errorOf(const Pose& tip, const ChainGoal& goal, double lever_m) noexcept
-{
-  Error error = Error::Zero();
-  error.head<3>() = goal.p - tip.p;
-  if (goal.turn)
-  {
-    const Quat left = *goal.turn * tip.q.conjugate();
-    error.tail<3>() = 2.0 * lever_m * std::copysign(1.0, left.w()) * left.vec();
-  }
-  return error;
-}
-
-double reachOf(const SerialGeometry& chain) noexcept
-{
-  double reach = chain.tip.p.norm();
-  for (int k = 0; k < chain.count; ++k)
-  {
-    reach += chain.hinges[static_cast<std::size_t>(k)].origin.p.norm();
-  }
-  return reach;
 }
 
 } // namespace
@@ -95,39 +68,19 @@ LinkPoint linkPointOf(const SerialGeometry& chain, const JointVector& q, int lin
   return point;
 }
 
+double reachOf(const SerialGeometry& chain) noexcept
+{
+  double reach = chain.tip.p.norm();
+  for (int k = 0; k < chain.count; ++k)
+  {
+    reach += chain.hinges[static_cast<std::size_t>(k)].origin.p.norm();
+  }
+  return reach;
+}
+
 std::optional<JointVector> stepTo(const SerialGeometry& chain, const ChainGoal& goal, const JointVector& near) noexcept
 {
-  constexpr int mostSteps = 120;
-  const double reach = reachOf(chain);
-  JointVector q = near;
-  Posture posture = postureOf(chain, q);
-  Error error = errorOf(posture.tip, goal, reach);
-  double damping = 1e-3;
-  for (int step = 0; step < mostSteps && error.norm() > 4.0 * std::numeric_limits<double>::epsilon() * reach; ++step)
-  {
-    ArmJacobian J = posture.jacobian;
-    J.bottomRows<3>() *= goal.turn ? reach : 0.0;
-    JointMatrix normal = J.transpose() * J;
-    normal.diagonal().array() += damping * reach * reach;
-    const JointVector next = q + normal.ldlt().solve(J.transpose() * error);
-    const Posture there = postureOf(chain, next);
-    const Error left = errorOf(there.tip, goal, reach);
-    const bool nearer = left.norm() < error.norm();
-    damping *= nearer ? 0.1 : 10.0;
-    if (nearer)
-    {
-      q = next;
-      posture = there;
-      error = left;
-    }
-    else if (damping > 1e6)
-    {
-      break;
-    }
-    damping = std::max(damping, 1e-15);
-  }
-  constexpr double rounding = 1e-13;
-  return error.norm() <= rounding * reach ? std::optional(q) : std::nullopt;
+  return stepTo([&chain](const JointVector& q) { return postureOf(chain, q); }, reachOf(chain), goal, near);
 }
 
 } // namespace palpate

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "haptics/arm/ArmPlan.h"
+#include "haptics/arm/PostureSearch.h"
 
 namespace palpate
 {
@@ -14,14 +15,10 @@ namespace palpate
 [[nodiscard]] LinkPoint linkPointOf(
   const SerialGeometry& chain, const JointVector& q, int link, const Vec3& at) noexcept;
 
-/// A goal for the tip; without `turn` the orientation is free.
-struct ChainGoal
-{
-  Vec3 p = Vec3::Zero();
-  std::optional<Quat> turn;
-};
+/// The length of the chain if it were stretched [m].
+[[nodiscard]] double reachOf(const SerialGeometry& chain) noexcept;
 
-/// Damped least squares from `near` (Levenberg 1944) in a bounded number of steps; nothing if the goal is not reached.
+/// Joints for a goal, from `near`: see PostureSearch.h.
 [[nodiscard]] std::optional<JointVector> stepTo(
   const SerialGeometry& chain, const ChainGoal& goal, const JointVector& near) noexcept;
 

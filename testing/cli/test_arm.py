@@ -40,6 +40,13 @@ class Arm(CommandLineTest):
         centre, radius = falcon["work_space"]["centre_m"], falcon["work_space"]["radius_m"]
         self.assertLessEqual(sum((a - b) ** 2 for a, b in zip(said["best_m"], centre)) ** 0.5, radius * (1 + 1e-9))
 
+    def test_its_class_is_said(self):
+        for name, kind, links in (("falcon", "delta", "parallel"), ("pantograph", "five-bar", "parallel"),
+                                  ("polhem-v1", "woodenhaptics", "serial"), ("delta-wrist", "delta", "hybrid")):
+            self.assertEqual(json.loads(described(name, "--json"))["class"], links)
+            self.assertIn(f": {kind}, {links}, ", described(name))
+        self.assertIn("6 joints, 3 motors", described("delta-wrist"))
+
     def test_a_work_space_with_a_singularity_is_told(self):
         arm = json.loads((ARMS / "pantograph.json").read_text())
         arm["work_space"]["radius_m"] = 0.06

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The workspace of a device follows the view and the hand that holds it. Judged by where VTK draws a place.
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -18,6 +19,7 @@
 #include "vtkCommand.h"
 #include "vtkHapticKnownDevices.h"
 #include "vtkHapticSight.h"
+#include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -167,6 +169,35 @@ TEST_F(HapticSessionView, WhileTheClutchIsHeldTheDeviceMovesAndTheHandDoesNotAnd
     << "the workspace was moved instead";
   this->session_->Step(100);
   EXPECT_NEAR((this->hand_W() - held_W).norm(), 2.0, 0.2) << "0.02 m/s for 0.1 s";
+}
+
+TEST_F(HapticSessionView, TheDevicesHandIsMappedToWhereTheSceneHasItWithAndWithoutTheClutch)
+{
+  Vec3 hand_D = Vec3::Zero();
+  std::array<double, 4> turn{};
+  vtkNew<vtkMatrix4x4> map;
+  const auto asked = [&] { return this->session_->GetSight()->GetDeviceHand(hand_D.data(), turn.data(), map); };
+  EXPECT_FALSE(asked()) << "nobody touches";
+  this->session_->SetSetting("Rotation", std::sqrt(0.5), 0.0, std::sqrt(0.5), 0.0);
+  this->startTouching();
+  Vec3 before_D = Vec3::Zero();
+  for (const bool clutched : { false, true })
+  {
+    this->session_->SetSetting("Clutch", clutched);
+    this->session_->Update();
+    this->session_->Step(150); // 3 mm of the device
+    ASSERT_TRUE(asked());
+    const Vec3 mapped_W(map->MultiplyDoublePoint(Eigen::Vector4d(hand_D.x(), hand_D.y(), hand_D.z(), 1.0).data()));
+    EXPECT_LE((mapped_W - this->hand_W()).norm(), 1e-9);
+    // A metre along x of the device is a kilounit along -z of the scene.
+    EXPECT_LE(
+      (Vec3(map->GetElement(0, 0), map->GetElement(1, 0), map->GetElement(2, 0)) - Vec3(0, 0, -1e3)).norm(), 1e-9);
+    EXPECT_NEAR(turn[0], 1.0, 1e-12) << "this hand is not turned in its device";
+    EXPECT_GT((hand_D - before_D).norm(), 1e-3);
+    before_D = hand_D;
+  }
+  this->session_->TouchingOff();
+  EXPECT_FALSE(asked());
 }
 
 TEST_F(HapticSessionView, PreciseTheSameWayIsThatMuchShorterAndOffItIsAsBefore)

@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
-
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 from palpate.vtkHapticPipeline import vtkHapticArm, vtkHapticPlaceInWorkSpace
@@ -23,6 +23,10 @@ def drawn(arm, hand=(0.0, 0.0, 0.0), scale=1.0):
     source.SetScale(scale)
     source.Update()
     return source.GetOutputDataObject(0), source.GetOutputDataObject(1)
+
+
+def points_of(links):
+    return [links.GetPoint(i) for i in range(links.GetNumberOfPoints())]
 
 
 class Arm(unittest.TestCase):
@@ -70,6 +74,62 @@ class Arm(unittest.TestCase):
         placed.FitOff()
         placed.Update()
         self.assertAlmostEqual(placed.GetOutput().GetLength(), ball.GetOutput().GetLength(), 4)
+
+    def following(self, arm, hand, turn=(1.0, 0.0, 0.0, 0.0)):
+        """A source that was shown a hand: a quarter turn about z, 200 u/m, the middle of the work space at (5, 6, 7)."""
+        source = vtkHapticArm()
+        source.SetArm(arm)
+        source.FollowHandOn()
+        source.Update()
+        self.show(source, hand, turn)
+        return source
+
+    def show(self, source, hand, turn=(1.0, 0.0, 0.0, 0.0)):
+        to_scene = vtkMatrix4x4()
+        to_scene.DeepCopy((0, -200, 0, 5, 200, 0, 0, 6, 0, 0, 200, 7, 0, 0, 0, 1))
+        shown = source.ShowHand(hand, turn, to_scene)
+        source.Update()
+        return shown
+
+    def test_an_arm_that_follows_ends_at_the_hand_in_the_scene_with_links_of_their_lengths(self):
+        wooden = json.loads((ARMS / "woodenhaptics-2015.json").read_text())
+        source = self.following("woodenhaptics-2015", (0.01, -0.02, 0.015))
+        points = points_of(source.GetOutputDataObject(0))
+        for got, wanted in zip(points[-1], (5 + 200 * 0.02, 6 + 200 * 0.01, 7 + 200 * 0.015)):
+            self.assertAlmostEqual(got, wanted, delta=1e-11)
+        for length, (a, b) in zip((wooden["column_m"], wooden["upper_m"], wooden["fore_m"]), zip(points, points[1:])):
+            self.assertAlmostEqual(math.dist(a, b), 200 * length, delta=1e-11)
+        # The middle of the work space is where the map puts the middle.
+        space = source.GetOutputDataObject(1)
+        _, typed = drawn("woodenhaptics-2015")
+        centre = wooden["work_space"]["centre_m"]
+        x, y, z = (p - c for p, c in zip(typed.GetPoint(0), centre))
+        self.assertLess(math.dist(space.GetPoint(0), (5 - 200 * y, 6 + 200 * x, 7 + 200 * z)), 1e-11)
+
+    def test_a_hand_out_of_reach_leaves_the_links_and_is_said_once(self):
+        window = vtkStringOutputWindow()
+        vtkOutputWindow.SetInstance(window)
+        source = self.following("falcon", (0.01, 0.0, 0.0))
+        before = points_of(source.GetOutputDataObject(0))
+        for far in (0.5, 0.6, 0.7):
+            self.assertTrue(self.show(source, (far, 0.0, 0.0)))
+            self.assertEqual(points_of(source.GetOutputDataObject(0)), before)
+        self.assertEqual(window.GetOutput().count("out of the arm's reach"), 1)
+        self.assertFalse(self.show(source, (0.7, 0.0, 0.0)), "the same hand is no other picture")
+        self.assertTrue(source.ShowTyped())
+        source.Update()
+        links, _ = drawn("falcon")
+        self.assertEqual(points_of(source.GetOutputDataObject(0)), points_of(links))
+        self.show(source, (0.5, 0.0, 0.0))
+        self.assertEqual(window.GetOutput().count("out of the arm's reach"), 2, "the next touch says it again")
+        self.assertLess(math.dist(points_of(source.GetOutputDataObject(0))[-1], (5, 6, 7)), 1e-11)
+
+    def test_without_follow_hand_the_typed_hand_counts(self):
+        source = self.following("falcon", (0.01, 0.0, 0.0))
+        source.FollowHandOff()
+        source.Update()
+        links, _ = drawn("falcon")
+        self.assertEqual(points_of(source.GetOutputDataObject(0)), points_of(links))
 
     def test_a_file_that_is_no_arm_is_named(self):
         window = vtkStringOutputWindow()

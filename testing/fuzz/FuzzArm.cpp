@@ -2,8 +2,8 @@
 // Any bytes as an arm file: refused with one phrase, or an arm whose numbers are finite.
 #include <cstdint>
 
-#include "haptics/arm/ArmWorkSpaceMap.h"
 #include "haptics/arm/file/ArmFile.h"
+#include "haptics/arm/shown/ArmWorkSpaceMap.h"
 #include "testing/fuzz/Require.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming) the name that libFuzzer calls

@@ -124,6 +124,63 @@ ArmPlan sixJoints()
   return plan;
 }
 
+namespace
+{
+
+/// Hinges about these axes, each `apart_m` along z from the one before, and the tip off all of them.
+SerialGeometry wristOf(const std::vector<Vec3>& axes, double apart_m, const Vec3& tip)
+{
+  SerialGeometry wrist;
+  for (const Vec3& axis : axes)
+  {
+    SerialGeometry::Hinge& hinge = wrist.hinges[static_cast<std::size_t>(wrist.count++)];
+    hinge.origin.p.z() = apart_m;
+    hinge.axis = axis;
+  }
+  wrist.tip.p = tip;
+  return wrist;
+}
+
+/// Joints that are sensed alone, and a rod on each link.
+ArmPlan withWrist(ArmPlan plan, const std::string& name, const SerialGeometry& wrist)
+{
+  plan.name = name;
+  plan.wrist = wrist;
+  for (int k = 0; k < wrist.count; ++k)
+  {
+    ArmJoint& joint = plan.joints[static_cast<std::size_t>(jointCountOf(plan.geometry) + k)];
+    joint = {};
+    joint.hasMotor = false;
+    joint.low_rad = -1.2;
+    joint.high_rad = 1.3;
+    plan.masses.push_back({ 0.02, linkCountOf(plan.geometry) + k + 1, { 0.0, 0.01, 0.0 }, { 0.02, -0.01, 0.03 } });
+  }
+  return plan;
+}
+
+} // namespace
+
+std::vector<ArmPlan> armsWithWrists()
+{
+  const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
+  ArmPlan wooden = knownArm("woodenhaptics-2015").value;
+  for (ArmJoint& joint : wooden.joints)
+  {
+    joint.countsPerTurn = 0.0; // as those of the wrist
+  }
+  ArmPlan turning = withWrist(fiveBar(), "five-bar with a turning handle", wristOf({ z }, 0.0, { 0.03, 0.01, 0.0 }));
+  turning.joints[2].hasMotor = true;
+  turning.joints[2].rotor_kg_m2 = 1e-6;
+  turning.joints[2].maxTorque_Nm = 0.1;
+  ArmPlan placed =
+    withWrist(hangingDelta(), "delta with a wrist off its centre", wristOf({ z, y, x }, 0.01, { 0.02, -0.03, 0.04 }));
+  placed.base_D = { Vec3(0.1, -0.2, 0.3), Quat(0.5, 0.5, -0.5, 0.5) };
+  return { placed, withWrist(hangingDelta(), "delta with a tilting plate", wristOf({ x, y }, 0.0, { 0.0, 0.0, 0.05 })),
+    withWrist(wooden, "woodenhaptics with a gimbal", wristOf({ z, x, y }, 0.0, Vec3::Zero())),
+    withWrist(wooden, "woodenhaptics with a stylus", wristOf({ z, x, y }, 0.005, { 0.0, 0.02, 0.03 })), turning,
+    withWrist(fiveBar(), "five-bar with a tilting handle", wristOf({ z, x }, 0.0, { 0.0, 0.03, 0.02 })) };
+}
+
 std::vector<UsablePlace> usablePlaces(const Arm& arm, double step_m)
 {
   constexpr double reach_m = 0.3; // of the two arms
@@ -149,6 +206,10 @@ std::vector<UsablePlace> usablePlaces(const Arm& arm, double step_m)
 std::vector<ArmPlan> allArms()
 {
   std::vector<ArmPlan> arms{ twoLinks(), fiveBar(), hangingDelta(), sixJoints() };
+  for (const ArmPlan& arm : armsWithWrists())
+  {
+    arms.push_back(arm);
+  }
   for (const std::string& name : knownArms())
   {
     const Outcome<ArmPlan> known = knownArm(name);
@@ -184,7 +245,8 @@ JointVector randomJoints(const Arm& arm, Random& random)
       q[k] = random.uniform(std::max(joint.low_rad, -std::numbers::pi), std::min(joint.high_rad, std::numbers::pi));
     }
     const Posture posture = arm.posture(q);
-    if (posture.exists && isUsual(arm.plan(), q, posture.tip.p) && conditionOf(arm, posture) < arm.plan().maxCondition)
+    if (posture.exists && isUsual(arm.plan(), q, arm.carrier(q).tip.p) &&
+        conditionOf(arm, posture) < arm.plan().maxCondition)
     {
       return q;
     }

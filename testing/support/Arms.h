@@ -20,6 +20,9 @@ namespace palpate::test
 /// The chain of a stylus arm with six joints, all with motors.
 [[nodiscard]] ArmPlan sixJoints();
 
+/// Deltas, WoodenHaptics and a five-bar that carry hinges, with masses on all of them: through one point, and apart.
+[[nodiscard]] std::vector<ArmPlan> armsWithWrists();
+
 /// A place of the half plane above an arm's base, with the condition below `largestUsable`.
 struct UsablePlace
 {

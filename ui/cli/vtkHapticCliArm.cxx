@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "devices/arm/kit/WireFile.h"
-#include "haptics/arm/ArmWorkSpaceMap.h"
+#include "haptics/arm/shown/ArmWorkSpaceMap.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticJson.h"
 
@@ -38,6 +38,7 @@ nlohmann::ordered_json ToJson(const palpate::Arm& arm, const palpate::ArmRange& 
   nlohmann::ordered_json json;
   json["name"] = arm.plan().name;
   json["kind"] = palpate::nameOf(arm.plan().geometry);
+  json["class"] = palpate::classOf(arm.plan());
   json["joints"] = arm.joints();
   json["motors"] = arm.motors();
   json["source"] = arm.plan().source;
@@ -62,8 +63,8 @@ nlohmann::ordered_json ToJson(const palpate::Arm& arm, const palpate::ArmRange& 
 void Print(const palpate::Arm& arm, const palpate::ArmRange& range, const std::optional<palpate::ArmWire>& wire,
   const std::string& note)
 {
-  std::cout << arm.plan().name << ": " << palpate::nameOf(arm.plan().geometry) << ", " << arm.joints() << " joints, "
-            << arm.motors() << " motors\n";
+  std::cout << arm.plan().name << ": " << palpate::nameOf(arm.plan().geometry) << ", " << palpate::classOf(arm.plan())
+            << ", " << arm.joints() << " joints, " << arm.motors() << " motors\n";
   if (!arm.plan().source.empty())
   {
     std::cout << "  source: " << arm.plan().source << '\n';

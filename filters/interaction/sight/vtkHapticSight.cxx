@@ -264,6 +264,32 @@ void vtkHapticSight::FollowCamera(vtkCamera* camera)
   this->Behind().View_WD = view ? palpate::viewRotation(RowOf(view, 0), RowOf(view, 1)) : std::nullopt;
 }
 
+bool vtkHapticSight::GetDeviceHand(double hand_D[3], double turn_D[4], vtkMatrix4x4* toScene) const
+{
+  auto& impl = this->Behind();
+  const palpate::HapticState& state = impl.State;
+  if (!impl.Core.running() || state.tick == 0 || state.held)
+  {
+    return false;
+  }
+  const palpate::HandPlace hand{ state.handle_D, state.device_W.p };
+  const palpate::WorkspaceMap map = palpate::keepingHand(impl.Asked.asked().map, hand);
+  const palpate::Quat turn = map.q_WD.conjugate() * state.device_W.q;
+  const palpate::Mat3 axes = map.scale_u_per_m * map.q_WD.toRotationMatrix();
+  std::copy(state.handle_D.begin(), state.handle_D.end(), hand_D);
+  for (int row = 0; row < 3; ++row)
+  {
+    turn_D[1 + row] = turn.vec()[row];
+    for (int column = 0; column < 3; ++column)
+    {
+      toScene->SetElement(row, column, axes(row, column));
+    }
+    toScene->SetElement(row, 3, map.offset_W[row]);
+  }
+  turn_D[0] = turn.w();
+  return true;
+}
+
 void vtkHapticSight::GetWorkspaceCorners(double corners_W[24]) const
 {
   auto& impl = this->Behind();

@@ -48,6 +48,10 @@ public:
   bool PickSurface(const double from_W[3], const double to_W[3], double ball_W[3], double normal_W[3]) const;
   /// Corners of the box around the ball that the device reaches, of bits x, y, z, [u].
   void GetWorkspaceCorners(double corners_W[24]) const;
+  /// Where the hand is in its device's workspace: from the middle [m], and its turn, a quaternion w, x, y, z; and the
+  /// map from there into the scene that puts it where the scene has it, as a clutch or a later map does too. False, and
+  /// all unchanged: nobody touches, or the device has no hand.
+  bool GetDeviceHand(double hand_D[3], double turn_D[4], vtkMatrix4x4* toScene) const;
   /// The field at the proxy: patch, streamline, level, the place that is snapped to [u].
   void GetFieldShape(vtkPolyData* shape) const;
   void GetToolShape(vtkPolyData* shape) const;

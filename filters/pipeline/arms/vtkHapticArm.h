@@ -5,15 +5,19 @@
  *
  * Output 0: the links as lines, with the tip where the hand is. Output 1: points of the work space that the arm
  * reaches, with the arrays Condition, LargestForce [N] (in the worst direction) and ApparentMass [kg] (in the heaviest
- * direction). Both in metres of the device frame times Scale.
+ * direction). Both in metres of the device frame times Scale; or in the scene, at the hand of a session, with
+ * FollowHand.
  */
 #ifndef vtkHapticArm_h
 #define vtkHapticArm_h
 
+#include <memory> // for the implementation
 #include <string> // for the file
 
 #include "vtkHapticPipelineModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
+
+class vtkMatrix4x4;
 
 class VTKHAPTICPIPELINE_EXPORT vtkHapticArm : public vtkPolyDataAlgorithm
 {
@@ -46,6 +50,23 @@ public:
   vtkGetMacro(Scale, double);
   ///@}
 
+  ///@{
+  /// Whether the arm is drawn at the hand of a session that touches, and not at Hand. Default off. Whatever follows the
+  /// session calls ShowHand() then.
+  vtkSetMacro(FollowHand, bool);
+  vtkGetMacro(FollowHand, bool);
+  vtkBooleanMacro(FollowHand, bool);
+  ///@}
+
+  /**
+   * Has the outputs show the arm with its tip at a hand: its position from the middle of the work space [m], its turn
+   * (a quaternion w, x, y, z, for an arm of six joints that can turn its tip so), and where the middle and a metre of
+   * the device lie in the scene. A hand out of reach leaves the joints as they were; the first one since ShowTyped() is
+   * a warning. ShowTyped() ends it. True if the outputs will be others.
+   */
+  bool ShowHand(const double hand_D[3], const double turn_D[4], vtkMatrix4x4* toScene);
+  bool ShowTyped();
+
 protected:
   vtkHapticArm();
   ~vtkHapticArm() override;
@@ -53,10 +74,18 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
 
 private:
+  class Internals;
+
+  /// False: the arm cannot be read.
+  bool Read();
+  void WarnOfReach(bool follows);
+
   std::string Arm = "falcon";
   double Hand[3] = { 0.0, 0.0, 0.0 };
   int Steps = 12;
   double Scale = 1.0;
+  bool FollowHand = false;
+  std::unique_ptr<Internals> Impl;
 };
 
 #endif

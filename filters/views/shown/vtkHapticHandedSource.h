@@ -24,15 +24,15 @@ public:
   /// The next look tells it in any case.
   void Forget() { this->Known = false; }
   /// The part of it that is touched as a surface: none.
-  virtual void Change(vtkHapticSession* session, vtkHapticViewScan& scan) { scan.LeaveOut(this->NameIn(session)); }
+  virtual void Change(vtkHapticSession* session, vtkSMProxy* /*view*/, vtkHapticViewScan& scan)
+  {
+    scan.LeaveOut(this->NameIn(session));
+  }
 
 protected:
   explicit vtkHapticHandedSource(const char* setting) : Setting(setting) {}
 
-  std::string NameIn(vtkHapticSession* session) const
-  {
-    return session ? session->GetSettingText(this->Setting) : "";
-  }
+  std::string NameIn(vtkHapticSession* session) const { return session ? session->GetSettingText(this->Setting) : ""; }
   /// Whether the session is to be told of these.
   bool AreOthers(const std::string& name, vtkDataObject* data, vtkMTimeType time = 0, const std::string& reason = "")
   {

@@ -2,13 +2,15 @@
 #ifndef vtkHapticHandedSources_h
 #define vtkHapticHandedSources_h
 
+#include "vtkHapticFollowingArms.h"
 #include "vtkHapticMechanismSource.h"
 #include "vtkHapticSoftSource.h"
 #include "vtkHapticToolSource.h"
 
 #include <tuple>
 
-/// Sources that a session names and takes as more than a surface: its tool, its soft body, and its mechanism.
+/// Sources that are more than a surface for a session: its tool, its soft body and its mechanism, which it names, and
+/// the arms that are drawn at its hand.
 class vtkHapticHandedSources
 {
 public:
@@ -21,13 +23,13 @@ public:
     std::apply([](auto&... source) { (source.Forget(), ...); }, this->Sources);
   }
   /// The parts of them that are touched as surfaces.
-  void Change(vtkHapticSession* session, vtkHapticViewScan& scan)
+  void Change(vtkHapticSession* session, vtkSMProxy* view, vtkHapticViewScan& scan)
   {
-    std::apply([&](auto&... source) { (source.Change(session, scan), ...); }, this->Sources);
+    std::apply([&](auto&... source) { (source.Change(session, view, scan), ...); }, this->Sources);
   }
 
 private:
-  std::tuple<vtkHapticToolSource, vtkHapticMechanismSource, vtkHapticSoftSource> Sources;
+  std::tuple<vtkHapticToolSource, vtkHapticMechanismSource, vtkHapticSoftSource, vtkHapticFollowingArms> Sources;
 };
 
 #endif

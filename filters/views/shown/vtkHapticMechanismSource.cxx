@@ -93,7 +93,7 @@ void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* vie
   }
 }
 
-void vtkHapticMechanismSource::Change(vtkHapticSession* session, vtkHapticViewScan& scan)
+void vtkHapticMechanismSource::Change(vtkHapticSession* session, vtkSMProxy* view, vtkHapticViewScan& scan)
 {
   const std::string name = this->NameIn(session);
   const auto isMoved = [&name](const vtkHapticViewScan::Source& source) { return source.Name == name && source.Moved; };
@@ -102,5 +102,5 @@ void vtkHapticMechanismSource::Change(vtkHapticSession* session, vtkHapticViewSc
     const bool moved = !name.empty() && std::any_of(scan.Sources.begin(), scan.Sources.end(), isMoved);
     session->GetMechanism()->SetMoved(moved);
   }
-  this->vtkHapticHandedSource::Change(session, scan);
+  this->vtkHapticHandedSource::Change(session, view, scan);
 }

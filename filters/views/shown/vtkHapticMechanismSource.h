@@ -15,7 +15,7 @@ class vtkHapticMechanismSource : public vtkHapticHandedSource
 public:
   vtkHapticMechanismSource() : vtkHapticHandedSource("MechanismSource") {}
   void Follow(vtkHapticSession& session, vtkSMProxy* view) override;
-  void Change(vtkHapticSession* session, vtkHapticViewScan& scan) override;
+  void Change(vtkHapticSession* session, vtkSMProxy* view, vtkHapticViewScan& scan) override;
 
 private:
   /// The last output of the source of that name, where it is on a server; else null.

@@ -57,7 +57,7 @@ void vtkHapticSoftSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
   }
 }
 
-void vtkHapticSoftSource::Change(vtkHapticSession* session, vtkHapticViewScan& scan)
+void vtkHapticSoftSource::Change(vtkHapticSession* session, vtkSMProxy* /*view*/, vtkHapticViewScan& scan)
 {
   const std::string name = this->NameIn(session);
   const auto isIt = [&name](const auto& shown) { return shown.Name == name || vtkHapticSoftSkin::IsSkin(shown.Data); };

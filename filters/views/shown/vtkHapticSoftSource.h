@@ -14,7 +14,7 @@ public:
   vtkHapticSoftSource() : vtkHapticHandedSource("SoftSource") {}
   void Follow(vtkHapticSession& session, vtkSMProxy* view) override;
   /// Puts its surface at rest in the place of the one that is shown, or of a skin that rides on it.
-  void Change(vtkHapticSession* session, vtkHapticViewScan& scan) override;
+  void Change(vtkHapticSession* session, vtkSMProxy* view, vtkHapticViewScan& scan) override;
 
 private:
   std::optional<vtkHapticViewScan::Surface> AtRest;

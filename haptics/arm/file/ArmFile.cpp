@@ -28,6 +28,10 @@ void checkKeys(const Node& root, std::initializer_list<const char*> own)
     "gravity_m_per_s2", "work_space", "max_force_N", "max_stiffness_N_per_m", "max_damping_Ns_per_m", "max_condition",
     "wire" };
   keys.insert(keys.end(), own);
+  if (root.has("wrist"))
+  {
+    keys.insert(keys.end(), { "wrist", "tip_m" });
+  }
   root.knows(keys);
 }
 
@@ -36,15 +40,15 @@ Pose poseOf(const Node& node)
   return { node.vector("at_m", Vec3::Zero()), node.turn("turn") };
 }
 
-SerialGeometry serialOf(const Node& root)
+/// The chain of hinges that a list says.
+SerialGeometry hingesOf(const Node& root, const char* key, int most)
 {
-  checkKeys(root, { "tip_m" });
   SerialGeometry chain;
-  for (const Node& node : root.list("joints"))
+  for (const Node& node : root.list(key))
   {
-    if (chain.count == mostJoints)
+    if (chain.count == most)
     {
-      root.fail("joints", "a chain has 6 joints at most");
+      root.fail(key, "a chain has " + std::to_string(most) + " joints at most");
     }
     SerialGeometry::Hinge& hinge = chain.hinges[static_cast<std::size_t>(chain.count++)];
     hinge.origin = poseOf(node);
@@ -57,6 +61,12 @@ SerialGeometry serialOf(const Node& root)
   }
   chain.tip.p = root.vector("tip_m", Vec3::Zero());
   return chain;
+}
+
+SerialGeometry serialOf(const Node& root)
+{
+  checkKeys(root, { "tip_m" });
+  return hingesOf(root, "joints", mostJoints);
 }
 
 WoodenGeometry woodenOf(const Node& root)
@@ -111,7 +121,8 @@ ArmGeometry geometryOf(const Node& root)
   root.fail("kind", "unknown kind \"" + kind + "\"; valid kinds: serial, woodenhaptics, delta, five-bar");
 }
 
-ArmJoint jointOf(const Node& node, bool isHinge)
+/// `motor`: whether it has one where the file does not say.
+ArmJoint jointOf(const Node& node, bool isHinge, bool motor)
 {
   std::vector<const char*> keys{ "low_deg", "high_deg", "zero_deg", "counts_per_turn", "gear", "follows", "share",
     "calibrated", "motor", "max_torque_Nm", "torque_step_Nm", "torque_constant_Nm_per_A", "rotor_kg_m2", "damping_Nms",
@@ -131,7 +142,7 @@ ArmJoint jointOf(const Node& node, bool isHinge)
   joint.follows = node.whole("follows", 0, 0, mostJoints) - 1;
   joint.followShare = node.number("share", 0.0);
   joint.calibrated = node.whole("calibrated", 0, -mostCounts, mostCounts);
-  joint.hasMotor = node.flag("motor", true);
+  joint.hasMotor = node.flag("motor", motor);
   joint.maxTorque_Nm = node.number("max_torque_Nm", joint.maxTorque_Nm);
   joint.torqueStep_Nm = node.size("torque_step_Nm");
   joint.torqueConstant_Nm_per_A = node.size("torque_constant_Nm_per_A");
@@ -152,14 +163,31 @@ void readJoints(const Node& root, ArmPlan& plan)
   const bool isChain = std::holds_alternative<SerialGeometry>(plan.geometry);
   for (std::size_t k = 0; k < wanted; ++k)
   {
-    plan.joints[k] = jointOf(nodes[k], isChain);
+    plan.joints[k] = jointOf(nodes[k], isChain, true);
   }
 }
 
-/// A point in space for a chain, else a distance along the link.
-Vec3 placeOn(const Node& node, const char* key, bool isChain, const Vec3& usual)
+/// Its joints come after those of the kind.
+void readWrist(const Node& root, ArmPlan& plan)
 {
-  return isChain ? node.vector(key, usual) : Vec3(node.number(key, usual.x()), 0.0, 0.0);
+  if (!root.has("wrist"))
+  {
+    return;
+  }
+  plan.wrist = hingesOf(root, "wrist", mostWristHinges);
+  root.accept("wrist", plan.wrist.count > 0 ? "" : "has no hinge");
+  root.accept("wrist", std::holds_alternative<SerialGeometry>(plan.geometry) ? "a chain has its hinges as joints" : "");
+  const std::vector<Node> nodes = root.list("wrist");
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+  {
+    plan.joints[static_cast<std::size_t>(jointCountOf(plan.geometry)) + k] = jointOf(nodes[k], true, false);
+  }
+}
+
+/// A point in the frame of a link between hinges, else a distance along the link.
+Vec3 placeOn(const Node& node, const char* key, bool isHinged, const Vec3& usual)
+{
+  return isHinged ? node.vector(key, usual) : Vec3(node.number(key, usual.x()), 0.0, 0.0);
 }
 
 void readMasses(const Node& root, ArmPlan& plan)
@@ -170,9 +198,10 @@ void readMasses(const Node& root, ArmPlan& plan)
     node.knows({ "kg", "link", "at_m", "to_m" });
     ArmMass mass;
     mass.mass_kg = node.size("kg");
-    mass.link = node.whole("link", 1, 1, 7);
-    mass.from = placeOn(node, "at_m", isChain, Vec3::Zero());
-    mass.to = placeOn(node, "to_m", isChain, mass.from);
+    mass.link = node.whole("link", 1, 1, linkCountOf(DeltaGeometry()) + mostWristHinges);
+    const bool isHinged = isChain || mass.link > linkCountOf(plan.geometry);
+    mass.from = placeOn(node, "at_m", isHinged, Vec3::Zero());
+    mass.to = placeOn(node, "to_m", isHinged, mass.from);
     plan.masses.push_back(mass);
   }
 }
@@ -197,6 +226,7 @@ ArmPlan planOf(const Node& root)
   plan.geometry = geometryOf(root);
   plan.base_D = poseOf(root);
   readJoints(root, plan);
+  readWrist(root, plan);
   readMasses(root, plan);
   readWorkSpace(root, plan);
   plan.gravity_D = root.vector("gravity_m_per_s2", plan.gravity_D);

@@ -19,7 +19,7 @@ namespace palpate
 [[nodiscard]] Outcome<ArmPlan> readArmFile(const std::string& file);
 
 /// Arms whose files are built in (data/arms), by the names of these files: falcon, woodenhaptics-2015, polhem-v1,
-/// aluhaptics-v2, pantograph.
+/// aluhaptics-v2, pantograph, delta-wrist.
 [[nodiscard]] const std::vector<std::string>& knownArms();
 [[nodiscard]] Outcome<ArmPlan> knownArm(const std::string& name);
 

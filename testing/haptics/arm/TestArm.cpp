@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "haptics/arm/ArmMeasures.h"
-#include "haptics/arm/ArmSkeleton.h"
+#include "haptics/arm/file/ArmFile.h"
+#include "haptics/arm/shown/ArmSkeleton.h"
 #include "haptics/core/PoseMath.h"
 #include "testing/oracles/arm/ArmOracle.h"
 #include "testing/support/AllocationGuard.h"
@@ -14,6 +15,8 @@ namespace palpate
 {
 namespace
 {
+
+constexpr std::size_t postures = 2000; // of each arm
 
 JointVector randomWay(const Arm& arm, test::Random& random)
 {
@@ -27,15 +30,15 @@ JointVector randomWay(const Arm& arm, test::Random& random)
 
 /// Calls visit(arm, q, random) for random postures of each arm.
 template<class Visit>
-void forEachPosture(std::uint64_t seed, const Visit& visit)
+void forEachPosture(std::uint64_t seed, const std::vector<ArmPlan>& arms, std::size_t count, const Visit& visit)
 {
-  for (const ArmPlan& plan : test::allArms())
+  for (const ArmPlan& plan : arms)
   {
     ASSERT_EQ(refuse(plan), "") << plan.name;
     SCOPED_TRACE(plan.name);
     const Arm arm(plan);
     test::Random random(test::testSeed(seed));
-    for (std::size_t i = 0; i < test::testCount(2000) && !testing::Test::HasFailure(); ++i)
+    for (std::size_t i = 0; i < test::testCount(count) && !testing::Test::HasFailure(); ++i)
     {
       visit(arm, test::randomJoints(arm, random), random);
     }
@@ -44,23 +47,25 @@ void forEachPosture(std::uint64_t seed, const Visit& visit)
 
 TEST(Arm, BringsTheTipWhereTheConstraintsOfItsLinksPutIt)
 {
-  forEachPosture(871,
+  forEachPosture(871, test::allArms(), postures,
     [](const Arm& arm, const JointVector& q, test::Random&)
     {
       const Vec3 p = arm.forward(q)->p;
-      const Vec3 true_D = test::tipInQuad(arm.plan(), q.cast<test::Quad>(), p).cast<double>();
+      const Vec3 near_D = arm.carrier(q).tip.p;
+      const Vec3 true_D = test::tipInQuad(arm.plan(), q.cast<test::Quad>(), near_D).cast<double>();
       EXPECT_LE((p - true_D).norm(), 1e-12 * true_D.norm());
     });
 }
 
 TEST(Arm, ReachesAgainWhereItWas)
 {
-  forEachPosture(872,
+  forEachPosture(872, test::allArms(), postures,
     [](const Arm& arm, const JointVector& q, test::Random&)
     {
       const Pose tip = *arm.forward(q);
-      const std::optional<JointVector> back =
-        arm.joints() == 6 ? arm.inverse(tip, q + JointVector::Constant(6, 0.05)) : arm.inverse(tip.p);
+      const std::optional<JointVector> back = arm.joints() == 6 || arm.plan().wrist.count > 0
+                                                ? arm.inverse(tip, q + JointVector::Constant(arm.joints(), 0.05))
+                                                : arm.inverse(tip.p);
       ASSERT_TRUE(back) << q.transpose();
       EXPECT_TRUE(arm.withinLimits(*back));
       const Pose again = *arm.forward(*back);
@@ -71,12 +76,12 @@ TEST(Arm, ReachesAgainWhereItWas)
 
 TEST(Arm, HasTheJacobianOfDifferencesAndDoesTheWorkOfItsTorques)
 {
-  forEachPosture(873,
+  forEachPosture(873, test::allArms(), postures,
     [](const Arm& arm, const JointVector& q, test::Random& random)
     {
       const Posture posture = arm.posture(q);
       const JointVector way = randomWay(arm, random);
-      const Vec3 slope = test::tipSlope(arm.plan(), q, way, posture.tip.p);
+      const Vec3 slope = test::tipSlope(arm.plan(), q, way, arm.carrier(q).tip.p);
       EXPECT_LE((posture.jacobian.topRows<3>() * way - slope).norm(), 1e-8 * slope.norm());
       const Vec3 force = random.inCube(5.0);
       const double work = force.dot(slope), given = arm.torqueOf(q, { force, Vec3::Zero() }).dot(way);
@@ -97,6 +102,122 @@ TEST(Arm, TurnsTheTipAsItsJacobianSays)
     EXPECT_LE((arm.jacobian(q).bottomRows<3>() * way - rate).norm(), 1e-8);
     const Vec3 torque = random.inCube(1.0);
     EXPECT_NEAR(arm.torqueOf(q, { Vec3::Zero(), torque }).dot(way), torque.dot(rate), 1e-8);
+  }
+}
+
+/// The turn of the last link, column by column: where the tip would be a unit further along its axes.
+Mat3 turnInQuad(const ArmPlan& plan, const JointVector& q, const Vec3& near_D)
+{
+  const test::QuadPoint tip = test::tipInQuad(plan, q.cast<test::Quad>(), near_D);
+  Mat3 turn;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ArmPlan further = plan;
+    further.wrist.tip.p[axis] += 1.0;
+    turn.col(axis) = (test::tipInQuad(further, q.cast<test::Quad>(), near_D) - tip).cast<double>();
+  }
+  return turn;
+}
+
+/// The same for arms with wrists alone.
+template<class Visit>
+void forEachWrist(std::uint64_t seed, const Visit& visit)
+{
+  constexpr std::size_t count = 200;
+  forEachPosture(seed, test::armsWithWrists(), count, visit);
+}
+
+TEST(Arm, TurnsTheTipOfAWristAsTheDirectionsOfItsLinksSay)
+{
+  forEachWrist(879,
+    [](const Arm& arm, const JointVector& q, test::Random&)
+    {
+      const Mat3 true_D = turnInQuad(arm.plan(), q, arm.carrier(q).tip.p);
+      EXPECT_LE((arm.forward(q)->q.toRotationMatrix() - true_D).norm(), 1e-13);
+    });
+}
+
+TEST(Arm, MovesAndTurnsTheTipOfAWristByEveryJointAsDifferencesSay)
+{
+  forEachWrist(880,
+    [](const Arm& arm, const JointVector& q, test::Random& random)
+    {
+      JointVector way(arm.joints());
+      for (int k = 0; k < arm.joints(); ++k)
+      {
+        way[k] = random.uniform(-1, 1);
+      }
+      const Posture posture = arm.posture(q);
+      const Vec3 near_D = arm.carrier(q).tip.p;
+      const Vec3 slope = test::tipSlope(arm.plan(), q, way, near_D), spin = posture.jacobian.bottomRows<3>() * way;
+      EXPECT_LE((posture.jacobian.topRows<3>() * way - slope).norm(), 1e-8 * slope.norm());
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        // A point a unit from the tip moves with it, and about it.
+        ArmPlan further = arm.plan();
+        further.wrist.tip.p[axis] += 1.0;
+        const Vec3 arm_D = posture.tip.q * Vec3::Unit(axis);
+        EXPECT_LE((test::tipSlope(further, q, way, near_D) - slope - spin.cross(arm_D)).norm(), 1e-12);
+      }
+    });
+}
+
+TEST(Arm, OfAWristThroughOnePointReachesAPoseFromAnywhereAndNoneThatItsLimitsExclude)
+{
+  const Arm arm(knownArm("delta-wrist").value);
+  test::Random random(test::testSeed(886));
+  for (std::size_t i = 0; i < test::testCount(300); ++i)
+  {
+    const JointVector q = test::randomJoints(arm, random), from = test::randomJoints(arm, random);
+    const Pose tip = *arm.forward(q);
+    const std::optional<JointVector> back = arm.inverse(tip, from);
+    ASSERT_TRUE(back);
+    EXPECT_LE((arm.forward(*back)->p - tip.p).norm(), 1e-12 * tip.p.norm());
+    EXPECT_LE(arm.forward(*back)->q.angularDistance(tip.q), 1e-11);
+  }
+  const Vec3 centre_D = arm.plan().workSpace.centre_D;
+  const JointVector middle = *arm.inverse(centre_D);
+  // Half a turn about z is reached by none of these hinges: the one about z ends at 120 degrees, and with the one about
+  // x at +-180 degrees that about y would stand at 180 degrees, beyond its 70.
+  EXPECT_FALSE(arm.inverse(Pose{ centre_D, Quat(0, 0, 0, 1) }, middle));
+  EXPECT_TRUE(arm.inverse(Pose{ centre_D, Quat(0.51, 0, 0, std::sqrt(1.0 - 0.51 * 0.51)) }, middle)) << "118.7 degrees";
+  EXPECT_FALSE(arm.inverse(Pose{ Vec3(0, 0, 0.5), Quat::Identity() }, middle)) << "out of reach";
+}
+
+TEST(Arm, WithAWristReachesAPlaceThatIsOffItsPlaneToo)
+{
+  forEachWrist(888,
+    [](const Arm& arm, const JointVector& q, test::Random&)
+    {
+      const Vec3 p_D = arm.forward(q)->p;
+      JointVector from = q;
+      from.array() += 0.05;
+      const std::optional<JointVector> back = arm.inverse(p_D, from);
+      ASSERT_TRUE(back) << q.transpose();
+      EXPECT_TRUE(arm.withinLimits(*back));
+      EXPECT_LE((arm.forward(*back)->p - p_D).norm(), 1e-12 * p_D.norm());
+    });
+}
+
+TEST(Arm, WithoutAWristHasTheSamePostureAsWithOneThatStandsStillAtItsTip)
+{
+  for (const ArmPlan& with : test::armsWithWrists())
+  {
+    SCOPED_TRACE(with.name);
+    ArmPlan without = with;
+    without.wrist = {};
+    without.masses.clear();
+    const Arm arm(with), base(without);
+    test::Random random(test::testSeed(885));
+    for (std::size_t i = 0; i < test::testCount(100); ++i)
+    {
+      const JointVector q = test::randomJoints(arm, random);
+      const Posture carrier = arm.carrier(q), alone = base.posture(q.head(base.joints()));
+      EXPECT_EQ(carrier.tip.p, alone.tip.p);
+      EXPECT_EQ(carrier.jacobian.topRows<3>(), alone.jacobian.topRows<3>());
+      EXPECT_EQ(alone.tip.q.coeffs(), without.base_D.q.coeffs()) << "an arm without a wrist senses no rotation";
+      EXPECT_TRUE(alone.jacobian.bottomRows<3>().isZero(0.0));
+    }
   }
 }
 
@@ -223,6 +344,28 @@ TEST(Arm, LetsItsForceFadeBeforeAnEndAndBeforeASingularity)
   EXPECT_NEAR(fadeAt(1.0, elbowOf(4.875)), 0.5, 1e-9);
   EXPECT_EQ(fadeAt(1.0, elbowOf(5.01)), 0.0);
   EXPECT_EQ(fadeAt(1.0, 0.0), 0.0);
+}
+
+TEST(ArmSkeleton, EndsAtTheTipWithTheLineOfItsWrist)
+{
+  for (const ArmPlan& plan : test::armsWithWrists())
+  {
+    SCOPED_TRACE(plan.name);
+    const Arm arm(plan);
+    ArmPlan base = plan;
+    base.wrist = {};
+    base.masses.clear();
+    test::Random random(test::testSeed(887));
+    const JointVector q = test::randomJoints(arm, random);
+    std::vector<std::vector<Vec3>> lines = skeletonOf(arm, q);
+    const std::vector<Vec3> wrist = lines.back();
+    lines.pop_back();
+    EXPECT_EQ(lines, skeletonOf(Arm(base), q.head(jointCountOf(plan.geometry))));
+    ASSERT_EQ(wrist.size(), static_cast<std::size_t>(plan.wrist.count) + 2);
+    EXPECT_EQ(wrist.front(), arm.carrier(q).tip.p);
+    EXPECT_LE((wrist.back() - arm.forward(q)->p).norm(), 1e-15);
+    EXPECT_NEAR((wrist.back() - wrist[wrist.size() - 2]).norm(), plan.wrist.tip.p.norm(), 1e-15);
+  }
 }
 
 TEST(ArmSkeleton, HasLinksThatKeepTheirLengthsInEveryPosture)

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "haptics/arm/ArmWorkSpaceMap.h"
 #include "haptics/arm/file/ArmFile.h"
+#include "haptics/arm/shown/ArmWorkSpaceMap.h"
 #include "testing/support/TemporaryFolder.h"
 
 namespace palpate
@@ -22,6 +22,12 @@ const std::string twoLinks = R"({ "format": "palpate arm", "version": 1, "name":
 
 const std::string delta = R"({ "format": "palpate arm", "version": 1, "name": "delta", "kind": "delta",
   "base_m": 0.1, "platform_m": 0.04, "arm_m": 0.15, "forearm_m": 0.25, "joints": [ {}, {}, {} ] })";
+
+/// That delta with two hinges, of which the second one is 10 mm above the first.
+const std::string hybrid = R"({ "format": "palpate arm", "version": 1, "name": "hybrid", "kind": "delta",
+  "base_m": 0.1, "platform_m": 0.04, "arm_m": 0.15, "forearm_m": 0.25, "joints": [ {}, {}, {} ],
+  "wrist": [ {}, { "at_m": [0, 0, 0.01], "axis": [0, 2, 0], "high_deg": 45 } ], "tip_m": [0.05, 0, 0],
+  "masses": [ { "kg": 0.1, "link": 9, "at_m": [0.02, 0, 0] } ] })";
 
 std::string with(std::string text, const std::string& old, const std::string& fresh)
 {
@@ -42,6 +48,37 @@ TEST(ArmFile, BecomesThePlanItDescribes)
   JointVector q(2);
   q << 0.0, M_PI / 2;
   EXPECT_LE((arm.forward(q)->p - Vec3(0.15, 0.15, 0)).norm(), 1e-15);
+}
+
+TEST(ArmFile, OfAWristHasItsJointsLastAndWithoutMotors)
+{
+  const Outcome<ArmPlan> read = parseArm(hybrid), without = parseArm(delta);
+  ASSERT_EQ(read.problem + without.problem, "");
+  const Arm arm(read.value), base(without.value);
+  EXPECT_EQ(arm.joints(), 5);
+  EXPECT_EQ(arm.motors(), 3);
+  EXPECT_NEAR(read.value.joints[4].high_rad, M_PI / 4, 1e-15);
+  EXPECT_EQ(read.value.masses[0].from, Vec3(0.02, 0, 0));
+  // A quarter turn about z brings the tip from x to y; the axis of the second hinge is level then.
+  JointVector q(5);
+  q << 0.3, 0.4, 0.5, M_PI / 2, 0.0;
+  const Vec3 platform = base.forward(q.head<3>())->p;
+  EXPECT_LE((arm.forward(q)->p - platform - Vec3(0, 0.05, 0.01)).norm(), 1e-15);
+  q[4] = M_PI / 2;
+  EXPECT_LE((arm.forward(q)->p - platform - Vec3(0, 0, 0.01 - 0.05)).norm(), 1e-15);
+  EXPECT_LE((arm.linkPoint(q, 9, read.value.masses[0].from).p - platform - Vec3(0, 0, 0.01 - 0.02)).norm(), 1e-15);
+}
+
+TEST(ArmFile, HasTheClassOfItsLinks)
+{
+  EXPECT_STREQ(classOf(parseArm(twoLinks).value), "serial");
+  EXPECT_STREQ(classOf(parseArm(delta).value), "parallel");
+  EXPECT_STREQ(classOf(parseArm(hybrid).value), "hybrid");
+  EXPECT_STREQ(classOf(knownArm("pantograph").value), "parallel");
+  EXPECT_STREQ(classOf(knownArm("woodenhaptics-2015").value), "serial");
+  ArmPlan wooden = knownArm("woodenhaptics-2015").value;
+  wooden.wrist.count = 1;
+  EXPECT_STREQ(classOf(wooden), "serial") << "a chain goes on";
 }
 
 TEST(ArmFile, IsRefusedWithThePlaceAndTheReason)
@@ -68,6 +105,16 @@ TEST(ArmFile, IsRefusedWithThePlaceAndTheReason)
     { with(delta, "\"base_m\"", "\"legs_deg\": [0, 120, 360], \"base_m\""), "two legs have the same azimuth" },
     { with(delta, "\"base_m\"", "\"side\": 2, \"base_m\""), "side: must be 1 or -1" },
     { with(twoLinks, "\"tip_m\"", "\"wire\": 7, \"tip_m\""), "wire: must be an object, { ... }" },
+    { with(delta, "\"base_m\"", "\"tip_m\": [0, 0, 0], \"base_m\""), "tip_m: unknown key" },
+    { with(delta, "{}, {}, {}", "{}, {}, { \"motor\": false }"), "every joint of this kind needs a motor" },
+    { with(hybrid, "[ {}, { \"at_m\"", "[ {}, {}, {}, { \"at_m\""), "wrist: a chain has 3 joints at most" },
+    { with(hybrid, "[ {}, { \"at_m\": [0, 0, 0.01], \"axis\": [0, 2, 0], \"high_deg\": 45 } ]", "[]"),
+      "wrist: has no hinge" },
+    { with(hybrid, "[0, 2, 0]", "[0, 0, 0]"), "wrist[1].axis: must have a direction" },
+    { with(hybrid, "{}, { \"at_m\"", "{}, { \"motor\": true, \"at_m\""), "joint 5: joints with motors come before" },
+    { with(hybrid, "\"link\": 9", "\"link\": 10"), "a mass is on link 10, and this arm has links 1 to 9" },
+    { with(hybrid, "[0.02, 0, 0] } ]", "0.02 } ]"), "must be a list of 3 numbers" },
+    { with(twoLinks, "\"tip_m\"", "\"wrist\": [ {} ], \"tip_m\""), "wrist: a chain has its hinges as joints" },
     { "[]", "must be an object" },
     { "", "not JSON" },
   };
@@ -119,7 +166,7 @@ TEST(ArmFile, TellsAWorkSpaceThatHoldsASingularity)
 
 TEST(ArmFile, OfEveryArmThatIsBuiltInIsReadAndReachesItsWorkSpace)
 {
-  EXPECT_EQ(knownArms().size(), 5u);
+  EXPECT_EQ(knownArms().size(), 6u);
   for (const std::string& name : knownArms())
   {
     const Outcome<ArmPlan> plan = knownArm(name);

@@ -106,15 +106,53 @@ QuadPoint tipOf(const FiveBarGeometry& arm, const QuadVector& q, const Vec3& nea
   return solve(left, inQuad(near));
 }
 
+QuadMatrix axesOf(const QuadPoint& x, const QuadPoint& y, const QuadPoint& z)
+{
+  QuadMatrix axes;
+  axes << x, y, z;
+  return axes;
+}
+
+/// Axes of the link that carries a wrist, from the directions of links. `tip`: its end.
+QuadMatrix carrierOf(const DeltaGeometry& /*arm*/, const QuadVector& /*q*/, const QuadPoint& /*tip*/)
+{
+  return QuadMatrix::Identity();
+}
+
+QuadMatrix carrierOf(const WoodenGeometry& arm, const QuadVector& q, const QuadPoint& tip)
+{
+  const Quad out = Quad(arm.upper_m) * sin(q[1]);
+  const QuadPoint elbow(out * cos(q[0]), out * sin(q[0]), Quad(arm.column_m) + Quad(arm.upper_m) * cos(q[1]));
+  const QuadPoint across(-sin(q[0]), cos(q[0]), Quad(0));
+  const QuadPoint back = (elbow - tip) / Quad(arm.fore_m);
+  return axesOf(across.cross(back), across, back);
+}
+
+QuadMatrix carrierOf(const FiveBarGeometry& arm, const QuadVector& q, const QuadPoint& tip)
+{
+  const QuadPoint elbow(Quad(arm.arm_m) * cos(q[0]) - Quad(arm.base_m) / Quad(2), Quad(arm.arm_m) * sin(q[0]), Quad(0));
+  const QuadPoint along = (tip - elbow) / Quad(arm.forearm_m), up(Quad(0), Quad(0), Quad(1));
+  return axesOf(along, up.cross(along), up);
+}
+
+QuadMatrix carrierOf(const SerialGeometry& /*chain*/, const QuadVector& /*q*/, const QuadPoint& /*tip*/)
+{
+  return QuadMatrix::Identity(); // a chain carries no wrist
+}
+
 } // namespace
 
 QuadPoint tipInQuad(const ArmPlan& plan, const QuadVector& q, const Vec3& near_D)
 {
   const QuadMatrix turn = turnOf(plan.base_D.q);
   const QuadPoint near = turn.transpose() * (inQuad(near_D) - inQuad(plan.base_D.p));
-  const QuadPoint tip =
-    std::visit([&](const auto& geometry) { return tipOf(geometry, q, near.cast<double>()); }, plan.geometry);
-  return inQuad(plan.base_D.p) + turn * tip;
+  const QuadVector base = q.head(jointCountOf(plan.geometry)), own = q.tail(plan.wrist.count);
+  const auto carriedTip = [&](const auto& geometry)
+  {
+    const QuadPoint tip = tipOf(geometry, base, near.cast<double>());
+    return QuadPoint(tip + carrierOf(geometry, base, tip) * tipOf(plan.wrist, own, Vec3::Zero()));
+  };
+  return inQuad(plan.base_D.p) + turn * std::visit(carriedTip, plan.geometry);
 }
 
 Vec3 tipSlope(const ArmPlan& plan, const JointVector& q, const JointVector& way, const Vec3& near_D)

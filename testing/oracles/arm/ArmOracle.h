@@ -9,14 +9,16 @@
 namespace palpate::test
 {
 
-/// Kinematics from the constraints of each kind in 113 bits, by other formulas than those of the arms: chains by
-/// Rodrigues' formula, legs by Newton steps on the lengths of their rods.
+/// Kinematics from the constraints of each kind in 113 bits, by other formulas than those of the arms: chains and
+/// wrists by Rodrigues' formula, legs by Newton steps on the lengths of their rods, the frame of a wrist by the
+/// directions of the links before it.
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
 using QuadVector = Eigen::Matrix<Quad, Eigen::Dynamic, 1>;
 using QuadPoint = Eigen::Matrix<Quad, 3, 1>;
 
-/// Position of the tip with these joints [m], in D. `near` selects among the solutions that close the links.
+/// Position of the tip with these joints [m], in D. `near_D` is near the place that carries the
+/// wrist, the tip without one, and selects among the solutions that close the links.
 [[nodiscard]] QuadPoint tipInQuad(const ArmPlan& plan, const QuadVector& q, const Vec3& near_D);
 
 /// Derivative of the tip along `way`: a central difference, exact to about 1e-20.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/arm/ArmWorkSpaceMap.h"
+#include "haptics/arm/shown/ArmWorkSpaceMap.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -8,7 +8,8 @@
 namespace palpate
 {
 
-/// The links of an arm as polylines from the base to the tip [m], in D, for a picture. Empty where it has no posture.
+/// The links of an arm as polylines from the base to the tip [m], in D, for a picture; the line of a wrist is the last
+/// one. Empty where it has no posture.
 [[nodiscard]] std::vector<std::vector<Vec3>> skeletonOf(const Arm& arm, const JointVector& q);
 
 } // namespace palpate
