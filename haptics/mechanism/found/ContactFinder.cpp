@@ -235,11 +235,10 @@ ChosenPlaces choosePlaces(
   return chosen;
 }
 
-ContactFinder::ContactFinder(std::vector<FinderMesh> meshes, int held, double friction, std::size_t most)
+ContactFinder::ContactFinder(std::vector<FinderMesh> meshes, int held, std::size_t most)
   : meshes_(std::move(meshes)), held_(held), most_(std::min(most, static_cast<std::size_t>(FoundContacts::most)))
 {
   std::ranges::stable_partition(this->meshes_, [held](const FinderMesh& mesh) { return mesh.body == held; });
-  this->last_.friction = friction;
 }
 
 void ContactFinder::add(int body, const PressedBody& atRest, double stiffness)
@@ -329,8 +328,10 @@ void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderV
   }
   if (this->isHeld(m))
   {
-    // Beyond, places may touch that lie aside of those that are near now.
-    found.reach_u = std::min(found.reach_u, std::max(nearest->gap_u, 0.0) + strides * edge_u);
+    // Beyond, places may touch that lie aside of those that are near now. At a mesh that stands, those that may touch
+    // until the next answer have contacts already: no edge of a fine mesh slows the hand down.
+    const double beyond_u = std::max(nearest->gap_u, 0.0) + strides * edge_u;
+    found.reach_u = std::min(found.reach_u, soft ? beyond_u : std::max(beyond_u, reach.touches_u));
   }
   found.leftOut += chosen.leftOut;
   for (const NearPlace& place : chosen.places)
@@ -340,6 +341,7 @@ void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderV
     contact.mesh = this->meshes_[m].body;
     contact.body = body;
     contact.apart_u = chosen.apart_u;
+    contact.friction = (standing ? *standing : this->meshes_[m]).friction;
   }
 }
 
@@ -365,7 +367,6 @@ const FoundContacts& ContactFinder::find(const FinderView& view)
   const std::vector<Meeting> met = this->meetings(view);
   FoundContacts found;
   found.answer = this->last_.answer + 1;
-  found.friction = this->last_.friction;
   found.reach_u = std::numeric_limits<double>::infinity();
   if (this->held() != nullptr)
   {

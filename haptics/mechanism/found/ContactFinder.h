@@ -19,6 +19,7 @@ struct FinderMesh
 {
   int body = 0; ///< in the plan
   std::shared_ptr<const SidedSurface> surface;
+  double friction = 0.0; ///< Coulomb's: that of a mesh which stands counts where it is touched
 };
 
 /// How near a mesh and the soft bodies have to be.
@@ -91,7 +92,7 @@ class ContactFinder
 {
 public:
   /// `held`: the body of the plan that is in the hand; `most`: contacts that the tick has room for.
-  ContactFinder(std::vector<FinderMesh> meshes, int held, double friction, std::size_t most);
+  ContactFinder(std::vector<FinderMesh> meshes, int held, std::size_t most);
 
   /// `body`: in the plan; `stiffness`: E / (1 - nu^2) of its softest material [N/u^2]. In the order in which views have
   /// them.
