@@ -155,7 +155,7 @@ Seen rigidPoint(int ticks)
   return ended(cost, {});
 }
 
-/// A ball that is drawn over tissue, its answers at 30 Hz, and back; and what an answer takes.
+/// Costs of a ball that is drawn over tissue to and fro, with answers of the finder at 30 Hz.
 struct Drawn
 {
   Seen tick;

@@ -33,7 +33,7 @@ public:
   [[nodiscard]] const std::string& reason() const noexcept { return this->reason_; }
 
 private:
-  /// What a body is made of.
+  /// A surface of the scene, as far as its body depends on it.
   struct Source
   {
     std::string name;
