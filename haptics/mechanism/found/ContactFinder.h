@@ -27,6 +27,7 @@ struct FinderReach
 {
   double reach_u = 0.0;   ///< surfaces that are further apart do not meet until the next answer
   double touches_u = 0.0; ///< those that are no further apart touch, or will soon
+  double covers_u = 0.0;  ///< likewise of the mesh in the hand with one that stands
 };
 
 /// The bodies as a finder looks at them.

@@ -15,6 +15,8 @@ namespace
 
 /// Of the mesh's size: a hand that rested goes no further until the next answer but one; so near, surfaces touch.
 constexpr double usualReach = 0.25, usualTouch = 0.005;
+/// So near, the mesh has contacts with meshes that stand.
+constexpr double usualCover = 0.05;
 /// Of a soft body's size: so near to a mesh that stands, its surface may meet the mesh until the next answer but one,
 /// or touches it.
 constexpr double standingReach = 0.05, standingTouch = 0.0005;
@@ -251,8 +253,8 @@ const FoundContacts& MechanismBodies::find()
   const SidedSurface* const mesh = this->finder_->held();
   const double radius_u = mesh ? mesh->radius_u : 0.0, diagonal_u = mesh ? mesh->diagonal_u : 0.0;
   const double motion_u = this->looked_W_ ? motionOf(radius_u, *this->looked_W_, held_W) : 0.0;
-  view.held = { usualReach * diagonal_u + reachOfMotion * motion_u,
-    usualTouch * diagonal_u + touchOfMotion * motion_u };
+  view.held = { usualReach * diagonal_u + reachOfMotion * motion_u, usualTouch * diagonal_u + touchOfMotion * motion_u,
+    usualCover * diagonal_u + reachOfMotion * motion_u };
   // A soft body that the hand presses moves no faster than the hand.
   view.standing = { standingReach * this->diagonal_u_ + reachOfMotion * motion_u,
     standingTouch * this->diagonal_u_ + touchOfMotion * motion_u };

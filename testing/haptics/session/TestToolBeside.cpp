@@ -238,6 +238,11 @@ TEST(ToolBeside, NothingPassesTheBoneThatComesAtHalfAMetreASecond)
       const Pose& tool_W = hand.hold(at).proxy_W;
       ASSERT_EQ(judge.crossings(tool_W.p, tool_W.q.toRotationMatrix()), 0U) << shot << ' ' << i;
     }
+    for (int i = 0; i < 400; ++i) // a hand that is faster than contacts are looked for waits for the tool
+    {
+      const Pose& tool_W = hand.hold(at).proxy_W;
+      ASSERT_EQ(judge.crossings(tool_W.p, tool_W.q.toRotationMatrix()), 0U) << shot << " at rest " << i;
+    }
     touched += hand.session.state().force_W.norm() > 1.0 ? 1 : 0;
   }
   EXPECT_EQ(touched, static_cast<int>(count));
@@ -291,9 +296,9 @@ TEST(ToolBeside, AnotherSurfaceThatIsShownWhileTheToolPressesLeavesTheForce)
   EXPECT_TRUE(hand.session.toolPresses());
   const Pose onTable{ overTable + Vec3(0, 0, ball_m - 1e-3), Quat::Identity() };
   hand.hold({ onTable.p + Vec3(0, 0, 0.1), Quat::Identity() }, 200);
-  EXPECT_GT(hand.hold(onTable, 200).force_W.z(), 0.9e-3 * firm_N_per_m);
+  EXPECT_GT(hand.hold(onTable, 1500).force_W.z(), 0.9e-3 * firm_N_per_m);
   hand.session.setScene(besideBlock({}));
-  EXPECT_EQ(hand.hold(onTable, 200).force_W.z(), 0.0) << "the table is hidden";
+  EXPECT_LT(hand.hold(onTable, 1500).force_W.z(), 1e-6) << "the table is hidden";
 }
 
 TEST(ToolBeside, ASurfaceThatIsMovedIsFeltWhereItComesToRest)
@@ -306,7 +311,7 @@ TEST(ToolBeside, ASurfaceThatIsMovedIsFeltWhereItComesToRest)
   hand.hold({ at.p + Vec3(0, 0, 0.01), at.q }, 300);
   EXPECT_NEAR(hand.hold(at, 300).force_W.z(), 5e-3 * firm_N_per_m, 1e-6);
   hand.session.setScene(besideBlock({ surfaceOf("table", table(), lower) }));
-  EXPECT_NEAR(hand.hold(at, 300).force_W.z(), 1e-3 * firm_N_per_m, 1e-6);
+  EXPECT_NEAR(hand.hold(at, 1500).force_W.z(), 1e-3 * firm_N_per_m, 1e-6);
 }
 
 std::string refusalBeside(const std::vector<SurfaceInput>& others)
