@@ -24,6 +24,7 @@ struct FoundContact
   SurfacePoint place_B;          ///< of the other body
   Vec3 normal_W = Vec3::UnitZ(); ///< out of the other body
   double apart_u = 0.0;          ///< other contacts in this direction are as far away, or further
+  double friction = 0.0;         ///< Coulomb's
 };
 
 template<class Visit, class Contact>
@@ -36,6 +37,7 @@ void membersOf(const Visit& visit, Contact& found) requires std::is_same_v<std::
   visit(found.place_B);
   visit(found.normal_W);
   visit(found.apart_u);
+  visit(found.friction);
 }
 
 /// An answer of the finder. Of fixed size, so that the tick keeps a copy.
@@ -44,7 +46,6 @@ struct FoundContacts
   static constexpr int most = static_cast<int>(Mechanism::mostConstraints);
 
   std::uint64_t answer = 0; ///< another one for each; 0: none
-  double friction = 0.0;    ///< Coulomb's, of all of them
   double reach_u = 0.0;     ///< so far the mesh in the hand may go until the next answer; infinite without such a mesh
   Pose held_W;              ///< of that mesh, when they were looked for
   std::int32_t count = 0;
@@ -57,7 +58,6 @@ void membersOf(
   const Visit& visit, Contacts& found) requires std::is_same_v<std::remove_const_t<Contacts>, FoundContacts>
 {
   visit(found.answer);
-  visit(found.friction);
   visit(found.reach_u);
   visit(found.held_W);
   visit(found.count);

@@ -38,14 +38,21 @@ int mostRowsOf(ConstraintKind kind) noexcept
   return kinds[static_cast<std::size_t>(kind)].rows;
 }
 
+double foundFrictionOf(const Mechanism& mechanism, const MechanismBody& body) noexcept
+{
+  return body.friction.value_or(mechanism.foundFriction);
+}
+
 int roomForFound(const Mechanism& mechanism) noexcept
 {
+  const bool rubs = std::ranges::any_of(mechanism.bodies,
+    [&](const MechanismBody& body) { return body.mesh != nullptr && foundFrictionOf(mechanism, body) > 0.0; });
   int rows = Mechanism::mostRows;
   for (const MechanismConstraint& law : mechanism.laws)
   {
     rows -= mostRowsOf(law.kind);
   }
-  const int each = mostRowsOf(mechanism.foundFriction > 0.0 ? ConstraintKind::Friction : ConstraintKind::Contact);
+  const int each = mostRowsOf(rubs ? ConstraintKind::Friction : ConstraintKind::Contact);
   const int free = static_cast<int>(Mechanism::mostConstraints) - static_cast<int>(mechanism.laws.size());
   return std::max(0, std::min(rows / each, free));
 }

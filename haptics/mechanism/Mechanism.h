@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct MechanismBody
   Vec3 halfSize_u = Vec3::Zero();           ///< of a rigid box, along its own axes
   Pose pose_W;                              ///< where a rigid one is at first; how a held one is turned in the hand
   Vec3 load_W = Vec3::Zero();               ///< on a rigid one's centre, its weight say [N]
+  std::optional<double> friction;           ///< Coulomb's, of a mesh that does not move; none: Mechanism::foundFriction
 };
 
 /// How two bodies are joined (docs/theory.md, "Constraints between bodies"). A's motion is counted against B's.
@@ -87,7 +89,8 @@ struct Mechanism
   std::vector<MechanismBody> bodies;
   std::vector<MechanismConstraint> laws;
   bool findsContacts = false; ///< of meshes with soft bodies, wherever they meet
-  double foundFriction = 0.0; ///< Coulomb's coefficient there
+  double foundFriction = 0.0; ///< Coulomb's coefficient there, but at meshes that have their own
+  bool beginsApart = false;   ///< a soft body that lies in a mesh at rest is a fault: else both are pushed apart
 };
 
 /// The word for a kind in scene files and tables: "contact", "attachment", ... "insertion".
@@ -96,6 +99,9 @@ struct Mechanism
 [[nodiscard]] const char* nameOf(MechanismBodyKind kind) noexcept;
 /// How many rows a constraint has where it has most.
 [[nodiscard]] int mostRowsOf(ConstraintKind kind) noexcept;
+
+/// Coulomb's coefficient of the contacts that are found at the mesh of a body.
+[[nodiscard]] double foundFrictionOf(const Mechanism& mechanism, const MechanismBody& body) noexcept;
 
 /// How many contacts may be found beside the constraints of a mechanism: the tick has so much room.
 [[nodiscard]] int roomForFound(const Mechanism& mechanism) noexcept;

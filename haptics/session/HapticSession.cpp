@@ -179,6 +179,7 @@ void HapticSession::setScene(std::shared_ptr<const Scene> scene, const std::opti
   }
   const bool heldTool = this->toolBesideSoft().empty();
   this->setInput<input::Scenes>(std::move(scene));
+  this->pairTool();
   this->followChoice(heldTool != this->toolBesideSoft().empty());
 }
 

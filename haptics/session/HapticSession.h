@@ -76,8 +76,8 @@ public:
 
   /// The result of that task's worker is felt from a tick soon after on; none: nothing. Kept over stop() and start(). A
   /// tool takes the place of the ball. A soft body is felt beside the scene by a ball, or by a tool that is one; any
-  /// other tool presses it as a mechanism of these two, and touches nothing else. While a mechanism is felt, ball, tool
-  /// and soft body rest. Include SessionWorkers.h for these.
+  /// other tool presses it as a mechanism of these two and the other surfaces of the scene. While a mechanism is felt,
+  /// ball, tool and soft body rest. Include SessionWorkers.h for these.
   template<class Task>
   void choose(const typename Task::Choice& choice);
   template<class Task>
@@ -138,8 +138,7 @@ private:
   [[nodiscard]] double characteristic_u() const noexcept;
   [[nodiscard]] MechanismGrip grip(const HapticParameters& adapted) const noexcept;
   [[nodiscard]] const SessionWorkers* workers() const noexcept; ///< null: nothing runs
-  void pairTool();                                              ///< with the soft body
-  [[nodiscard]] std::string besideSoft() const;
+  void pairTool();                                              ///< with the soft body and the scene
   void followChoice(bool handChanges);
   void adapt(Run& run, bool first) const;
   void orderWork(Run& run) const;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <memory>
-#include <span>
 #include <utility>
 
 #include "haptics/force/StabilityLimits.h"
@@ -34,7 +33,7 @@ ToolChoice HapticSession::heldTool() const
 void HapticSession::pairTool()
 {
   const double friction = std::min(this->parameters_.contact.friction.kinetic, largestToolFriction);
-  this->chosen_->pressing->follow(this->chosen<ToolTask>(), this->chosen<SoftTask>(), friction);
+  this->chosen_->pressing->follow(this->chosen<ToolTask>(), this->chosen<SoftTask>(), friction, this->scene().get());
 }
 
 /// The hand turns a tool that presses by the metric of tools, whatever torque the device has.
@@ -104,25 +103,12 @@ MechanismGrip HapticSession::grip(const HapticParameters& adapted) const noexcep
 
 std::string HapticSession::toolBesideSoft() const
 {
-  const PressingTool& pressing = *this->chosen_->pressing;
-  const std::string beside = pressing.isPair() ? this->besideSoft() : "";
-  return beside.empty() ? pressing.refusal()
-                        : "a tool that presses a soft body touches nothing else: hide " + beside +
-                            ", or release the tool to touch both with the proxy sphere";
+  return this->chosen_->pressing->refusal();
 }
 
 bool HapticSession::toolPresses() const
 {
   return this->chosen_->pressing->isPair() && this->toolBesideSoft().empty() && !this->chosen<MechanismTask>().inputs;
-}
-
-/// The first surface of the scene that is not the soft body's own; "": there is none.
-std::string HapticSession::besideSoft() const
-{
-  const std::string& body = this->chosen<SoftTask>().name;
-  const auto surfaces = this->scene() ? std::span(this->scene()->surfaces()) : std::span<const Surface>();
-  const auto other = std::ranges::find_if(surfaces, [&body](const Surface& s) { return s.name != body; });
-  return other == surfaces.end() ? "" : other->name;
 }
 
 std::string HapticSession::toolRefusal() const

@@ -7,10 +7,15 @@
 #include <CLI/CLI.hpp>
 
 #include "haptics/contact/GodObject.h"
+#include "haptics/mechanism/found/ContactFinder.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
+#include "haptics/session/mechanism/ToolOnBody.h"
+#include "testing/haptics/compliance/Blocks.h"
 #include "testing/haptics/session/WallAndLiver.h"
 #include "testing/support/CostSample.h"
 #include "testing/support/MechanismRig.h"
+#include "testing/support/Meshes.h"
+#include "testing/support/NoisySphere.h"
 
 namespace palpate::test
 {
@@ -20,6 +25,8 @@ namespace
 /// Ticks of a point on a rigid surface that one of each may be: twice the number seen. A needle that the hand turns is
 /// solved some five times a tick, until its constraints are met on the finite turn.
 constexpr double mostOfTurned = 31.0, mostOfNeedle = 13.0, mostOfBlock = 125.0, mostOfSliding = 42.0;
+/// Ticks of a ball on tissue that one beside a bone may be, and answers: twice the numbers seen.
+constexpr double mostBeside = 3.0, mostAnswersBeside = 5.0;
 
 constexpr double beyond = 0.04, before = -0.006, speed_m = 2e-4; // a tick
 
@@ -148,6 +155,101 @@ Seen rigidPoint(int ticks)
   return ended(cost, {});
 }
 
+/// Costs of a ball that is drawn over tissue to and fro, with answers of the finder at 30 Hz.
+struct Drawn
+{
+  Seen tick;
+  double p50_us = 0.0; ///< that of a tick
+  double answer_us = 0.0;
+};
+
+Drawn drawnOverTissue(int ticks, const std::vector<MechanismBody>& beside)
+{
+  constexpr int ticksAnAnswer = 33;
+  constexpr double ball_m = 0.015, deep_m = 2e-3;
+  SoftBodyInput soft = pad(8);
+  soft.poisson = 0.4;
+  soft.model = ElasticModel::Linear;
+  const MechanismSoftInput body{ "block", std::make_shared<const SoftBodyInput>(soft) };
+  const auto made = toolOnBody("ball", makeIcosphere(3, ball_m), body, 0.3, beside);
+  const Mechanism& mechanism = made.value->mechanism;
+  std::string refusal;
+  const auto bodies = MechanismBodies::make(made.value->soft, refusal);
+  const MechanismPlan plan = planMechanism(mechanism, bodies->atRest(), 1);
+  std::vector<FinderMesh> meshes;
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b)
+  {
+    if (mechanism.bodies[b].mesh)
+    {
+      meshes.push_back({ static_cast<int>(b), mechanism.bodies[b].mesh, 0.3 });
+    }
+  }
+  ContactFinder finder(std::move(meshes), plan.held, static_cast<std::size_t>(roomForFound(mechanism)));
+  finder.add(1, *bodies->first().front(), soft.young_Pa.front());
+  const std::array<const PressedBody*, 1> bent{ bodies->first().front().get() };
+  const ProcessorClock clock;
+  CostSample cost(static_cast<std::size_t>(ticks), clock), answers(static_cast<std::size_t>(ticks), clock);
+  MechanismTick servo;
+  MechanismResult result;
+  Drawn drawn;
+  for (int tick = 0; tick < ticks; ++tick)
+  {
+    MechanismInput input;
+    input.tick = static_cast<std::uint64_t>(tick) + 1;
+    input.plan = &plan;
+    const double way_m = 0.06 * std::sin(1e-3 * tick); // at most 60 mm/s
+    input.hand_W = { middleOfPad() + Vec3(0.04 + way_m, 0.0, ball_m - deep_m), Quat::Identity() };
+    input.grip = { kc, 1.0 };
+    input.soft = bent;
+    if (tick % ticksAnAnswer == 0)
+    {
+      result.pose_W[0] = tick == 0 ? input.hand_W : result.pose_W[0];
+      FinderView view;
+      view.pose_W = result.pose_W;
+      view.held = { 0.015, 0.005 };
+      view.standing = { 0.01, 5e-4 };
+      view.soft = bent;
+      view.presses = { result.presses.data(), static_cast<std::size_t>(result.pressCount) };
+      answers.time([&] { (void)finder.find(view); });
+    }
+    input.found = &finder.last();
+    cost.time([&] { result = servo.step(input); });
+    see(result, drawn.tick);
+  }
+  drawn.tick = ended(cost, drawn.tick);
+  drawn.p50_us = drawn.tick.p50_us;
+  drawn.answer_us = answers.quantile_us(0.5);
+  return drawn;
+}
+
+/// Of a hundred thousand triangles, its top level with the tissue's.
+std::vector<MechanismBody> boneBeside()
+{
+  const NoisySphere sphere(100000, 1e-3);
+  MechanismBody bone;
+  bone.name = "bone";
+  bone.mesh = makeStandingMesh(
+    std::make_shared<const SurfaceTree>(cleanMesh(shifted(sphere.mesh(), Vec3(0.155, 0.05, 0.0))).mesh))
+                .value;
+  return { bone };
+}
+
+/// Beside a bone a tick solves as many contacts as without it.
+bool tellBeside(int ticks)
+{
+  const std::vector<MechanismBody> bone = boneBeside();
+  const auto [beside, alone] =
+    costsInTurn([&] { return drawnOverTissue(ticks, bone); }, [&] { return drawnOverTissue(ticks, {}); });
+  const double ratio = beside.p50_us / alone.p50_us, answers = beside.answer_us / alone.answer_us;
+  std::printf(
+    "a mesh drawn over tissue, a bone of %zu triangles beside it: p50 %.1f p99 %.1f us, without it %.1f and %.1f,"
+    " ratios %.2f (at most %.0f) and %.2f; an answer %.2f ms, %.2f ms without it (at most %.0f times)\n",
+    bone.front().mesh->tree->mesh().triangles.size(), beside.tick.p50_us, beside.tick.p99_us, alone.tick.p50_us,
+    alone.tick.p99_us, ratio, mostBeside, beside.tick.p99_us / alone.tick.p99_us, 1e-3 * beside.answer_us,
+    1e-3 * alone.answer_us, mostAnswersBeside);
+  return ratio <= mostBeside && answers <= mostAnswersBeside;
+}
+
 bool tell(const char* name, const Seen& seen, const Seen& rigid, double mostOfRigid)
 {
   const double ratio = seen.p50_us / rigid.p50_us;
@@ -175,5 +277,6 @@ int main(int argc, char** argv)
   within = tell("the same, its turn free", needle(strokes, 0.0), rigid, mostOfNeedle) && within;
   within = tell("a block that rubs on four springs", block(5000, 0.0), rigid, mostOfBlock) && within;
   within = tell("the same, sliding without end", block(500, 0.6), rigid, mostOfSliding) && within;
+  within = tellBeside(6000) && within;
   return within || !withAssertions ? 0 : 1;
 }

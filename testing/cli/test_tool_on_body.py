@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`palpate touch --tool --young`: a mesh in the hand on a soft block. Judges: the exact ball's own tick on the same block, the rigid
-surface of that block, and the balance of a handle."""
+"""`palpate touch --tool --young`: a mesh in the hand on a soft block, and on surfaces beside it. Judges: the exact ball's own tick on the
+same block, the rigid surface of that block, the spring of the hand, and the balance of a handle."""
 
 import math
 import unittest
 
 from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest, vtu_text
 from test_soft import HEIGHT, POISSON, SIDE, YOUNG, tetrahedra
-from test_tool import COLUMNS, POSES, UPRIGHT
+from test_tool import COLUMNS, CORNERS, FACES, POSES, UPRIGHT
 
 CELLS = 8  # along a side
 BALL = 0.03  # m
@@ -107,6 +107,29 @@ class ToolOnBody(CommandLineTest):
         self.assertGreater(last["force_z"], 0.2)
         self.assertAlmostEqual(-last["force_x"] / last["force_z"], friction, delta=0.03)
 
+    def test_a_rigid_surface_beside_the_body_holds_the_tool_with_the_whole_spring_and_rubs(self):
+        half, friction = 0.01, 0.3
+        self.write_off("cube.off", [[half * x for x in corner] for corner in CORNERS], FACES)
+        self.write_off("table.off", [(-0.3 + 0.2 * x, 0.2 * y, 0.05 * z - 0.05) for x, y, z in CORNERS], FACES)  # its top is z = 0
+        down = [(-0.3, 0.0, half + 0.0005 - 1e-5 * i) for i in range(200)]
+        aside = [(-0.3 + 1e-5 * i, 0.0, down[-1][2]) for i in range(500)]
+        on_body = [(*PLACE, HEIGHT + half + 0.0005 - 1e-5 * i) for i in range(200)] + [(*PLACE, HEIGHT + half - 0.0015)] * 500
+        rows = self.touch(down + aside, "table.off", "--tool", "cube.off", *SOFT, "--stiffness", 5000, "--mu-static", friction)
+        for row in rows:
+            self.assertAlmostEqual(row["force_z"], 5000 * max(half - row["device_z"], 0.0), delta=1e-6)
+        self.assertAlmostEqual(-rows[-1]["force_x"] / rows[-1]["force_z"], friction, delta=1e-3)
+        alone = self.touch(on_body, "--tool", "cube.off", *SOFT, "--stiffness", 5000)[-1]
+        beside = self.touch(on_body, "table.off", "--tool", "cube.off", *SOFT, "--stiffness", 5000)[-1]
+        self.assertGreater(alone["force_z"], 0.3)
+        self.assertEqual(alone["force_z"], beside["force_z"], "the table is far away")
+
+    def test_a_body_that_lies_in_a_surface_is_named(self):
+        self.write_off("ball.off", *ball(1))
+        self.write_off("skin.off", CORNERS, FACES)
+        self.write_path([(0, *PLACE, 1.0, *UPRIGHT)], header=POSES)
+        self.refused("touch", "block.vtu", "skin.off", *SOFT, "--path", "path.csv", "--csv", "out.csv", "--tool", "ball.off",
+                     saying=("block.vtu lies in skin.off", "hide"))
+
     def test_a_path_that_begins_in_the_body_says_so(self):
         self.write_off("ball.off", *ball(2))
         self.touch([(*PLACE, HEIGHT + BALL - 0.002)] * 3, "--tool", "ball.off", *SOFT)
@@ -120,7 +143,7 @@ class ToolOnBody(CommandLineTest):
         self.succeed(*base, "ball.off")
         self.refused(*base, "square.off", saying=("square.off", "cannot be held", "open"))
         self.refused("touch", "block.vtu", "square.off", *base[2:], "ball.off",
-                     saying=("square.off", "touches nothing else", "omit"))
+                     saying=("square.off", "the mesh is open", "omit"))
         for option in (("--radius", 1), ("--shading",), ("--friction-array", "f")):
             self.refused(*base, "ball.off", *option, saying=(option[0], "no effect", "omit"))
         for option in (("--two-d",), ("--iso", 1), ("--field", "f"), ("--virtual-coupling",)):

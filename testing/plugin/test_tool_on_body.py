@@ -101,17 +101,29 @@ class ToolOnBody(unittest.TestCase):
             Touch()
         self.assertIn("cannot press a soft body: the mesh is open", str(refused.exception))
 
-    def test_a_second_surface_in_the_view_is_named_and_has_to_be_hidden(self):
+    def test_another_surface_in_the_view_holds_the_tool_and_one_that_is_open_has_to_be_hidden(self):
         PressBody(shown_block(self.view))
-        table = simple.Box(registrationName="table", XLength=200, YLength=200, ZLength=10, Center=[0, 0, -20])
+        table = simple.Box(registrationName="table", XLength=200, YLength=200, ZLength=10, Center=[300, 0, -5])  # its top is z = 0
         simple.Show(table, self.view)
         HoldTool(simple.Box(registrationName="box", XLength=60, YLength=60, ZLength=2 * BALL))
-        self.pressed()
-        self.assertIn("hide table", GetHapticSession().GetToolText())
+        self.assertGreater(self.pressed()[2], 0.5)
+        session = GetHapticSession()
+        self.assertIn("presses block", session.GetToolText())
+        for place in ((300, 0, TOP + BALL + 10), (300, 0, BALL + 1), (300, 0, BALL - DEPTH)):
+            session.SetHandPosition(*place)
+            session.Step(500)
+        session.Update()
+        self.assertAlmostEqual(session.GetForce()[2], STIFFNESS * DEPTH / SCALE, delta=1e-6)
         LetGo()
         simple.Hide(table, self.view)
+        sheet = simple.Plane(registrationName="sheet", Origin=[200, 0, 0], Point1=[300, 0, 0], Point2=[200, 100, 0])
+        simple.Show(sheet, self.view)
         self.pressed()
-        self.assertIn("presses block", GetHapticSession().GetToolText())
+        self.assertIn("hide sheet", session.GetToolText())
+        LetGo()
+        simple.Hide(sheet, self.view)
+        self.pressed()
+        self.assertIn("presses block", session.GetToolText())
 
 
 if __name__ == "__main__":

@@ -22,8 +22,8 @@
  * TurnArray of the path says. Each row is as far as the tool comes without meeting anything, in unlimited time, from
  * the row before; the points of the output are where its origin is. The tool feels surfaces as they are, without a
  * field and material from data, with the friction FrictionKinetic, up to 1 and to the static one, on all that it
- * touches. On a soft body it is a closed mesh and touches nothing else: contacts are found as in a mechanism, and a row
- * is one tick. Besides there are
+ * touches. On a soft body it is a closed mesh, and further surfaces, which both touch, are closed, too: contacts are
+ * found as in a mechanism, and a row is one tick. Besides there are
  *
  *     Torque    (n, 3) double  on the hand, about the handle, in W [N m]
  *     Turn      (n, 4) double  of the tool, a unit quaternion w x y z

@@ -202,12 +202,16 @@ const Rod& shapeOf(const Rod& rod)
 template<class A, class B>
 bool overlap(const A& a, const B& b)
 {
-  if (!boundsOf(a).intersects(boundsOf(b)))
+  const Bounds common = boundsOf(a).intersection(boundsOf(b));
+  if (common.isEmpty())
   {
     return false;
   }
-  const auto through = [](const auto& edges, const auto& other)
-  { return std::ranges::any_of(edges, [&other](const Edge& edge) { return passes(other, edge); }); };
+  const auto through = [&common](const auto& edges, const auto& other)
+  {
+    return std::ranges::any_of(edges, [&](const Edge& edge)
+      { return common.intersects(Bounds(edge.from_W).extend(edge.to_W)) && passes(other, edge); });
+  };
   const auto& shapeA = shapeOf(a);
   const auto& shapeB = shapeOf(b);
   return through(edgesOf(shapeA), shapeB) || through(edgesOf(shapeB), shapeA);

@@ -292,6 +292,13 @@ void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> sof
   for (const auto& [a, b] : check.overlaps)
   {
     const bool found = softNamed(soft, a) ? isMesh(b) : softNamed(soft, b) && isMesh(a);
+    if (found && mechanism.beginsApart)
+    {
+      const auto& [body, mesh] = softNamed(soft, a) ? std::pair(a, b) : std::pair(b, a);
+      check.faults.push_back(
+        body + " lies in " + mesh + ", which would push it out: hide " + mesh + ", or move " + body + " out of it.");
+      continue;
+    }
     check.remarks.push_back("Bodies \"" + a + "\" and \"" + b + "\" overlap in the scene file: " +
                             (found ? "the contacts push them apart at once."
                                    : "bodies without a constraint between them pass through each other."));

@@ -172,9 +172,11 @@ private:
       "give one, or name the contacts of the rod.");
     this->require(
       this->countOf(MechanismBodyKind::Soft) > 0, "Contacts are found with soft bodies, and there are none: add one.");
-    const double friction = this->mechanism_.foundFriction;
-    this->require(
-      std::isfinite(friction) && friction >= 0.0, "The friction of found contacts is negative or not a number.");
+    const auto coefficient = [](double friction) { return std::isfinite(friction) && friction >= 0.0; };
+    const bool ofBodies = std::ranges::all_of(this->mechanism_.bodies,
+      [&](const MechanismBody& body) { return coefficient(foundFrictionOf(this->mechanism_, body)); });
+    this->require(coefficient(this->mechanism_.foundFriction) && ofBodies,
+      "The friction of found contacts is negative or not a number.");
     this->require(roomForFound(this->mechanism_) >= fewestFound,
       "The constraints have so many rows that fewer than four contacts can be found: remove some.");
   }

@@ -39,6 +39,9 @@ constexpr double seenEdges = 2.0, seenOfBall = 2.5;
 constexpr double usedAfter = 1.5;
 /// Radii of a ball's contact between contacts: within them the ball is one.
 constexpr double acrossBall = 2.2;
+/// Of the size of the mesh in the hand: contacts with a mesh that stands are no further apart, however large the
+/// triangles of that are.
+constexpr double apartOfHeld = 0.1;
 /// Places before one mesh that stands whose compliance is known: so many of a body's 192.
 constexpr std::size_t mostWatched = 48;
 
@@ -235,11 +238,10 @@ ChosenPlaces choosePlaces(
   return chosen;
 }
 
-ContactFinder::ContactFinder(std::vector<FinderMesh> meshes, int held, double friction, std::size_t most)
+ContactFinder::ContactFinder(std::vector<FinderMesh> meshes, int held, std::size_t most)
   : meshes_(std::move(meshes)), held_(held), most_(std::min(most, static_cast<std::size_t>(FoundContacts::most)))
 {
   std::ranges::stable_partition(this->meshes_, [held](const FinderMesh& mesh) { return mesh.body == held; });
-  this->last_.friction = friction;
 }
 
 void ContactFinder::add(int body, const PressedBody& atRest, double stiffness)
@@ -319,9 +321,11 @@ void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderV
   const double edge_u = edgeAround(soft ? *soft->surface : *standing->surface, nearest->contact.place_B);
   const bool isFirst = std::none_of(found.contacts.begin(), found.contacts.begin() + found.count,
     [body](const FoundContact& contact) { return contact.body == body; });
-  const double apart_u = soft ? this->apartOnSoft(meeting, edge_u, view, isFirst) : edge_u;
+  const double apart_u = soft ? this->apartOnSoft(meeting, edge_u, view, isFirst)
+                              : std::min(edge_u, apartOfHeld * this->meshes_[m].surface->diagonal_u);
   const FinderReach& reach = this->isHeld(m) ? view.held : view.standing;
-  const ChosenPlaces chosen = choosePlaces(near, room, apart_u, reach.touches_u, this->last_);
+  const double touches_u = soft ? reach.touches_u : std::max(reach.touches_u, reach.covers_u);
+  const ChosenPlaces chosen = choosePlaces(near, room, apart_u, touches_u, this->last_);
   if (soft && isFirst)
   {
     const std::optional<double> ball_u = soft->balls[m].contact_u;
@@ -329,8 +333,10 @@ void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderV
   }
   if (this->isHeld(m))
   {
-    // Beyond, places may touch that lie aside of those that are near now.
-    found.reach_u = std::min(found.reach_u, std::max(nearest->gap_u, 0.0) + strides * edge_u);
+    // Beyond, places may touch that lie aside of those that are near now. At a mesh that stands, those that may touch
+    // until the next answer have contacts already: no edge of a fine mesh slows the hand down.
+    const double beyond_u = std::max(nearest->gap_u, 0.0) + strides * edge_u;
+    found.reach_u = std::min(found.reach_u, soft ? beyond_u : std::max(beyond_u, touches_u));
   }
   found.leftOut += chosen.leftOut;
   for (const NearPlace& place : chosen.places)
@@ -340,6 +346,7 @@ void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderV
     contact.mesh = this->meshes_[m].body;
     contact.body = body;
     contact.apart_u = chosen.apart_u;
+    contact.friction = (standing ? *standing : this->meshes_[m]).friction;
   }
 }
 
@@ -365,7 +372,6 @@ const FoundContacts& ContactFinder::find(const FinderView& view)
   const std::vector<Meeting> met = this->meetings(view);
   FoundContacts found;
   found.answer = this->last_.answer + 1;
-  found.friction = this->last_.friction;
   found.reach_u = std::numeric_limits<double>::infinity();
   if (this->held() != nullptr)
   {

@@ -19,6 +19,7 @@ struct FinderMesh
 {
   int body = 0; ///< in the plan
   std::shared_ptr<const SidedSurface> surface;
+  double friction = 0.0; ///< Coulomb's: that of a mesh which stands counts where it is touched
 };
 
 /// How near a mesh and the soft bodies have to be.
@@ -26,6 +27,7 @@ struct FinderReach
 {
   double reach_u = 0.0;   ///< surfaces that are further apart do not meet until the next answer
   double touches_u = 0.0; ///< those that are no further apart touch, or will soon
+  double covers_u = 0.0;  ///< likewise of the mesh in the hand with one that stands
 };
 
 /// The bodies as a finder looks at them.
@@ -91,7 +93,7 @@ class ContactFinder
 {
 public:
   /// `held`: the body of the plan that is in the hand; `most`: contacts that the tick has room for.
-  ContactFinder(std::vector<FinderMesh> meshes, int held, double friction, std::size_t most);
+  ContactFinder(std::vector<FinderMesh> meshes, int held, std::size_t most);
 
   /// `body`: in the plan; `stiffness`: E / (1 - nu^2) of its softest material [N/u^2]. In the order in which views have
   /// them.

@@ -22,9 +22,6 @@ constexpr double rounding = 1e-9;
 constexpr double facing = 0.1;
 /// The same for two that are apart: places that are aside of one another meet when an answer comes that is later.
 constexpr double facingApart = 0.5;
-/// Cosine between the normals of an edge's triangles below which the edge is sharp (15 degrees). Along blunter ones the
-/// vertices are near enough to one another.
-constexpr double sharpBelow = 0.966;
 /// A direction that a sharp edge presses in lies between its triangles' normals, but for this cosine.
 constexpr double aside = 0.05;
 /// The same of the soft body's edges, which a dent bends the other way.
@@ -310,19 +307,13 @@ private:
 
   void lookAlongEdges()
   {
-    for (std::uint32_t e = 0; e < this->mesh_.edges.size(); ++e)
+    for (const std::uint32_t e : this->mesh_.sharp)
     {
-      const SidedSurface::Edge& edge = this->mesh_.edges[e];
-      const Vec3 one_W = this->mesh_.areaOf(edge.triangles[0], this->mesh_W_).normalized();
-      const Vec3 other_W = this->mesh_.areaOf(edge.triangles[1], this->mesh_W_).normalized();
-      if (one_W.dot(other_W) < sharpBelow)
-      {
-        this->lookAlong(e, other_W);
-      }
+      this->lookAlong(e);
     }
   }
 
-  void lookAlong(std::uint32_t e, const Vec3& other_W)
+  void lookAlong(std::uint32_t e)
   {
     const auto [i, j] = this->mesh_.edges[e].ends;
     const double slack_u = this->bent_u_ + this->view_.reach_u;
@@ -330,7 +321,12 @@ private:
     reached.include(this->mesh_W_[i]);
     reached.include(this->mesh_W_[j]);
     reached = { reached.low_W.array() - slack_u, reached.high_W.array() + slack_u };
+    if (!overlap(this->bentAround_, reached))
+    {
+      return;
+    }
     const auto& edge = this->mesh_.edges[e];
+    const Vec3 other_W = this->mesh_.areaOf(edge.triangles[1], this->mesh_W_).normalized();
     const Vec3 inOne_W = inward(this->mesh_, this->mesh_W_, edge.triangles[0], i, j);
     const Vec3 inOther_W = inward(this->mesh_, this->mesh_W_, edge.triangles[1], i, j);
     if (inOne_W.dot(other_W) > 0.0) // a groove: no body but a sharper one reaches its bottom

@@ -65,6 +65,45 @@ std::vector<SidedSurface::Edge> edgesOf(const SurfaceData& data)
   return edges;
 }
 
+std::string tooMany(std::size_t triangles, std::size_t most)
+{
+  return "the mesh has " + std::to_string(triangles) + " triangles, a rigid body's may have " + std::to_string(most);
+}
+
+std::string refuseEdges(std::size_t open, std::size_t shared)
+{
+  return open > 0 ? "the mesh is open: " + std::to_string(open) +
+                      " of its edges have one triangle, and a rigid body needs an inside"
+         : shared > 0 ? "the mesh has " + std::to_string(shared) +
+                          " edges of more than two triangles, so that its inside is not clear"
+                      : "";
+}
+
+/// Of one triangle; of more than two.
+std::pair<std::size_t, std::size_t> countEdges(const SurfaceData& data)
+{
+  std::size_t open = 0, shared = 0;
+  for (std::uint32_t t = 0; t < data.mesh.triangles.size(); ++t)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      std::uint32_t around = 0, first = SurfaceData::none;
+      const auto count = [&](std::uint32_t of)
+      {
+        first = std::min(first, of);
+        ++around;
+      };
+      if (data.across[t][k] == SurfaceData::none)
+      {
+        data.forEachAtEdge(data.corners(t)[k], data.corners(t)[(k + 1) % 3], count);
+        open += around == 1 ? 1 : 0;
+        shared += around > 2 && first == t ? 1 : 0;
+      }
+    }
+  }
+  return { open, shared };
+}
+
 } // namespace
 
 Vec3 SidedSurface::normalAt(std::uint32_t vertex, const std::vector<Vec3>& vertices) const
@@ -91,6 +130,7 @@ std::shared_ptr<const SidedSurface> makeSided(std::shared_ptr<const SurfaceTree>
 {
   auto made = std::make_shared<SidedSurface>();
   const SurfaceData& data = tree->data();
+  made->tree = std::move(tree);
   made->side.assign(data.mesh.triangles.size(), 0.0);
   for (std::uint32_t t = 0; t < made->side.size(); ++t)
   {
@@ -103,12 +143,21 @@ std::shared_ptr<const SidedSurface> makeSided(std::shared_ptr<const SurfaceTree>
     std::ranges::for_each(piece, [&](std::uint32_t of) { made->side[of] *= outer; });
   }
   made->edges = edgesOf(data);
+  for (std::uint32_t e = 0; e < made->edges.size(); ++e)
+  {
+    const auto& [one, other] = made->edges[e].triangles;
+    const std::vector<Vec3>& vertices = data.mesh.vertices_W;
+    if (made->areaOf(one, vertices).normalized().dot(made->areaOf(other, vertices).normalized()) <
+        SidedSurface::sharpBelow)
+    {
+      made->sharp.push_back(e);
+    }
+  }
   for (const Vec3& p : data.mesh.vertices_W)
   {
     made->radius_u = std::max(made->radius_u, p.norm());
   }
   made->diagonal_u = (data.high_W - data.low_W).norm();
-  made->tree = std::move(tree);
   return made;
 }
 
@@ -116,25 +165,32 @@ Outcome<std::shared_ptr<const SidedSurface>> makeRigidMesh(const TriangleMesh& r
 {
   if (raw.triangles.size() > SidedSurface::mostTriangles)
   {
-    return { nullptr, "the mesh has " + std::to_string(raw.triangles.size()) + " triangles, a rigid body's may have " +
-                        std::to_string(SidedSurface::mostTriangles) };
+    return { nullptr, tooMany(raw.triangles.size(), SidedSurface::mostTriangles) };
   }
   CleanResult clean = cleanMesh(raw);
   if (!clean.ok())
   {
     return { nullptr, "the mesh cannot be used: " + clean.refusal };
   }
-  if (clean.report.boundaryEdges > 0)
+  std::string refusal = refuseEdges(clean.report.boundaryEdges, clean.report.nonManifoldEdges);
+  auto made = refusal.empty() ? makeSided(std::make_shared<const SurfaceTree>(std::move(clean.mesh))) : nullptr;
+  return { std::move(made), std::move(refusal) };
+}
+
+Outcome<std::shared_ptr<const SidedSurface>> makeStandingMesh(std::shared_ptr<const SurfaceTree> tree)
+{
+  const SurfaceData& data = tree->data();
+  if (data.coat_u > 0.0)
   {
-    return { nullptr, "the mesh is open: " + std::to_string(clean.report.boundaryEdges) +
-                        " of its edges have one triangle, and a rigid body needs an inside" };
+    return { nullptr, "its lines have no inside, and a rigid body needs one" };
   }
-  if (clean.report.nonManifoldEdges > 0)
+  if (data.mesh.triangles.size() > SidedSurface::mostStanding)
   {
-    return { nullptr, "the mesh has " + std::to_string(clean.report.nonManifoldEdges) +
-                        " edges of more than two triangles, so that its inside is not clear" };
+    return { nullptr, tooMany(data.mesh.triangles.size(), SidedSurface::mostStanding) };
   }
-  return { makeSided(std::make_shared<const SurfaceTree>(std::move(clean.mesh))), "" };
+  const auto [open, shared] = countEdges(data);
+  std::string refusal = refuseEdges(open, shared);
+  return { refusal.empty() ? makeSided(std::move(tree)) : nullptr, std::move(refusal) };
 }
 
 } // namespace palpate

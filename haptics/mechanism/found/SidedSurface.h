@@ -15,7 +15,9 @@ namespace palpate
 /// Immutable.
 struct SidedSurface
 {
-  static constexpr std::size_t mostTriangles = 20000; ///< of a rigid body: a finder looks at all of them
+  static constexpr std::size_t mostTriangles = 20000; ///< of a body that moves: a finder looks at all of them
+  static constexpr std::size_t mostStanding = 300000; ///< of one that stands: the numbers of its edges have 19 bits
+  static constexpr double sharpBelow = 0.966;         ///< cosine between the normals of an edge's triangles: 15 degrees
 
   /// An edge of two triangles.
   struct Edge
@@ -27,8 +29,9 @@ struct SidedSurface
   std::shared_ptr<const SurfaceTree> tree;
   std::vector<double> side; ///< of each triangle: 1 where its stored corners are right-handed about the outer normal
   std::vector<Edge> edges;  ///< each once
-  double radius_u = 0.0;    ///< no vertex is further from the origin of its frame
-  double diagonal_u = 0.0;  ///< of its bounds
+  std::vector<std::uint32_t> sharp; ///< numbers of the edges that are: along the others vertices are near enough
+  double radius_u = 0.0;            ///< no vertex is further from the origin of its frame
+  double diagonal_u = 0.0;          ///< of its bounds
 
   /// Outer normal of a triangle, its length twice the area, where the vertices are.
   [[nodiscard]] Vec3 areaOf(std::uint32_t triangle, const std::vector<Vec3>& vertices) const
@@ -49,5 +52,8 @@ struct SidedSurface
 /// Of the mesh of a rigid body, in the frame of the body. Refuses, in one sentence without an end, no mesh, an open
 /// one, one in which an edge has more than two triangles, and one of too many triangles. Not real-time safe.
 [[nodiscard]] Outcome<std::shared_ptr<const SidedSurface>> makeRigidMesh(const TriangleMesh& raw);
+
+/// Likewise of a body that stands, from a clean surface where it stands. Not real-time safe.
+[[nodiscard]] Outcome<std::shared_ptr<const SidedSurface>> makeStandingMesh(std::shared_ptr<const SurfaceTree> tree);
 
 } // namespace palpate

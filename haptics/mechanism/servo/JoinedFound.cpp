@@ -72,13 +72,13 @@ void joinFound(const MechanismPlan& plan, const FoundContacts& found, MechanismP
     const FoundContact& contact = found.contacts[static_cast<std::size_t>(i)];
     PlannedConstraint& law = joined.laws[static_cast<std::size_t>(joined.lawCount++)];
     law = {};
-    law.kind = found.friction > 0.0 ? ConstraintKind::Friction : ConstraintKind::Contact;
+    law.kind = contact.friction > 0.0 ? ConstraintKind::Friction : ConstraintKind::Contact;
     law.a = contact.mesh;
     law.b = contact.body;
     law.point_A = contact.point_A;
     law.point_B = contact.place_B.x_W; // of a mesh that stands; on a soft body place_B is
     law.axis_B = contact.normal_W;
-    law.friction = found.friction;
+    law.friction = contact.friction;
     law.place_B = contact.place_B;
   }
 }

@@ -56,7 +56,7 @@ public:
       this->takeFound();
     }
     this->laws_.settle();
-    const Vec6 before_N = this->laws_.onHand();
+    const Vec6 before_N = others && !first ? this->endAnswer() : this->laws_.onHand();
     if (others && !first)
     {
       this->takeFound();
@@ -96,6 +96,17 @@ private:
     }
     palpate::takeFound(*this->input_.found, this->named_.lawCount, pose_W, this->state_);
     joinFound(this->named_, this->state_.found, this->joined_);
+  }
+
+  /// The force as the answer before still has it: a hand that was ahead of that is free of it only now.
+  [[nodiscard]] Vec6 endAnswer() noexcept
+  {
+    const Pose lead_W = this->laws_.lead_W();
+    this->slowDown();
+    const Vec6 before_N = this->laws_.onHand();
+    this->laws_.lead(lead_W);
+    this->result_.ahead = false;
+    return before_N;
   }
 
   /// A hand that leads the mesh to where nothing was looked for leads it as far as that was, until the next answer.

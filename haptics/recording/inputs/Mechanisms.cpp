@@ -138,14 +138,14 @@ bool hasVertices(const SurfacePoint& at, int body, const RecordedMechanism& mech
 bool isUsable(const FoundContacts& found)
 {
   const bool counts = found.count >= 0 && found.count <= FoundContacts::most && found.leftOut >= 0;
-  const bool numbers = std::isfinite(found.friction) && found.friction >= 0.0 && !std::isnan(found.reach_u);
-  return counts && numbers && isPlace(found.held_W) &&
+  return counts && !std::isnan(found.reach_u) && isPlace(found.held_W) &&
          std::ranges::all_of(found.contacts,
            [](const FoundContact& contact)
            {
              const double length = contact.normal_W.norm();
              return contact.point_A.allFinite() && isPlace(contact.place_B) &&
-                    std::abs(length - 1.0) <= offUnitLength && std::isfinite(contact.apart_u);
+                    std::abs(length - 1.0) <= offUnitLength && std::isfinite(contact.apart_u) &&
+                    std::isfinite(contact.friction) && contact.friction >= 0.0;
            });
 }
 
@@ -171,9 +171,12 @@ bool fits(const FoundContacts& found, const RecordedMechanism& mechanism)
 /// Whether the rows of the plan and of the contacts that were found are no more than the solver takes.
 bool hasRoom(const FoundContacts& found, const MechanismPlan& plan, int rows)
 {
-  const int each = mostRowsOf(found.friction > 0.0 ? ConstraintKind::Friction : ConstraintKind::Contact);
-  return rows + each * found.count <= Mechanism::mostRows &&
-         plan.lawCount + found.count <= static_cast<int>(plan.laws.size());
+  for (int i = 0; i < found.count; ++i)
+  {
+    const bool rubs = found.contacts[static_cast<std::size_t>(i)].friction > 0.0;
+    rows += mostRowsOf(rubs ? ConstraintKind::Friction : ConstraintKind::Contact);
+  }
+  return rows <= Mechanism::mostRows && plan.lawCount + found.count <= static_cast<int>(plan.laws.size());
 }
 
 /// Whether the plan fits into the tick's fixed memory and its indices exist.

@@ -15,6 +15,8 @@ namespace
 
 /// Of the mesh's size: a hand that rested goes no further until the next answer but one; so near, surfaces touch.
 constexpr double usualReach = 0.25, usualTouch = 0.005;
+/// So near, the mesh has contacts with meshes that stand.
+constexpr double usualCover = 0.05;
 /// Of a soft body's size: so near to a mesh that stands, its surface may meet the mesh until the next answer but one,
 /// or touches it.
 constexpr double standingReach = 0.05, standingTouch = 0.0005;
@@ -69,8 +71,22 @@ std::unique_ptr<MechanismBodies> MechanismBodies::make(
   return made;
 }
 
+/// Of the plan before, where the hand has the same mesh in this one and no constraint but contacts that are found: then
+/// the mesh is where it was, and its forces are those of places that this plan has, too.
+std::uint64_t MechanismBodies::continues(const Mechanism& mechanism, const MechanismPlan& plan) const
+{
+  const SidedSurface* const had = this->finder_ ? this->finder_->held() : nullptr;
+  const SidedSurface* const has =
+    plan.held >= 0 ? mechanism.bodies[static_cast<std::size_t>(plan.held)].mesh.get() : nullptr;
+  const bool same = had && has && this->held_ == plan.held && mechanism.laws.empty() &&
+                    had->tree->contentHash() == has->tree->contentHash();
+  return same ? this->plan_ : 0;
+}
+
 void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan)
 {
+  this->before_ = this->continues(mechanism, plan);
+  std::ranges::transform(plan.bodies, this->begin_W_.begin(), &PlannedBody::pose_W);
   this->finder_.reset();
   std::ranges::for_each(this->makers_, [](const auto& maker) { maker->watch({}); });
   this->found_ = this->underWay_ = {};
@@ -87,10 +103,11 @@ void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan
     {
       if (mechanism.bodies[b].mesh)
       {
-        meshes.push_back({ static_cast<int>(b), mechanism.bodies[b].mesh });
+        const MechanismBody& body = mechanism.bodies[b];
+        meshes.push_back({ static_cast<int>(b), body.mesh, foundFrictionOf(mechanism, body) });
       }
     }
-    this->finder_ = std::make_unique<ContactFinder>(std::move(meshes), plan.held, mechanism.foundFriction, most);
+    this->finder_ = std::make_unique<ContactFinder>(std::move(meshes), plan.held, most);
     for (std::size_t s = 0; s < this->first_.size(); ++s)
     {
       const auto body = std::ranges::find(plan.bodies, static_cast<int>(s), &PlannedBody::soft);
@@ -116,9 +133,21 @@ void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan
   }
 }
 
+bool MechanismBodies::knows(std::uint64_t plan) const noexcept
+{
+  return plan != 0 && (plan == this->plan_ || plan == this->before_);
+}
+
 void MechanismBodies::tell(const MechanismHand& told)
 {
   this->told_ = told;
+  if (told.plan != this->plan_ && this->knows(told.plan))
+  {
+    const Pose held_W = told.pose_W[static_cast<std::size_t>(this->held_)];
+    this->told_.plan = this->plan_;
+    this->told_.pose_W = this->begin_W_;
+    this->told_.pose_W[static_cast<std::size_t>(this->held_)] = held_W;
+  }
   this->tellBodies();
 }
 
@@ -224,8 +253,8 @@ const FoundContacts& MechanismBodies::find()
   const SidedSurface* const mesh = this->finder_->held();
   const double radius_u = mesh ? mesh->radius_u : 0.0, diagonal_u = mesh ? mesh->diagonal_u : 0.0;
   const double motion_u = this->looked_W_ ? motionOf(radius_u, *this->looked_W_, held_W) : 0.0;
-  view.held = { usualReach * diagonal_u + reachOfMotion * motion_u,
-    usualTouch * diagonal_u + touchOfMotion * motion_u };
+  view.held = { usualReach * diagonal_u + reachOfMotion * motion_u, usualTouch * diagonal_u + touchOfMotion * motion_u,
+    usualCover * diagonal_u + reachOfMotion * motion_u };
   // A soft body that the hand presses moves no faster than the hand.
   view.standing = { standingReach * this->diagonal_u_ + reachOfMotion * motion_u,
     standingTouch * this->diagonal_u_ + touchOfMotion * motion_u };

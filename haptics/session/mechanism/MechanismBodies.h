@@ -60,8 +60,10 @@ public:
   void hold(const Mechanism& mechanism, const MechanismPlan& plan);
 
   /// The forces of the mechanism in a tick, and the place of the held body's tip: of each body the next snapshot
-  /// answers there.
+  /// answers there. Those of the plan before count where they are this plan's as well.
   void tell(const MechanismHand& hand);
+  /// Whether the forces of a plan are at places of these bodies: of the plan that is held, or of one that it continues.
+  [[nodiscard]] bool knows(std::uint64_t plan) const noexcept;
   /// Makes snapshots at that rate, each of which arrives a period after the forces that it was made from [s].
   void pace(double period_s);
   /// The newest of each at that time; virtual time, after pace().
@@ -87,6 +89,7 @@ private:
   MechanismBodies();
   [[nodiscard]] bool pressEach(double period_s, int newtonSteps);
   [[nodiscard]] bool looks() const noexcept;
+  [[nodiscard]] std::uint64_t continues(const Mechanism& mechanism, const MechanismPlan& plan) const;
   [[nodiscard]] const FoundContacts& find();
   void findAt(double time_s);
   void tellBodies();
@@ -102,6 +105,8 @@ private:
   int held_ = -1;                                 ///< body of the plan that is in the hand
   double diagonal_u_ = 0.0;                       ///< of the largest soft body
   std::uint64_t plan_ = 0;                        ///< revision of the one that is held
+  std::uint64_t before_ = 0;                      ///< of the one that it continues; 0: of none
+  PosesOfBodies begin_W_{};                       ///< of its bodies, before anything moves
   FoundContacts found_;                           ///< as the tick has it
   FoundContacts underWay_;                        ///< arrives with the next snapshots; in virtual time
   double period_s_ = 0.0, due_s_ = 0.0;           ///< likewise

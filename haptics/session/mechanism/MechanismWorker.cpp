@@ -148,12 +148,13 @@ std::string MechanismTask::plan()
   return {};
 }
 
-/// Forces of another plan are at places of its own; those of the bodies' own plan are the load of the next snapshots.
+/// Forces of another plan are at places of its own, unless it is continued; those of the bodies' own plan are the load
+/// of the next snapshots.
 void MechanismTask::readHand()
 {
   MechanismHand hand = this->links_.hand.read();
   const bool ofThese = hand.plan == this->plan_.revision;
-  hand.pressCount = ofThese ? hand.pressCount : 0;
+  hand.pressCount = this->bodies_->knows(hand.plan) ? hand.pressCount : 0;
   this->bodies_->tell(hand);
   this->watchOverlaps(ofThese ? &hand : nullptr);
 }

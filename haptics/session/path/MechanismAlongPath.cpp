@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "haptics/session/mechanism/MechanismTouch.h"
+#include "haptics/session/mechanism/SurfacesBeside.h"
 #include "haptics/session/mechanism/ToolOnBody.h"
 #include "haptics/session/path/PathKind.h"
 #include "haptics/session/path/ToolHold.h"
@@ -179,18 +180,30 @@ private:
   std::string bodyName_;
 };
 
-/// A tool that presses a soft body feels that body alone: any other input would be lost.
+constexpr const char* withoutTool = "; omit this input, or touch the soft body without a tool";
+
+/// A tool that presses a soft body feels that body and surfaces: any other input would be lost.
 std::string lostBesideToolOnBody(const PathInputs& inputs)
 {
   const std::string lost = setBeside(inputs.settings,
     { "Stiffness", "Scale", "FrictionStatic", "FrictionKinetic", "ToolLever", "MechanismTurning", "SoftRate" });
-  const std::string beside = inputs.field               ? inputs.field->name
-                             : !inputs.surfaces.empty() ? inputs.surfaces.front().name
-                                                        : "";
-  return !lost.empty()     ? lost + " has no effect on a tool that presses a soft body; omit this option"
-         : !beside.empty() ? beside + ": a tool that presses a soft body touches nothing else; omit this input, or "
-                                      "touch the soft body without a tool"
-                           : "";
+  return !lost.empty()  ? lost + " has no effect on a tool that presses a soft body; omit this option"
+         : inputs.field ? inputs.field->name + ": a tool that presses a soft body feels no field" + withoutTool
+                        : "";
+}
+
+/// The surfaces that tool and soft body touch; fewer with a refusal.
+std::vector<MechanismBody> surfacesBeside(const PathInputs& inputs, PathReport& report)
+{
+  const auto scene = inputs.surfaces.empty() ? nullptr : pathScene(inputs, report);
+  SurfacesBeside beside;
+  (void)beside.follow(scene.get(), "");
+  if (report.refusal.empty() && !beside.reason().empty())
+  {
+    report.refusal =
+      beside.refused() + ": cannot be touched by a tool on a soft body: " + beside.reason() + withoutTool;
+  }
+  return beside.bodies();
 }
 
 /// As the metric of a tool has it: its lever is that of the tool about the hand, unless one is set.
@@ -212,9 +225,14 @@ std::unique_ptr<PathKind> toolOnBodyAlongPath(const PathInputs& inputs, PathRepo
   {
     return nullptr;
   }
+  const std::vector<MechanismBody> beside = surfacesBeside(inputs, report);
+  if (!report.refusal.empty())
+  {
+    return nullptr;
+  }
   const Outcome<ToolMesh> tool = makeTool(*inputs.tool->mesh, Vec3(Vec3::Zero()));
   const auto made =
-    toolOnBody(inputs.tool->name, *inputs.tool->mesh, { inputs.body->name, inputs.body->input }, hold.friction);
+    toolOnBody(inputs.tool->name, *inputs.tool->mesh, { inputs.body->name, inputs.body->input }, hold.friction, beside);
   report.refusal = !tool.ok() ? tool.problem : made.problem;
   if (!report.refusal.empty())
   {

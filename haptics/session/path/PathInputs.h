@@ -58,8 +58,7 @@ struct PathMechanism
   std::shared_ptr<const MechanismInputs> inputs;
 };
 
-/// The input of a path that is known before. A mechanism is felt alone; a tool feels surfaces alone, or a soft body
-/// alone.
+/// The input of a path that is known before. A mechanism is felt alone; a tool feels surfaces and a soft body.
 struct PathInputs
 {
   SettingStore settings = pathSettings();

@@ -111,7 +111,7 @@ struct Range
     this->friction = friction;
   }
 
-  [[nodiscard]] std::vector<FinderMesh> meshes() const { return { { this->plan.held, this->mesh } }; }
+  [[nodiscard]] std::vector<FinderMesh> meshes() const { return { { this->plan.held, this->mesh, this->friction } }; }
 
   const PressedBody& body;
   std::shared_ptr<const SidedSurface> mesh;

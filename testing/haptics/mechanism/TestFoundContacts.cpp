@@ -324,7 +324,7 @@ TEST(FoundContacts, ATickWithThemAllocatesNothing)
 {
   const MeshTouch first(meshOnPad(makeIcosphere(2, 0.02), 8, 0.4));
   const Range range(makeIcosphere(2, 0.02), *first.touch().bodies().newest().front(), 0.4);
-  ContactFinder finder(range.meshes(), range.plan.held, range.friction, range.most);
+  ContactFinder finder(range.meshes(), range.plan.held, range.most);
   finder.add(1, range.body, padYoung_Pa);
   MechanismTick tick;
   const std::array<const PressedBody*, 1> soft{ &range.body };

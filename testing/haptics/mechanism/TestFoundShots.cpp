@@ -113,8 +113,7 @@ double deepest(
 class Shot
 {
 public:
-  Shot(const Range& range, Random& random)
-    : range_(range), finder_(range.meshes(), range.plan.held, range.friction, range.most)
+  Shot(const Range& range, Random& random) : range_(range), finder_(range.meshes(), range.plan.held, range.most)
   {
     this->finder_.add(1, range.body, padYoung_Pa);
     const Vec3 aim = middleOfPad() + Vec3(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), -0.008);

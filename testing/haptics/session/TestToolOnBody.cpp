@@ -5,16 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "devices/FedDevice.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
 #include "haptics/recording/Recording.h"
-#include "haptics/session/HapticSession.h"
-#include "haptics/session/SessionWorkers.h"
 #include "haptics/session/mechanism/ToolOnBody.h"
 #include "haptics/session/path/PathRunner.h"
 #include "haptics/tool/motion/Turn.h"
-#include "testing/haptics/compliance/Blocks.h"
-#include "testing/support/Meshes.h"
+#include "testing/haptics/session/PressingHand.h"
 #include "testing/support/TemporaryFolder.h"
 
 namespace palpate::test
@@ -25,85 +21,6 @@ namespace
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-constexpr double firm_N_per_m = 1e4, ball_m = 0.03;
-
-SoftChoice padChoice()
-{
-  SoftBodyInput input = pad(8);
-  input.poisson = 0.4;
-  input.model = ElasticModel::Linear;
-  return { std::make_shared<const SoftBodyInput>(input), "block", 30.0 };
-}
-
-/// A mesh of which nothing is known, so that it is not felt as the ball that it is.
-ToolChoice toolOf(const TriangleMesh& mesh)
-{
-  auto tool = std::make_shared<ToolMesh>(makeTool(mesh).value);
-  tool->simple.reset();
-  return { std::move(tool), 0.0 };
-}
-
-const ToolChoice& ballTool()
-{
-  static const ToolChoice tool = toolOf(makeIcosphere(4, ball_m));
-  return tool;
-}
-
-/// Not over a vertex of the block, so far above its top.
-Pose above(double height_m, const Quat& turn = Quat::Identity())
-{
-  return { middleOfPad() + Vec3(1.1e-3, 0.8e-3, height_m), turn };
-}
-
-DeviceSample sampleAt(const Pose& hand)
-{
-  DeviceSample sample;
-  sample.pose_D = hand;
-  return sample;
-}
-
-/// A fed hand in virtual time.
-class PressingHand
-{
-public:
-  explicit PressingHand(const std::string& file = {})
-  {
-    HapticParameters parameters;
-    parameters.stiffness_N_per_m = firm_N_per_m;
-    parameters.limitStiffness = false;
-    parameters.contact.radius_u = ball_m;
-    parameters.safety = SafetyLimits::none();
-    EXPECT_EQ(this->session.setParameters(parameters), "");
-    this->session.choose<SoftTask>(padChoice());
-    SessionOptions options;
-    options.virtualTime = true;
-    options.recordFile = file;
-    auto device = std::make_unique<FedDevice>();
-    device->feed(sampleAt(above(2.0 * ball_m)));
-    EXPECT_EQ(this->session.start(std::move(device), options), "");
-  }
-
-  const HapticState& hold(const Pose& hand, int ticks = 1)
-  {
-    static_cast<FedDevice*>(this->session.device())->feed(sampleAt(hand));
-    EXPECT_EQ(this->session.step(ticks), ticks);
-    return this->session.state();
-  }
-
-  /// From half a millimetre above the top down to that depth of a ball, .01 mm a tick, and at rest there.
-  const HapticState& press(double depth_m)
-  {
-    this->hold(above(ball_m + 0.5e-3), 100);
-    for (double z = 0.5e-3; z > -depth_m; z -= 1e-5)
-    {
-      this->hold(above(ball_m + z));
-    }
-    return this->hold(above(ball_m - depth_m), 1500);
-  }
-
-  HapticSession session;
-};
 
 TEST(ToolOnBody, InASessionAMeshBallPressesAsTheExactBallOfTheSessionDoes)
 {
@@ -202,26 +119,6 @@ TEST(ToolOnBody, InASessionAnOpenMeshIsRefusedAndTheBallPressesAsWithoutIt)
   EXPECT_TRUE(hand.hold(above(0.1), 400).tool.held);
 }
 
-TEST(ToolOnBody, InASessionItIsRefusedWhileAnotherSurfaceIsThereToBeTouched)
-{
-  SurfaceInput floor;
-  floor.name = "floor";
-  floor.mesh = std::make_shared<const TriangleMesh>(makeBox(Vec3(-1, -1, -0.2), Vec3(1, 1, -0.1)));
-  SurfaceInput own = floor;
-  own.name = "block";
-  PressingHand hand;
-  hand.session.choose<ToolTask>(ballTool());
-  EXPECT_TRUE(hand.press(1e-3).mechanism.held);
-  hand.session.setScene(SceneBuilder().build({ own, floor }).scene);
-  EXPECT_THAT(hand.session.toolRefusal(), AllOf(HasSubstr("hide floor"), HasSubstr("touches nothing else")));
-  const HapticState& beside = hand.press(1e-3);
-  EXPECT_FALSE(beside.mechanism.held || beside.tool.held);
-  EXPECT_TRUE(beside.soft.felt) << "the ball presses";
-  hand.session.setScene(SceneBuilder().build({ own }).scene);
-  EXPECT_EQ(hand.session.toolRefusal(), "");
-  EXPECT_TRUE(hand.press(1e-3).mechanism.held);
-}
-
 TEST(ToolOnBody, InASessionAMechanismThatAPersonHoldsComesFirst)
 {
   const SoftChoice block = padChoice();
@@ -281,9 +178,6 @@ TEST(ToolOnBody, AlongAPathHasTheColumnsOfAToolAndRefusesWhatItDoesNotFeelByName
     set.settings.put(setting, set.settings.number(setting) + 1.0);
     EXPECT_THAT(refusalOf(set), StartsWith("{" + std::string(setting) + "} has no effect on a tool")) << setting;
   }
-  PathInputs beside = ballOnPad();
-  beside.surfaces = { { "floor", std::make_shared<const TriangleMesh>(makeBox(Vec3(-1, -1, -1), Vec3(1, 1, -0.5))) } };
-  EXPECT_THAT(refusalOf(beside), AllOf(StartsWith("floor: "), HasSubstr("touches nothing else")));
   PathInputs open = ballOnPad();
   TriangleMesh mesh = makeBox(Vec3::Constant(-0.01), Vec3::Constant(0.01));
   mesh.triangles.pop_back();
