@@ -10,10 +10,8 @@ import unittest
 
 from paraview import servermanager, simple
 
-from haptic_proxies import put
+from haptic_proxies import HapticArm, put  # the plugin adds the source to that namespace
 from view_fixture import ViewTest
-
-simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
 
 ARMS = pathlib.Path(os.environ["PALPATE_SOURCE_DIR"]) / "data" / "arms"
 SCALE = 300.0  # u/m
@@ -36,7 +34,7 @@ class Follows(ViewTest):
         self.show(simple.Sphere(registrationName="Ball", Center=[50, 0, 0], Radius=5))
 
     def arm(self, name, follows=1):
-        source = HapticArm(registrationName="Arm", Arm=name, FollowHand=follows)  # noqa: F821  of the plugin
+        source = HapticArm(registrationName="Arm", Arm=name, FollowHand=follows)
         self.show(source)
         return source
 
