@@ -5,6 +5,7 @@ import json
 import math
 import os
 import pathlib
+import sys
 import tempfile
 import unittest
 
@@ -145,4 +146,6 @@ class Follows(ViewTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    # A SystemExit would skip pvpython's own ending, which closes views before the display.
+    if not unittest.main(exit=False).result.wasSuccessful():
+        sys.exit(1)
