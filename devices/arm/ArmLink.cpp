@@ -48,6 +48,10 @@ std::string ArmLink::prepare(const FoundDevice& found)
   device->good_ns = this->clock_.now_ns();
   device->counted = this->setup_.pose.empty();
   this->search_.found(*this->bus_, *found.entry);
+  {
+    const std::lock_guard lock(this->stopMutex_);
+    this->endedFor_.clear();
+  }
   this->exchange_.mute(); // requests to the arm before
   this->exchange_.tell(std::nullopt);
   this->held_.hold(std::move(device), [this] { this->exchange_.presence.found(); });
@@ -198,7 +202,27 @@ void ArmLink::takeReading(Attached& device, WireReading& reading)
     device.still.follow(hand->p_D, device.pushed, this->clock_.now_ns());
     device.faded = device.still.share() == 0.0;
   }
+  this->judgeUse(device, reading, hand.has_value());
   this->exchange_.tell(reading.homed && device.counted ? hand : std::nullopt);
+}
+
+/// An arm that becomes useless while it is attached is lost for the servo: only a person brings its force back.
+void ArmLink::judgeUse(Attached& device, const WireReading& reading, bool hasHand)
+{
+  const bool before = std::exchange(device.usable, device.mayPush && device.counted);
+  if (!before || device.usable)
+  {
+    return;
+  }
+  {
+    const std::lock_guard lock(this->stopMutex_);
+    this->endedFor_ = !reading.stopped.empty() ? reading.stopped
+                      : !reading.homed         ? "the arm no longer knows its position"
+                      : !hasHand               ? "the arm reports a position in which its links do not close"
+                                               : "the counters of the arm are being set";
+  }
+  this->exchange_.mute();
+  this->exchange_.presence.stalled();
 }
 
 /// Counters that were set are believed once the device shows them.
@@ -299,6 +323,7 @@ LinkReport ArmLink::report() const
   const std::optional<DeviceStep> next = this->step();
   const std::int64_t asking_ns = this->asking_ns_;
   const std::lock_guard lock(this->stopMutex_);
+  report.endedFor = report.attached ? this->endedFor_ : "";
   if (report.attached && !this->stopped_.empty())
   {
     report.message = this->stopped_;

@@ -72,6 +72,7 @@ private:
     std::int64_t good_ns = 0;       ///< when that was
     int doubts = 0;                 ///< answers since that were none, or late
     bool mayPush = false;           ///< it is homed and says nothing against it
+    bool usable = false;            ///< moreover its counters are set, all by the last good answer
     StillReading still;
     bool pushed = false;                              ///< by the last order, with a force that counts
     std::atomic<bool> faded = false;                  ///< no force is left, as the readings stay the same
@@ -87,6 +88,7 @@ private:
   void push(Attached& device, const Wrench& wrench_D, WireOrder& order) const noexcept;
   void take(const std::shared_ptr<Attached>& device, ArmLine::Answer& answer, std::int64_t asked_ns);
   void takeReading(Attached& device, WireReading& reading);
+  void judgeUse(Attached& device, const WireReading& reading, bool hasHand);
   void takeCounters(Attached& device, const WireReading& reading) noexcept;
   [[nodiscard]] std::optional<HandExchange::Hand> handOf(Attached& device, const WireReading& reading) const noexcept;
   void lose(const std::shared_ptr<Attached>& device, const std::string& why);
@@ -104,6 +106,7 @@ private:
   std::atomic<std::int64_t> asking_ns_ = notAsking; ///< since when an answer is waited for
   mutable std::mutex stopMutex_;                    ///< exchange thread and owner only
   std::string stopped_;                             ///< the device's own reason for giving no force
+  std::string endedFor_;                            ///< likewise, when it became useless while it was attached
   SearchPause pause_;                               ///< exchange thread's
   std::uint64_t beat_ = 0;                          ///< exchange thread's
   std::int64_t beat_ns_ = 0;                        ///< exchange thread's

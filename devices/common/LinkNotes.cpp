@@ -40,6 +40,12 @@ std::string withoutStop(std::string text)
 
 std::string describeLoss(const LinkReport& link)
 {
+  if (link.attached && !link.endedFor.empty())
+  {
+    const bool needsStep = !link.message.empty() && link.message != link.endedFor;
+    return "the force has ended: " + link.endedFor + (needsStep ? ": " + withoutStop(link.message) : "") +
+           "; then engage again";
+  }
   const std::string& why = link.attached ? link.lostFor : link.message;
   if (why.empty())
   {

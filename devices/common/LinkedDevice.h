@@ -21,8 +21,9 @@ struct LinkReport
   std::uint64_t losses = 0;     ///< times the device was lost, stalls included
   double inputRate_Hz = 0.0;    ///< of the last second or so; 0 before the first and of a lost arm
   bool attached = false;
-  std::string message; ///< the last fault, for a person; empty: none
-  std::string lostFor; ///< why it was lost last, whatever it says since; empty: it was not
+  std::string message;  ///< the last fault, for a person; empty: none
+  std::string lostFor;  ///< why it was lost last, whatever it says since; empty: it was not
+  std::string endedFor; ///< why it ended its force though it stayed attached; empty: it did not, or was lost since
 };
 
 /// A device behind a link that can be slow, hang or go. Any thread but the servo's.

@@ -30,6 +30,19 @@ TEST(LinkNotes, OfALossSayWhyWhetherItIsBackAndWhatToDo)
   EXPECT_TRUE(test::says(describeLoss(link), { "attached again: Hold it in its pose, then engage again" }));
 }
 
+TEST(LinkNotes, OfAnArmThatStaysAttachedSayWhyItsForceHasEndedAndTheStepThatItNeeds)
+{
+  LinkReport link;
+  link.attached = true;
+  link.lostFor = "unplugged"; // before
+  link.endedFor = link.message = "no power: plug it in";
+  const auto described = [&link] { return describeFault(Fault::DeviceLost, link); };
+  EXPECT_EQ(described(), "the force has ended: no power: plug it in; then engage again");
+  link.endedFor = "the zero is lost";
+  link.message = "Pull the knob out.";
+  EXPECT_EQ(described(), "the force has ended: the zero is lost: Pull the knob out; then engage again");
+}
+
 TEST(LinkNotes, BeforeTheFirstPositionSayTheStepThatTheDeviceWaitsFor)
 {
   LinkReport link;

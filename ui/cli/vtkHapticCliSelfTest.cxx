@@ -16,18 +16,49 @@
 
 namespace
 {
-/// Has the person do the step that the device needs first, and confirm it.
-void Prepare(palpate::SelfTestRun& run, const palpate::DeviceStep& need)
+/// The steps that the device needs first: a person does each and confirms it.
+class Steps
 {
-  std::cout << need.sentence << std::endl;
-  if (!need.button.empty())
+public:
+  explicit Steps(palpate::SelfTestRun& run) : Run(run) {}
+
+  /// Asks for the step that is due now. A step that was confirmed and did not succeed is asked for again.
+  void Follow()
   {
+    const std::optional<palpate::DeviceStep> need = this->Run.need();
+    const bool confirmed = need && need->sentence == this->Asked && !need->button.empty();
+    if (need && (need->sentence != this->Asked || (confirmed && Clock::now() - this->At > Takes)))
+    {
+      this->Ask(*need);
+      this->Asked = need->sentence;
+      this->At = Clock::now();
+    }
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto Takes = std::chrono::seconds(5); ///< longer than a firmware takes to load
+
+  void Ask(const palpate::DeviceStep& need)
+  {
+    std::cout << need.sentence << std::endl;
+    if (need.button.empty())
+    {
+      return;
+    }
     std::cout << (need.wantsFile ? "Type the name of the file" : need.button + ": press Enter") << std::endl;
     std::string line;
-    std::getline(std::cin, line);
-    run.needDone(line);
+    if (!std::getline(std::cin, line))
+    {
+      throw vtkHapticCliProblem("the check needs an answer, and the input has ended: run the check in a terminal");
+    }
+    this->Run.needDone(line);
   }
-}
+
+  palpate::SelfTestRun& Run;
+  std::string Asked;
+  Clock::time_point At;
+};
 
 /// Until there is a verdict; the person who holds the device reads the instructions. A simulated hand needs no time of
 /// ours.
@@ -35,15 +66,11 @@ void Follow(palpate::SelfTestRun& run, bool simulated)
 {
   constexpr int ticksAtOnce = 100;
   constexpr auto pause = std::chrono::milliseconds(20);
-  std::string said, prepared;
+  std::string said;
+  Steps steps(run);
   while (run.state().verdict == palpate::SelfTestVerdict::None)
   {
-    const std::optional<palpate::DeviceStep> need = run.need();
-    if (need && need->sentence != prepared)
-    {
-      prepared = need->sentence;
-      Prepare(run, *need);
-    }
+    steps.Follow();
     const std::string ask = palpate::askOf(run.plan(), run.state());
     if (ask != said)
     {

@@ -64,6 +64,14 @@ TEST(Falcon, IsUsedAtOnceWhereItsFirmwareRunsAndGivesNoForceBeforeAllItsMotorsAr
   falcon.rig.run(3);
   EXPECT_EQ(falcon.rig.status, DeviceStatus::Waiting);
   EXPECT_EQ(falcon.model->force_N().norm(), 0.0) << "a motor that forgets its zero";
+  EXPECT_EQ(falcon.rig.lostTicks, 1) << "the session ends the force";
+  EXPECT_EQ(falcon.rig.device.linkReport().endedFor, "the arm no longer knows its position");
+  falcon.model->homed[1] = true;
+  falcon.rig.run(50);
+  EXPECT_EQ(falcon.rig.status, DeviceStatus::Ok);
+  EXPECT_EQ(falcon.model->force_N().norm(), 0.0) << "only a person brings the force back";
+  ask(falcon.rig, { 0.0, 0.0, 2.0 });
+  EXPECT_NEAR(falcon.model->force_N().z(), 2.0, falcon.model->step_N() + 0.02);
 }
 
 TEST(Falcon, IsRefusedWhereNoGuardCanHoldItsLink)

@@ -11,6 +11,8 @@
 #include "devices/arm/kit/Kits.h"
 #include "devices/arm/link/WebSocketLink.h"
 #include "devices/arm/protocol/HaplyServiceWire.h"
+#include "devices/common/LinkNotes.h"
+#include "haptics/core/Fault.h"
 #include "testing/devices/arm/HaplyRig.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/Eventually.h"
@@ -223,6 +225,31 @@ TEST(HaplyService, WithASpaceThatAnotherProgramMovesOrWithoutPowerGivesNoForceAn
   ask(rig, { 0.0, 0.0, 1.0 }, 5);
   EXPECT_EQ(rig.service.force_N().norm(), 0.0);
   EXPECT_THAT(rig.device.linkReport().message, testing::HasSubstr("no power supply"));
+}
+
+TEST(HaplyService, ThatStopsTheArmInContactEndsTheForceUntilAPersonEngagesAgain)
+{
+  HaplyRig rig;
+  ASSERT_EQ(rig.device.open(), "");
+  ask(rig, { 0.0, 0.0, 1.0 }, 5);
+  ASSERT_EQ(rig.service.force_N().z(), 1.0);
+  ASSERT_EQ(rig.lostTicks, 0);
+  rig.says.power = false;
+  rig.service.say(rig.says);
+  rig.run(3);
+  EXPECT_EQ(rig.service.force_N().norm(), 0.0);
+  EXPECT_EQ(rig.lostTicks, 1);
+  const std::string why = rig.device.linkReport().endedFor;
+  EXPECT_THAT(why, testing::HasSubstr("no power supply"));
+  rig.says.power = true;
+  rig.service.say(rig.says);
+  rig.run(20);
+  EXPECT_EQ(rig.status, DeviceStatus::Ok);
+  EXPECT_EQ(rig.service.force_N().norm(), 0.0) << "the same force is asked for all the time";
+  EXPECT_EQ(
+    describeFault(Fault::DeviceLost, rig.device.linkReport()), "the force has ended: " + why + "; then engage again");
+  ask(rig, { 0.0, 0.0, 1.0 }, 5);
+  EXPECT_EQ(rig.service.force_N().z(), 1.0);
 }
 
 /// Runs until the device is lost, for 2000 messages at most. The reason; empty: it is not lost.
