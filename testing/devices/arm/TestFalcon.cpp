@@ -183,6 +183,7 @@ TEST(Falcon, IsLoadedFromTheFileThatAPersonChooses)
   falcon.rig.device.stepDone(file);
   falcon.rig.run(50);
   EXPECT_EQ(falcon.loader->loaded, bytes);
+  ASSERT_FALSE(falcon.loader->pieces.empty());
   EXPECT_EQ(falcon.loader->pieces.front(), 62U);
   EXPECT_EQ(falcon.loader->pieces.back(), 1000U % 62U);
   falcon.home();
