@@ -74,13 +74,13 @@ std::string FirmwareLine::load(const std::string& file)
     return error ? "it cannot be read: " + error.message() : "its size is not that of a firmware";
   }
   const std::string bytes = contentOf(file);
-  std::string problem =
-    loadFalconFirmware(*this->port_, { reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size() });
+  std::string problem = loadFalconFirmware(
+    *this->port_, { reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size() }, this->clock_);
   if (problem.empty() && !(setForPackets(*this->port_) && this->runs()))
   {
     problem = "the device took it, but does not answer: the file is not its firmware";
   }
-  return problem.empty() ? this->guarded() : problem;
+  return problem;
 }
 
 void FirmwareLine::proceed()
@@ -96,9 +96,11 @@ void FirmwareLine::proceed()
     return;
   }
   const std::string problem = this->load(*file);
+  const std::string unguarded = problem.empty() ? this->guarded() : "";
   this->gone_ = !problem.empty() && !this->isThere();
   const std::lock_guard lock(this->mutex_);
   this->failed_ = problem.empty() ? "" : "The firmware " + *file + " was not loaded: " + problem + ". ";
+  this->unguarded_ = unguarded;
 }
 
 std::optional<DeviceStep> FirmwareLine::step() const
@@ -108,6 +110,10 @@ std::optional<DeviceStep> FirmwareLine::step() const
     return std::nullopt;
   }
   const std::lock_guard lock(this->mutex_);
+  if (!this->unguarded_.empty())
+  {
+    return DeviceStep{ "There is no force: " + this->unguarded_ + ".", "", false };
+  }
   return DeviceStep{ this->failed_ + "The device has no firmware: choose the maker's file that you have for it.",
     "Choose Firmware...", true };
 }

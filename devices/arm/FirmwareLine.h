@@ -10,6 +10,7 @@
 #include "devices/arm/ArmLine.h"
 #include "devices/arm/WireLine.h"
 #include "devices/arm/link/FtdiPort.h"
+#include "haptics/core/Clock.h"
 
 namespace palpate
 {
@@ -19,7 +20,11 @@ namespace palpate
 class FirmwareLine final : public ArmLine
 {
 public:
-  explicit FirmwareLine(std::unique_ptr<FtdiPort> port) : port_(std::move(port)) {}
+  /// `clock`: for the time that the loader is waited for; it outlives this. None: the system's.
+  explicit FirmwareLine(std::unique_ptr<FtdiPort> port, const Clock* clock = nullptr)
+    : port_(std::move(port)), clock_(clock != nullptr ? *clock : ownClock_)
+  {
+  }
 
   /// Sets the chip, looks whether the firmware runs. Empty, or why the device cannot be used at all.
   [[nodiscard]] std::string begin();
@@ -37,13 +42,16 @@ private:
   [[nodiscard]] std::string load(const std::string& file);
   [[nodiscard]] std::string guarded();
 
+  MonotonicClock ownClock_;
   std::shared_ptr<FtdiPort> port_;
+  const Clock& clock_;
   std::unique_ptr<WireLine> line_;
   std::atomic<bool> running_ = false;
   std::atomic<bool> gone_ = false; ///< it vanished before it ran
   mutable std::mutex mutex_;       ///< of the members below
   std::optional<std::string> chosen_;
-  std::string failed_; ///< the last loading, as a phrase
+  std::string failed_;    ///< the last loading, as a sentence
+  std::string unguarded_; ///< the firmware runs, but no guard: why
 };
 
 } // namespace palpate

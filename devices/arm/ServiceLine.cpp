@@ -8,9 +8,15 @@ namespace palpate
 /// would tell of the next one.
 ArmLine::Answer ServiceLine::exchange(const WireOrder& order, int timeout_ms)
 {
+  constexpr int mostHeard = 64; // a flood is heard further by the next exchange: the hand is not to wait for its end
   int count = 1;
-  while (this->events_ != nullptr && (count = this->events_->receive(this->message_, 0)) > 0)
+  for (int heard = 0; this->events_ != nullptr && heard < mostHeard; ++heard)
   {
+    count = this->events_->receive(this->message_, 0);
+    if (count <= 0)
+    {
+      break;
+    }
     const std::string_view message(
       reinterpret_cast<const char*>(this->message_.data()), static_cast<std::size_t>(count));
     if (const std::string event = this->stops_(message); !event.empty())

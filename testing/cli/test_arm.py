@@ -47,12 +47,15 @@ class Arm(CommandLineTest):
             self.assertIn(f": {kind}, {links}, ", described(name))
         self.assertIn("6 joints, 3 motors", described("delta-wrist"))
 
-    def test_a_work_space_with_a_singularity_is_told(self):
+    def test_a_work_space_that_is_out_of_reach_in_part_or_has_a_singularity_is_told(self):
         arm = json.loads((ARMS / "pantograph.json").read_text())
         arm["work_space"]["radius_m"] = 0.06
         file = self.folder / "wide.json"
         file.write_text(json.dumps(arm))
-        self.assertIn("note: the arm does not reach", described(str(file)))
+        said = described(str(file))
+        self.assertIn("note: the arm does not reach", said)
+        self.assertRegex(said, r"\d % of the work space is nearer to a singularity than a condition of 6: "
+                               r"there is no force there\n")
 
     def wired(self, **changes):
         """The pantograph's file with other keys in its wire."""

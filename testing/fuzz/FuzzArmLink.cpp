@@ -121,8 +121,8 @@ Kind woodenHaptics()
   const Outcome<WiredArm> arm = readWoodenHapticsFile(test::WoodenHapticsModel::file());
   require(arm.ok());
   const Bytes answer{ 0, 0, 0, 0, 0x70, 0x17, 0, 0, 0, 0, 0, 0, 0, 0 }; // 0 0 6000
-  return { "woodenhaptics", setupOf(arm.value), std::make_shared<WoodenHapticsWire>(constantsOf(arm.value.plan)), true,
-    answer, answer, [](View bytes) { return bytes.size() >= 14; },
+  return { "woodenhaptics", setupOf(arm.value), std::make_shared<WoodenHapticsWire>(constantsOf(arm.value.plan), true),
+    true, answer, answer, [](View bytes) { return bytes.size() >= 14; },
     [](View order)
     {
       constexpr double capstanOverBody = 0.010 / 0.120, kt = 0.0259;

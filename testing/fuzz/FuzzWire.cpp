@@ -31,7 +31,7 @@ std::unique_ptr<WireProtocol> wireOf(unsigned which)
   switch (which % 4)
   {
     case 0:
-      return std::make_unique<palpate::WoodenHapticsWire>(std::array<double, 3>{ 0.1, 0.2, 0.3 });
+      return std::make_unique<palpate::WoodenHapticsWire>(std::array<double, 3>{ 0.1, 0.2, 0.3 }, true);
     case 1:
       return std::make_unique<palpate::FalconWire>();
     case 2:

@@ -43,8 +43,9 @@ Entered enter(const HaplyPorts& ports)
   if (socket.link == nullptr)
   {
     return { nullptr, {}, {},
-      "the vendor's service does not accept a connection on port " + std::to_string(ports.states) +
-        " of this computer: " + socket.problem };
+      socket.nobodyListens ? absent
+                           : "the vendor's service does not accept a connection on port " +
+                               std::to_string(ports.states) + " of this computer: " + socket.problem };
   }
   WireBytes message(longestInventory);
   const int count = socket.link->receive(message, inventory_ms);
@@ -145,11 +146,11 @@ std::vector<HidEntry> listHaply(const HaplyPorts& ports)
 
 std::string refuseHaply(const HidEntry& entry, const HaplyPorts& ports)
 {
-  if (entry.serial.empty())
-  {
-    return absent;
-  }
   const Entered entered = enter(ports);
+  if (entry.serial.empty() && entered.link != nullptr)
+  {
+    return "the vendor's service runs now: list the devices again";
+  }
   const HaplyDevice* const found = entered.find(entry);
   return entered.link == nullptr ? entered.problem : found == nullptr ? "" : refusalOf(*found);
 }

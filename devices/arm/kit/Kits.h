@@ -50,8 +50,10 @@ struct HaplyPorts
 /// `type`: as the service calls it; empty: not known yet.
 [[nodiscard]] ArmSetup haplySetup(const std::string& type = {});
 
-/// Arms of Force Dimension by the vendor's library, which is looked for at run time.
-[[nodiscard]] ArmKit forceDimensionKit(const std::string& library = "libdhd.so.3");
+/// Arms of Force Dimension by the vendor's library, which is looked for at run time. Plugs are looked for below `sys`
+/// where the library is missing or sees no arm; `access`: whether this process may use their files.
+[[nodiscard]] ArmKit forceDimensionKit(
+  const std::string& library = "libdhd.so.3", const std::string& sys = "/sys", FileAccess access = ::access);
 
 /// Touch and Phantom arms by OpenHaptics' library, likewise; plugs are looked for below `sys`.
 [[nodiscard]] ArmKit openHapticsKit(const std::string& library = "libHD.so", const std::string& sys = "/sys");

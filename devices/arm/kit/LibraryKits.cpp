@@ -13,25 +13,38 @@ namespace palpate
 namespace
 {
 
-/// Arms that the library sees; without the library the plugs, so that its absence is reported.
-std::vector<HidEntry> listDhd(const DhdFunctions& dhd, const UsbIds& plugs)
+/// Arms that the library sees; where it is missing or sees none, the plugs, so that the reason is reported.
+std::vector<HidEntry> listDhd(const DhdFunctions& dhd, const UsbIds& plugs, const std::string& sys)
 {
-  std::vector<HidEntry> all = usbPlugs(plugs);
-  if (dhd.library.problem().empty())
+  const int count = dhd.library.problem().empty() ? dhd.count() : 0;
+  std::vector<HidEntry> all = count > 0 ? std::vector<HidEntry>() : usbPlugs(plugs, sys);
+  for (int i = 0; i < count; ++i)
   {
-    all.clear();
-    const int count = dhd.count();
-    for (int i = 0; i < count; ++i)
-    {
-      all.push_back({ std::to_string(i), plugs.front().first, 0, "", "Force Dimension device" });
-    }
+    all.push_back({ std::to_string(i), plugs.front().first, 0, "", "Force Dimension device" });
   }
   return all;
 }
 
+/// A plug has the path of a file, an arm that the library sees its number there.
+std::string refuseDhd(const DhdFunctions& dhd, const HidEntry& entry, FileAccess access)
+{
+  if (!dhd.library.problem().empty() || !entry.path.starts_with('/'))
+  {
+    return dhd.library.problem();
+  }
+  const std::string file = fileRefusal(entry.path, access);
+  return !file.empty() ? file : "the vendor's library does not see the device: plug the device in again";
+}
+
+ArmBus::Opened openDhd(const std::shared_ptr<DhdFunctions>& dhd, const HidEntry& entry, FileAccess access)
+{
+  std::string problem = refuseDhd(*dhd, entry, access);
+  return problem.empty() ? DhdLine::open(dhd, std::atoi(entry.path.c_str())) : ArmBus::Opened{ nullptr, problem };
+}
+
 } // namespace
 
-ArmKit forceDimensionKit(const std::string& library)
+ArmKit forceDimensionKit(const std::string& library, const std::string& sys, FileAccess access)
 {
   constexpr double omegaRadius_m = 0.075, omegaForce_N = 12.0;
   const auto dhd = std::make_shared<DhdFunctions>(library);
@@ -43,9 +56,9 @@ ArmKit forceDimensionKit(const std::string& library)
   setup.force_N = { omegaForce_N, false };
   setup.grips = dhd->gripper != nullptr; // which arms have a gripper is known once they are opened
   return { "dhd",
-    std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [dhd, plugs] { return listDhd(*dhd, plugs); },
-      [dhd](const HidEntry& entry) { return DhdLine::open(dhd, std::atoi(entry.path.c_str())); },
-      [dhd](const HidEntry&) { return dhd->library.problem(); } }),
+    std::make_shared<ListedArmBus>(ListedArmBus::Ways{ [dhd, plugs, sys] { return listDhd(*dhd, plugs, sys); },
+      [dhd, access](const HidEntry& entry) { return openDhd(dhd, entry, access); },
+      [dhd, access](const HidEntry& entry) { return refuseDhd(*dhd, entry, access); } }),
     std::move(setup) };
 }
 

@@ -65,7 +65,9 @@ std::shared_ptr<ArmBus> busOfWoodenHaptics(const Outcome<WiredArm>& arm, const A
     const bool isArm = wire.devices.have(entry) && entry.usage >> 16U != textPage;
     return !isArm ? 0 : told > 0 ? told : usualReportBytes(entry);
   };
-  return std::make_shared<HidArmBus>(places.hid, std::make_shared<WoodenHapticsWire>(constants_Nm_per_A), reportBytes);
+  const bool grips = std::get<WoodenHapticsBoard>(arm.value.wire->board).grips;
+  return std::make_shared<HidArmBus>(
+    places.hid, std::make_shared<WoodenHapticsWire>(constants_Nm_per_A, grips), reportBytes);
 }
 
 std::shared_ptr<ArmBus> nowhere()

@@ -26,6 +26,15 @@ public:
 
   [[nodiscard]] double of(const std::string& name) const { return this->node_.needsNumber(name.c_str()); }
   [[nodiscard]] double of(const std::string& name, char axis) const { return this->of(name + '_' + axis); }
+  /// A count that the board's counters can be set to.
+  [[nodiscard]] std::int32_t count(const std::string& name, char axis) const
+  {
+    constexpr double most = 32767.0;
+    const double number = this->of(name, axis);
+    const bool isCount = std::fabs(number) <= most && number == std::round(number);
+    this->node_.accept((name + '_' + axis).c_str(), isCount ? "" : "must be a whole number from -32767 to 32767");
+    return static_cast<std::int32_t>(number);
+  }
   /// Some writers have 0 and 1 for it.
   [[nodiscard]] bool isSet(const std::string& name, char axis) const
   {
@@ -47,7 +56,7 @@ ArmJoint jointOf(const Numbers& numbers, char axis)
   const double sign = numbers.isSet("motor_and_body_aligned", axis) ? -1.0 : 1.0;
   joint.gear = sign * numbers.of("diameter_body", axis) / numbers.of("diameter_capstan", axis);
   joint.countsPerTurn = numbers.of("cpr_encoder", axis);
-  joint.calibrated = static_cast<std::int32_t>(std::lround(std::fmod(numbers.of("calibrate_enc", axis), 32768.0)));
+  joint.calibrated = numbers.count("calibrate_enc", axis);
   joint.torqueConstant_Nm_per_A = numbers.of("torque_constant_motor", axis);
   return joint;
 }
@@ -92,10 +101,9 @@ ArmPlan planOf(const Numbers& numbers)
 WiredArm armOf(const Numbers& numbers)
 {
   const double variant = numbers.of("variant");
-  numbers.node().accept(
-    "variant", variant >= 0.0 && variant <= 2.0
-                 ? ""
-                 : "the kinematics of " + std::to_string(std::lround(variant)) + " are not known: 0, 1 and 2 are");
+  numbers.node().accept("variant", variant == 0.0 || variant == 1.0 || variant == 2.0
+                                     ? ""
+                                     : "the kinematics of this variant are not known: those of 0, 1 and 2 are");
   WiredArm arm{ planOf(numbers), woodenHapticsWire() };
   numbers.node().accept("", refuse(arm.plan));
   limitToWire(arm.plan, *arm.wire);

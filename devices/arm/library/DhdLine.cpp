@@ -30,6 +30,12 @@ DhdFunctions::DhdFunctions(const std::string& name) : library(name)
   this->library.takeIfThere("dhdGetGripperAngleRad", this->gripper);
 }
 
+std::string DhdFunctions::why() const
+{
+  const char* const text = this->lastError();
+  return text != nullptr ? text : "no reason is given";
+}
+
 ArmBus::Opened DhdLine::open(const std::shared_ptr<DhdFunctions>& dhd, int index)
 {
   if (!dhd->library.problem().empty())
@@ -39,7 +45,7 @@ ArmBus::Opened DhdLine::open(const std::shared_ptr<DhdFunctions>& dhd, int index
   const int id = dhd->openAt(static_cast<char>(index));
   if (id < 0)
   {
-    return { nullptr, std::string("the vendor's library does not open the device: ") + dhd->lastError() };
+    return { nullptr, "the vendor's library does not open the device: " + dhd->why() };
   }
   std::unique_ptr<DhdLine> line(new DhdLine(dhd, static_cast<char>(id)));
   // In this order: without its watchdog it is not to push.
@@ -60,9 +66,7 @@ bool DhdLine::failed(int result)
 {
   if (result < 0)
   {
-    const char* const why = this->dhd_->lastError();
-    this->error_ =
-      std::string("the vendor's library reports an error: ") + (why != nullptr ? why : "no reason is given");
+    this->error_ = "the vendor's library reports an error: " + this->dhd_->why();
   }
   return result < 0;
 }

@@ -16,6 +16,9 @@ struct DhdFunctions
 {
   explicit DhdFunctions(const std::string& name);
 
+  /// The library's text for the last error.
+  [[nodiscard]] std::string why() const;
+
   SharedLibrary library;
   int (*count)() = nullptr;
   int (*openAt)(char) = nullptr;

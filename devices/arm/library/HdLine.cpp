@@ -85,6 +85,10 @@ ArmBus::Opened HdLine::open(const std::shared_ptr<HdFunctions>& hd, const std::s
   const HdFunctions::Error failed = hd->error();
   if (id == noDevice || failed.code != 0)
   {
+    if (id != noDevice)
+    {
+      hd->disable(id);
+    }
     return { nullptr, "the vendor's library does not open the device: " + describe(failed.code) };
   }
   std::unique_ptr<HdLine> line(new HdLine(hd, id));

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "devices/arm/link/FtdiPort.h"
+#include "haptics/core/Clock.h"
 
 namespace palpate
 {
@@ -16,7 +17,8 @@ namespace palpate
 /// Sets the chip for packets. False: the device is gone.
 [[nodiscard]] bool setForPackets(FtdiPort& port) noexcept;
 
-/// Loads firmware; each piece must be echoed. Empty, or one phrase with the reason.
-[[nodiscard]] std::string loadFalconFirmware(FtdiPort& port, std::span<const std::uint8_t> firmware);
+/// Loads firmware; each piece must be echoed, within a time by that clock. Empty, or one phrase with the reason.
+[[nodiscard]] std::string loadFalconFirmware(
+  FtdiPort& port, std::span<const std::uint8_t> firmware, const Clock& clock);
 
 } // namespace palpate

@@ -228,9 +228,11 @@ std::optional<std::vector<HaplyDevice>> haplyInventory(std::string_view message)
   return all;
 }
 
-/// Whatever stands around it: the first number, a point, a number.
-std::optional<bool> haplyHasVector(std::string_view text)
+/// Of JSON its member "version"; of another text, whatever stands around it: the first number, a point, a number.
+std::optional<bool> haplyHasVector(std::string_view answer)
 {
+  const std::string version = textOf(Json::parse(answer.begin(), answer.end(), nullptr, false), "version");
+  const std::string_view text = version.empty() ? answer : std::string_view(version);
   const auto digit = [&text](std::size_t at)
   { return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0; };
   for (std::size_t at = 0; at < text.size(); ++at)

@@ -40,7 +40,7 @@ std::optional<WireReading> WoodenHapticsWire::decode(std::span<const std::uint8_
   {
     reading.encoder[i] = get16(answer, 2 * i);
   }
-  reading.grip = reading.encoder[3] > gripped;
+  reading.grip = this->grips_ && reading.encoder[3] > gripped;
   reading.encoder[3] -= reading.grip ? gripAdds : 0.0;
   reading.calibrated = get16(answer, length - 2) != 0;
   return reading;

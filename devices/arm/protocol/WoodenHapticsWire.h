@@ -14,9 +14,10 @@ public:
   static constexpr std::size_t length = 14;
   static constexpr double largest_mA = 2000.0;
 
-  /// `constants_Nm_per_A`: torque of each motor for an ampere.
-  explicit WoodenHapticsWire(const std::array<double, WireOrder::motors>& constants_Nm_per_A)
-    : constants_Nm_per_A_(constants_Nm_per_A)
+  /// `constants_Nm_per_A`: torque of each motor for an ampere. `grips`: the fourth counter tells whether the arm is
+  /// gripped; else it is that of a joint alone.
+  WoodenHapticsWire(const std::array<double, WireOrder::motors>& constants_Nm_per_A, bool grips)
+    : constants_Nm_per_A_(constants_Nm_per_A), grips_(grips)
   {
   }
 
@@ -25,6 +26,7 @@ public:
 
 private:
   std::array<double, WireOrder::motors> constants_Nm_per_A_;
+  bool grips_;
 };
 
 } // namespace palpate

@@ -8,17 +8,25 @@ namespace
 std::atomic<double> force[6], place_m[3] = { 0.01, 0.02, -0.03 }, speed_m_per_s = 0.1, turned = 1.0, opening_rad = 0.0;
 std::atomic<int> watchdog = -1, enabled = -1, opened = 0, failing = 0;
 std::atomic<int> readings = 0, gripAnswer = -1, gripAsked = 0;
-std::atomic<bool> holds = false, isHeld = false;
+std::atomic<int> found = 1, failingCall = 0, unwatched = 0;
+std::atomic<bool> holds = false, isHeld = false, isSilent = false;
+
+/// Of a call that may be the one that fails, without doing anything.
+int resultOf(int call)
+{
+  return failingCall == call ? -1 : 0;
+}
 } // namespace
 
 extern "C"
 {
   int dhdGetDeviceCount()
   {
-    return 1;
+    return found;
   }
   int dhdOpenID(char id)
   {
+    watchdog = -1;
     return failing > 0 ? -1 : (++opened, id);
   }
   int dhdClose(char)
@@ -27,7 +35,7 @@ extern "C"
   }
   const char* dhdErrorGetLastStr()
   {
-    return "made-up failure";
+    return isSilent ? nullptr : "made-up failure";
   }
   int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double (*frame)[3], char)
   {
@@ -50,7 +58,7 @@ extern "C"
   {
     *x = speed_m_per_s;
     *y = *z = 0.0;
-    return 0;
+    return resultOf(4);
   }
   int dhdGetButtonMask(char)
   {
@@ -58,7 +66,16 @@ extern "C"
   }
   int dhdEnableForce(unsigned char on, char)
   {
+    if (resultOf(2) < 0 && on != 0)
+    {
+      return -1;
+    }
+    unwatched += on != 0 && watchdog < 0 ? 1 : 0;
     enabled = on;
+    for (int i = 0; i < 6 && on == 0; ++i)
+    {
+      force[i] = 0.0;
+    }
     return 0;
   }
 #ifndef PALPATE_FAKE_BARE
@@ -72,19 +89,19 @@ extern "C"
 #ifndef PALPATE_FAKE_OLD
   int dhdSetWatchdog(unsigned char tens_ms, char)
   {
-    watchdog = tens_ms;
-    return 0;
+    watchdog = resultOf(1) < 0 ? watchdog.load() : tens_ms;
+    return resultOf(1);
   }
 #endif
   int dhdSetForceAndTorqueAndGripperForce(
     double fx, double fy, double fz, double tx, double ty, double tz, double, char)
   {
     const double all[6] = { fx, fy, fz, tx, ty, tz };
-    for (int i = 0; i < 6; ++i)
+    for (int i = 0; i < 6 && resultOf(3) == 0; ++i)
     {
       force[i] = all[i];
     }
-    return 0;
+    return resultOf(3);
   }
   // Requests and settings of a test.
   double fakeForce(int axis)
@@ -94,6 +111,31 @@ extern "C"
   int fakeWatchdog()
   {
     return watchdog;
+  }
+  /// How often force was enabled without a watchdog.
+  int fakeUnwatched()
+  {
+    return unwatched;
+  }
+  int fakeEnabled()
+  {
+    return enabled;
+  }
+  /// How many devices the library sees; below 0: an error.
+  void fakeCount(int count)
+  {
+    found = count;
+  }
+  /// 1: the call for the watchdog fails, 2: that which enables force, 3: that for a force, 4: for the velocity; 0:
+  /// none.
+  void fakeFailAt(int call)
+  {
+    failingCall = call;
+  }
+  /// An error has no text.
+  void fakeSilent(int on)
+  {
+    isSilent = on != 0;
   }
   int fakeOpened()
   {

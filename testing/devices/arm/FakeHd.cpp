@@ -37,6 +37,7 @@ extern "C"
   }
   void hdDisableDevice(std::uint32_t)
   {
+    --opened;
     outputOn = 0;
     force[0] = force[1] = force[2] = 0.0;
   }
@@ -137,7 +138,7 @@ extern "C"
   {
     return calls;
   }
-  /// Forces so far that were one, and devices that were opened.
+  /// Forces so far that were one, and devices that are open.
   int fakePushes()
   {
     return pushes;

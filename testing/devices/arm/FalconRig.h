@@ -46,6 +46,7 @@ public:
   {
     this->loader_->controls.emplace_back(request, value);
     this->slow_ = request == 3 ? value != 2 : this->slow_;
+    this->latency_ms_ = request == 9 ? value : this->latency_ms_;
     return this->model_->present;
   }
   bool write(std::span<const std::uint8_t> bytes) noexcept override
@@ -67,16 +68,23 @@ public:
     bytes[1] = 0x60;
     if (this->slow_ || !this->loader_->runs)
     {
+      if (timeout_ms <= this->latency_ms_)
+      {
+        this->echo_.clear(); // a transfer that is given up before the chip has sent it
+        this->time_.pass(timeout_ms * perMs_ns);
+        return 0;
+      }
       const std::size_t count = std::min(bytes.size() - 2, this->echo_.size());
       std::copy_n(this->echo_.begin(), count, bytes.begin() + 2);
       this->echo_.erase(this->echo_.begin(), this->echo_.begin() + static_cast<std::ptrdiff_t>(count));
-      this->time_.pass(count == 0 ? perMs_ns : 0);
+      this->time_.pass(count < bytes.size() - 2 ? this->latency_ms_ * perMs_ns : 0); // a full one goes at once
       return static_cast<int>(count + 2);
     }
     if (this->model_->said.empty())
     {
       ++this->loader_->emptyReads;
-      this->time_.pass(std::min(timeout_ms, 1) * perMs_ns); // it says that it has nothing after its latency
+      this->time_.pass(
+        std::min(timeout_ms, this->latency_ms_) * perMs_ns); // it says that it has nothing after its latency
       return 2;
     }
     const int count = this->link_.read(bytes.subspan(2), timeout_ms);
@@ -118,6 +126,7 @@ private:
   ModelTime& time_;
   std::vector<std::uint8_t> echo_;
   bool slow_ = false, begun_ = false;
+  int latency_ms_ = 16;                                ///< a chip begins with that
   int file_ = ::open("/dev/null", O_RDWR | O_CLOEXEC); ///< for the guard to hold
 };
 
@@ -137,7 +146,8 @@ struct FalconRig
   BoardRig rig{ time, model, falconSetup(),
     [this]
     {
-      auto line = std::make_unique<FirmwareLine>(std::make_unique<FalconChip>(this->model, this->loader, this->time));
+      auto line = std::make_unique<FirmwareLine>(
+        std::make_unique<FalconChip>(this->model, this->loader, this->time), &this->time);
       std::string problem = line->begin();
       return ArmBus::Opened{ problem.empty() ? std::move(line) : nullptr, problem };
     } };

@@ -146,7 +146,7 @@ TEST(TwoDiy, FadesItsForceOverTheLastTwentiethOfTheConditionNumberThatItsPlanAll
     TwoDiyRig diy;
     ASSERT_EQ(diy.rig.device.open(), "");
     diy.setInPose();
-    const ArmPlan plan = *twoDiySetup().plan;
+    const ArmPlan plan = twoDiyArm().plan;
     ASSERT_TRUE(diy.model->lead({ 0.01, 0.085, 0.0 }));
     const Vec3 middle = diy.model->joints_rad();
     placeWhere(*diy.model, 2, plan, middle, rad_per_deg * Vec3(85.0, 95.0, 0.0), share); // its elbows nearly meet

@@ -101,8 +101,31 @@ TEST(Falcon, WhoseFirmwareWasLoadedHasNoHandWithoutAGuard)
   ask(falcon.rig, { 0.0, 0.0, 2.0 });
   EXPECT_EQ(falcon.rig.status, DeviceStatus::Waiting);
   ASSERT_TRUE(falcon.rig.device.step());
-  EXPECT_THAT(falcon.rig.device.step()->sentence, testing::HasSubstr("without it this device gives no force"));
+  const DeviceStep step = *falcon.rig.device.step();
+  EXPECT_THAT(step.sentence, testing::HasSubstr("without it this device gives no force"));
+  EXPECT_THAT(step.sentence, testing::Not(testing::HasSubstr("firmware"))) << "it was loaded";
+  EXPECT_FALSE(step.wantsFile);
+  EXPECT_EQ(step.button, "");
   EXPECT_EQ(falcon.model->motor, (std::array<int, 3>{ 0, 0, 0 }));
+}
+
+// A chip that has nothing says so every 16 ms; each of 100 greetings is waited for 20 ms, and for the look that ends
+// them.
+TEST(Falcon, WaitsForAMuteLoaderAsLongAsItsGreetingsTake)
+{
+  FalconRig falcon;
+  falcon.loader->runs = false;
+  falcon.loader->greets = false;
+  const test::TemporaryFolder folder;
+  writeFirmware(folder.file("firmware.bin"));
+  ASSERT_EQ(falcon.rig.device.open(), "");
+  falcon.rig.run(10);
+  falcon.rig.device.stepDone(folder.file("firmware.bin"));
+  const std::int64_t from_ns = falcon.time.now_ns();
+  falcon.rig.run(50);
+  const double took_ms = static_cast<double>(falcon.time.now_ns() - from_ns) / perMs_ns;
+  EXPECT_GE(took_ms, 100 * 20.0);
+  EXPECT_LE(took_ms, 100 * (20.0 + 16.0) + 100.0);
 }
 
 // Each look at a chip that has nothing takes a millisecond.
@@ -168,6 +191,7 @@ TEST(Falcon, IsLoadedFromTheFileThatAPersonChooses)
   falcon.rig.device.stepDone(file);
   falcon.rig.run(50);
   EXPECT_EQ(falcon.loader->loaded, bytes);
+  ASSERT_FALSE(falcon.loader->pieces.empty());
   EXPECT_EQ(falcon.loader->pieces.front(), 62U);
   EXPECT_EQ(falcon.loader->pieces.back(), 1000U % 62U);
   falcon.home();

@@ -8,6 +8,7 @@
 
 #include "devices/DeviceFactory.h"
 #include "devices/arm/ArmDevice.h"
+#include "devices/arm/ServiceLine.h"
 #include "devices/arm/kit/Kits.h"
 #include "devices/arm/link/WebSocketLink.h"
 #include "devices/arm/protocol/HaplyServiceWire.h"
@@ -116,6 +117,20 @@ public:
 private:
   int socket_;
 };
+
+TEST(HaplyService, ThatIsInstalledAndCannotBeAskedIsToldOfWithThatReason)
+{
+  for (const bool listens : { false, true })
+  {
+    const MutePort states(listens);
+    const std::vector<ArmKit> kits{ haplyKit({ states.number, states.number, states.number, "/" }) };
+    const std::vector<FoundArm> found = findArms(kits);
+    ASSERT_EQ(found.size(), 1U);
+    const auto says = [&found](const std::string& text) { return found[0].problem.find(text) != std::string::npos; };
+    EXPECT_EQ(says("start haply-inverse-service"), !listens) << found[0].problem;
+    EXPECT_EQ(says("does not accept a connection on port " + std::to_string(states.number)), listens);
+  }
+}
 
 TEST(HaplyService, IsRefusedWhereItsChannelOfSafetyEventsDoesNotOpenButNotWhereThereIsNone)
 {
@@ -471,12 +486,48 @@ TEST(HaplyServiceWire, TakesNoReadingFromAMessageOfOthersAndPassesItOver)
   EXPECT_TRUE(wire.decode(bytes(unnamed))) << "or names it no more";
 }
 
+/// A channel that has another message whenever it is looked at, for a million looks.
+class FloodedLink final : public ByteLink
+{
+public:
+  explicit FloodedLink(int& looks) : looks_(looks) {}
+  bool send(std::span<const std::uint8_t> /*bytes*/) noexcept override { return true; }
+  int receive(std::span<std::uint8_t> bytes, int /*timeout_ms*/) noexcept override
+  {
+    bytes[0] = ' ';
+    return ++this->looks_ < 1000000 ? 1 : 0;
+  }
+  std::string error() const override { return ""; }
+  bool keepsBorders() const noexcept override { return true; }
+
+private:
+  int& looks_;
+};
+
+TEST(ServiceLine, GoesOnToTheForceDuringAFloodOfEvents)
+{
+  FakeService service;
+  LoopbackSocket states = openLoopbackSocket(service.port(), 1000);
+  ASSERT_NE(states.link, nullptr) << states.problem;
+  auto wire = std::make_unique<WireLine>(
+    std::move(states.link), std::make_shared<HaplyServiceWire>("049D", true, Vec3(Vec3::Zero()), ""));
+  int looks = 0;
+  ServiceLine line(std::move(wire), std::make_unique<FloodedLink>(looks), [](std::string_view) { return ""; });
+  WireOrder order;
+  order.wrench_D.force = { 0.0, 0.0, 1.0 };
+  static_cast<void>(line.exchange(order, 1000));
+  EXPECT_EQ(looks, 64);
+  EXPECT_TRUE(test::eventually([&] { return service.force_N() == Vec3(0.0, 0.0, 1.0); }));
+}
+
 TEST(HaplyServiceWire, TellsTheVersionWhateverStandsAroundIt)
 {
   EXPECT_EQ(haplyHasVector("{\"version\":\"3.1.4\"}"), std::optional(false));
   EXPECT_EQ(haplyHasVector("v3.5"), std::optional(true));
   EXPECT_EQ(haplyHasVector("{\"name\":\"service\",\"version\":\"3.10.2\"}"), std::optional(true));
   EXPECT_EQ(haplyHasVector("4.0.0"), std::optional(true));
+  EXPECT_EQ(haplyHasVector(R"({"api":"3.0","version":"3.5.1"})"), std::optional(true));
+  EXPECT_EQ(haplyHasVector(R"({"api":"3.5","version":"3.1.4"})"), std::optional(false));
   EXPECT_EQ(haplyHasVector("2.9.0"), std::optional(false));
   EXPECT_EQ(haplyHasVector("no version"), std::nullopt);
   EXPECT_EQ(haplyHasVector(""), std::nullopt);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arms behind a vendor's library, against libraries that are made up.
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 
@@ -9,6 +10,7 @@
 #include "devices/DeviceFactory.h"
 #include "devices/arm/ArmDevice.h"
 #include "devices/arm/kit/Kits.h"
+#include "testing/devices/arm/FakeSys.h"
 #include "testing/devices/arm/LibraryRig.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/Eventually.h"
@@ -43,6 +45,7 @@ TEST(ForceDimension, ExchangesForceForPlaceTurnVelocityAndButtonsAndSetsTheWatch
   EXPECT_EQ(Vec3(force(0), force(1), force(2)), Vec3(1.0, -2.0, 3.0));
   EXPECT_EQ(Vec3(force(3), force(4), force(5)), Vec3(Vec3::Zero())) << "it renders no torque";
   EXPECT_EQ(test::fakeFunction<int()>(PALPATE_FAKE_DHD, "fakeWatchdog")(), 20);
+  EXPECT_EQ(test::fakeFunction<int()>(PALPATE_FAKE_DHD, "fakeUnwatched")(), 0) << "the watchdog comes first";
   EXPECT_EQ(rig.sample.pose_D.p, Vec3(0.01, 0.02, -0.03));
   EXPECT_LT((rig.sample.pose_D.q * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-12);
   EXPECT_EQ(rig.sample.velocity_D.linear.x(), 0.1);
@@ -65,6 +68,115 @@ TEST(ForceDimension, ThatReportsAnErrorIsLostWithItsText)
   EXPECT_EQ(test::fakeFunction<double(int)>(PALPATE_FAKE_DHD, "fakeForce")(0), 0.0);
   EXPECT_THAT(rig.kit.bus->open(rig.found[0].entry).problem, testing::HasSubstr("made-up failure"));
   fail(0);
+}
+
+/// Calls of the vendor's library that fail, by the fake library's numbers.
+enum Call
+{
+  None = 0,
+  Watchdog = 1,
+  Enable = 2,
+  Push = 3,
+  Velocity = 4,
+};
+
+TEST(ForceDimension, WhoseWatchdogOrForceCannotBeSwitchedOnIsNotOpened)
+{
+  const auto failAt = test::fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeFailAt");
+  for (const Call call : { Watchdog, Enable })
+  {
+    test::LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
+    failAt(call);
+    EXPECT_THAT(rig.device.open(), testing::EndsWith("the vendor's library reports an error: made-up failure"));
+    EXPECT_EQ(test::fakeFunction<int()>(PALPATE_FAKE_DHD, "fakeEnabled")(), 0) << call;
+    EXPECT_EQ(test::fakeFunction<int()>(PALPATE_FAKE_DHD, "fakeOpened")(), 0) << call;
+    EXPECT_EQ(test::fakeFunction<int()>(PALPATE_FAKE_DHD, "fakeUnwatched")(), 0) << call;
+    failAt(None);
+  }
+}
+
+TEST(ForceDimension, WhoseForceOrVelocityFailsIsLostWithoutForce)
+{
+  const auto failAt = test::fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeFailAt");
+  const auto force = test::fakeFunction<double(int)>(PALPATE_FAKE_DHD, "fakeForce");
+  for (const Call call : { Push, Velocity })
+  {
+    test::LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
+    ASSERT_EQ(rig.device.open(), "");
+    ask(rig, { 1.0, 0.0, 0.0 }, 5);
+    ASSERT_EQ(force(0), 1.0);
+    failAt(call);
+    rig.run(2);
+    EXPECT_GE(rig.lostTicks, 1) << call;
+    EXPECT_EQ(rig.device.linkReport().lostFor, "the vendor's library reports an error: made-up failure") << call;
+    EXPECT_EQ(force(0), 0.0) << call;
+    failAt(None);
+  }
+}
+
+TEST(ForceDimension, WhoseErrorHasNoTextIsRefusedAllTheSame)
+{
+  const auto fail = test::fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeFail");
+  const auto silent = test::fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeSilent");
+  test::LibraryRig rig(forceDimensionKit(PALPATE_FAKE_DHD));
+  fail(1);
+  silent(1);
+  EXPECT_THAT(rig.device.open(), testing::EndsWith("does not open the device: no reason is given"));
+  silent(0);
+  fail(0);
+}
+
+int denied(const char* /*path*/, int /*mode*/)
+{
+  errno = EACCES;
+  return -1;
+}
+
+int granted(const char* /*path*/, int /*mode*/)
+{
+  return 0;
+}
+
+/// The last device that a computer with that kit alone lists.
+KnownDevice listedBy(const ArmKit& kit)
+{
+  DeviceOptions options;
+  options.hid = std::make_shared<test::FakeHidBus>();
+  options.arms = std::make_shared<const std::vector<ArmKit>>(1, kit);
+  return knownDevices(options).back();
+}
+
+TEST(VendorsLibraries, ThatAreMissingAreToldOfWhereAnArmOfTheirsIsPluggedIn)
+{
+  const test::FakeSys sys;
+  sys.plugUsb("1451", "0402", 7);
+  sys.plugUsb("0301", "2988", 8);
+  const KnownDevice dhd = listedBy(forceDimensionKit("libnone.so.9", sys.path(), granted));
+  EXPECT_EQ(dhd.name, "dhd-1451-0402");
+  EXPECT_THAT(dhd.problem, testing::HasSubstr("libnone.so.9 cannot be loaded: install the vendor's software"));
+  const KnownDevice hd = listedBy(openHapticsKit("libnone.so.9", sys.path()));
+  EXPECT_EQ(hd.name, "openhaptics-0301-2988");
+  EXPECT_THAT(hd.problem, testing::HasSubstr("libnone.so.9 cannot be loaded: install the vendor's software"));
+}
+
+TEST(ForceDimension, ThatItsLibraryDoesNotSeeIsListedWithTheReason)
+{
+  const test::FakeSys sys;
+  sys.plugUsb("1451", "0402", 7);
+  const auto count = test::fakeFunction<void(int)>(PALPATE_FAKE_DHD, "fakeCount");
+  for (const int seen : { 0, -1 })
+  {
+    count(seen);
+    const ArmKit unseen = forceDimensionKit(PALPATE_FAKE_DHD, sys.path(), granted);
+    EXPECT_EQ(listedBy(unseen).name, "dhd-1451-0402") << seen;
+    EXPECT_THAT(listedBy(unseen).problem, testing::HasSubstr("the vendor's library does not see the device")) << seen;
+    EXPECT_THAT(unseen.bus->open(unseen.bus->devices().at(0)).problem, testing::HasSubstr("does not see")) << seen;
+    const KnownDevice locked = listedBy(forceDimensionKit(PALPATE_FAKE_DHD, sys.path(), denied));
+    EXPECT_THAT(locked.problem, testing::HasSubstr("no permission to use /dev/bus/usb/001/007")) << seen;
+  }
+  count(1);
+  const KnownDevice seen = listedBy(forceDimensionKit(PALPATE_FAKE_DHD, sys.path(), denied));
+  EXPECT_EQ(seen.problem, "") << "the library has its own ways to an arm";
 }
 
 /// A device with its own threads, and a servo that asks it for a force, but for none now and then: so a force comes
@@ -188,6 +300,7 @@ TEST(OpenHaptics, WithoutALicenceIsNotOpenedAndSaysSo)
   test::LibraryRig rig(openHapticsKit(PALPATE_FAKE_HD));
   fail(0x0600);
   EXPECT_THAT(rig.device.open(), testing::EndsWith("does not open the device: there is no licence"));
+  EXPECT_EQ(test::fakeFunction<int()>(PALPATE_FAKE_HD, "fakeOpened")(), 0) << "it is given back";
   fail(0);
   EXPECT_EQ(test::fakeFunction<int()>(PALPATE_FAKE_HD, "fakeOutput")(), 0);
 }

@@ -54,7 +54,7 @@ TEST(LibusbAbsent, ChangesNothingElse)
   EXPECT_EQ(known[0].what, falconSetup().what);
   EXPECT_EQ(known[1].name, "2diy-2341-003e");
   EXPECT_EQ(known[1].problem, "");
-  EXPECT_EQ(known[1].what, twoDiySetup().what);
+  EXPECT_EQ(known[1].what, setupOf(twoDiyArm()).what);
   const MadeDevice board = makeDevice(known[1].name, plugs.options(allowed));
   ASSERT_NE(board.device, nullptr);
   EXPECT_EQ(board.device->open().find("libusb"), std::string::npos) << "it fails for want of its file alone";

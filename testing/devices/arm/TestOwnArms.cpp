@@ -154,6 +154,26 @@ TEST(OwnWoodenHaptics, HasReportsAsLongAsItsFileSaysElseAsUsualForItsBoard)
   EXPECT_TRUE(answers(with(text, "16d0:0f4c", "16c0:0486"), 0x16c0, 0x0486, 64));
 }
 
+TEST(OwnWoodenHaptics, ReadsAFourthCounterAsAGripOnlyWhereItsFileSaysSo)
+{
+  for (const bool grips : { false, true })
+  {
+    const OwnArms own;
+    const std::string key = grips ? "\"grip\": true, \"pose\"" : "\"pose\"";
+    own.write("wooden.json", with(test::ownWoodenHaptics(), "\"pose\"", key));
+    const auto model = std::make_shared<test::WoodenHapticsModel>();
+    model->fourth = 10123;
+    own.hid->plug(model, { "", 0x16d0, 0x0f4c, "7", "arm" });
+    const std::vector<ArmKit> kits = own.kits();
+    const std::vector<FoundArm> found = findArms(kits);
+    const ArmBus::Opened opened = kits.back().bus->open(found.at(0).entry);
+    ASSERT_NE(opened.value, nullptr) << opened.problem;
+    const WireReading reading = opened.value->exchange({}, 5).reading;
+    EXPECT_EQ(reading.encoder[3], grips ? 123.0 : 10123.0);
+    EXPECT_EQ(reading.grip, grips);
+  }
+}
+
 TEST(OwnWoodenHaptics, IsTheDeviceOfItsSerialNumberAlone)
 {
   const OwnArms own;

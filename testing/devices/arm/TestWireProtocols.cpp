@@ -50,7 +50,7 @@ WireBytes bytesOf(const std::string& text)
 
 TEST(WoodenHapticsWire, SendsMilliamperesAndTheCountersThatAreSet)
 {
-  const WoodenHapticsWire wire({ 0.1, 0.2, 0.5 });
+  const WoodenHapticsWire wire({ 0.1, 0.2, 0.5 }, true);
   WireOrder order;
   order.motor_Nm = { 0.015, -0.06, 1.0 }; // 150, -300, 2000 mA
   EXPECT_EQ(hexOf(encoded(wire, order)), "9600d4fed0070000000000000000");
@@ -60,7 +60,7 @@ TEST(WoodenHapticsWire, SendsMilliamperesAndTheCountersThatAreSet)
 
 TEST(WoodenHapticsWire, SendsNoCurrentForWhatIsNoNumberAndAtMostTwoAmperes)
 {
-  const WoodenHapticsWire wire({ 0.1, 0.2, 0.5 });
+  const WoodenHapticsWire wire({ 0.1, 0.2, 0.5 }, true);
   WireOrder order;
   order.motor_Nm = { notANumber, 1e300, -std::numeric_limits<double>::infinity() };
   EXPECT_EQ(hexOf(encoded(wire, order)), "0000d00700000000000000000000");
@@ -68,7 +68,7 @@ TEST(WoodenHapticsWire, SendsNoCurrentForWhatIsNoNumberAndAtMostTwoAmperes)
 
 TEST(WoodenHapticsWire, TellsCountsTheGripAndTheButtonOfCalibration)
 {
-  const WoodenHapticsWire wire({ 1.0, 1.0, 1.0 });
+  const WoodenHapticsWire wire({ 1.0, 1.0, 1.0 }, true);
   WireBytes report;
   for (const int word : { -1, 32767, -32768, 10123, 5, 6, 1 })
   {
@@ -79,6 +79,9 @@ TEST(WoodenHapticsWire, TellsCountsTheGripAndTheButtonOfCalibration)
   const std::array<double, 6> counts{ -1, 32767, -32768, 123, 5, 6 };
   EXPECT_EQ(reading->encoder, counts);
   EXPECT_TRUE(reading->grip && reading->calibrated && reading->homed);
+  const WoodenHapticsWire ofJoints({ 1.0, 1.0, 1.0 }, false);
+  EXPECT_EQ(ofJoints.decode(report)->encoder[3], 10123.0) << "the fourth counter is that of a joint";
+  EXPECT_FALSE(ofJoints.decode(report)->grip);
   report.pop_back();
   EXPECT_FALSE(wire.decode(report));
 }

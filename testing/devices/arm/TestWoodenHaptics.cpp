@@ -429,9 +429,18 @@ TEST(WoodenHapticsFile, SaysWhatIsWrongWithIt)
     changed.replace(changed.find(what), what.size(), by);
     return readWoodenHapticsFile(changed).problem;
   };
+  const std::string unknownVariant = "variant: the kinematics of this variant are not known: those of 0, 1 and 2 are";
   EXPECT_EQ(with("\"length_body_b\"", "\"length_body_x\""), "length_body_b: this key is missing");
   EXPECT_EQ(with("\"cpr_encoder_a\": 2000", "\"cpr_encoder_a\": \"no\""), "cpr_encoder_a: must be a finite number");
-  EXPECT_EQ(with("\"variant\": 0", "\"variant\": 3"), "variant: the kinematics of 3 are not known: 0, 1 and 2 are");
+  EXPECT_EQ(with("\"variant\": 0", "\"variant\": 3"), unknownVariant);
+  EXPECT_EQ(with("\"variant\": 0", "\"variant\": 1.5"), unknownVariant);
+  EXPECT_EQ(with("enc_c\": 6000", "enc_c\": 32767"), "");
+  for (const char* const count : { "32768", "-32768", "1e300", "6000.5" })
+  {
+    EXPECT_EQ(with("enc_c\": 6000", std::string("enc_c\": ") + count),
+      "calibrate_enc_c: must be a whole number from -32767 to 32767")
+      << count;
+  }
   EXPECT_EQ(with("motor_a\": 0.0259", "motor_a\": 0"), "joint 1: its torque constant must be above 0");
   EXPECT_EQ(with("aligned_b\": false", "aligned_b\": \"no\""), "motor_and_body_aligned_b: must be true or false");
   EXPECT_EQ(with("aligned_b\": false", "aligned_b\": 0"), "");

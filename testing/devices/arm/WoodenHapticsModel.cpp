@@ -58,6 +58,7 @@ std::array<std::int16_t, 6> WoodenHapticsModel::counters() const
     const double count = std::floor(this->joints_rad()[static_cast<int>(i)] / radPerCount(i) + 1e-9) + this->offset_[i];
     all[i] = static_cast<std::int16_t>(static_cast<std::int64_t>(count)); // as a counter wraps
   }
+  all[3] = this->fourth;
   return all;
 }
 

@@ -41,6 +41,7 @@ public:
 
   std::array<double, 3> constants_Nm_per_A{ 0.0259, 0.0259, 0.0259 }; ///< of its motors
   std::array<double, 3> current_mA{};
+  std::int16_t fourth = 0;       ///< its fourth counter
   std::size_t reportBytes = 14;  ///< that it takes
   bool frozen = false;           ///< it takes nothing and says nothing more
   bool pressed = false;          ///< its calibration button

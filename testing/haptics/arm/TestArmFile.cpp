@@ -166,7 +166,7 @@ TEST(ArmFile, TellsAWorkSpaceThatHoldsASingularity)
 
 TEST(ArmFile, OfEveryArmThatIsBuiltInIsReadAndReachesItsWorkSpace)
 {
-  EXPECT_EQ(knownArms().size(), 6u);
+  EXPECT_GE(knownArms().size(), 6u);
   for (const std::string& name : knownArms())
   {
     const Outcome<ArmPlan> plan = knownArm(name);
