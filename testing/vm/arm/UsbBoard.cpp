@@ -139,14 +139,18 @@ bool UsbFalcon::order(const UsbRequest& request)
   return request.setup[0] == toChip && this->chip_.control(request.setup[1], value);
 }
 
+/// The chip answers after its latency, whatever it has by then.
 std::optional<std::vector<std::uint8_t>> UsbFalcon::give(bool millisecondIsOver)
 {
-  if (!millisecondIsOver)
+  const int latency_ms = this->chip_.latency_ms();
+  this->awaited_ms_ += millisecondIsOver ? 1 : 0;
+  if (!millisecondIsOver || this->awaited_ms_ < latency_ms)
   {
     return std::nullopt;
   }
+  this->awaited_ms_ = 0;
   Bytes packet(64);
-  packet.resize(static_cast<std::size_t>(std::max(0, this->chip_.read(packet, 1))));
+  packet.resize(static_cast<std::size_t>(std::max(0, this->chip_.read(packet, latency_ms + 1))));
   return packet;
 }
 

@@ -75,6 +75,7 @@ private:
   std::shared_ptr<FalconModel> model_ = std::make_shared<FalconModel>();
   std::shared_ptr<FalconChip::Loader> loader_ = std::make_shared<FalconChip::Loader>();
   FalconChip chip_{ model_, loader_, time_ };
+  int awaited_ms_ = 0; ///< by the transfer that waits
 };
 
 /// A 2DIY's board, which the kernel's own driver makes a serial line of.
