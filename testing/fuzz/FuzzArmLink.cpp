@@ -252,11 +252,7 @@ public:
     {
       this->exchange(this->kind_.inPose);
     }
-    DeviceCommand push;
-    push.wrench_D.force = Vec3(0.6, 0.8, 0.0);
-    this->ask(push);
-    this->exchange(this->kind_.good);
-    this->exchange(this->kind_.good);
+    this->askToPush();
     this->pushed_ = this->talk_->asked;
     require(this->pushed_ != this->none_ && this->kind_.isLimited(this->pushed_));
   }
@@ -270,6 +266,13 @@ public:
     require(maybe || this->talk_->asked == this->none_);
     require(this->kind_.isLimited(this->talk_->asked));
     this->exchange(this->kind_.good);
+    if (!maybe && this->maySayNo() && this->talk_->asked == this->none_)
+    {
+      // The answer was one that lets the arm push no more, and only a person brings the force back.
+      this->ask({});
+      this->exchange(this->kind_.good);
+      this->askToPush();
+    }
     require(maybe || this->talk_->asked == this->pushed_);
     require(this->kind_.isLimited(this->talk_->asked));
     ++(maybe ? this->answers_ : this->refused_);
@@ -278,6 +281,16 @@ public:
 
 private:
   void ask(const DeviceCommand& command) { this->command_ = command; }
+  void askToPush()
+  {
+    DeviceCommand push;
+    push.wrench_D.force = Vec3(0.6, 0.8, 0.0);
+    this->ask(push);
+    this->exchange(this->kind_.good);
+    this->exchange(this->kind_.good);
+  }
+  /// Its answers have a place for "not homed" or "not ready".
+  [[nodiscard]] bool maySayNo() const { return !this->kind_.setup.homing.empty() || !this->kind_.setup.plan; }
   /// Good answers come in one piece: whoever waits for another one may be late on a machine with other work.
   void exchange(const Bytes& answer, std::size_t piece = 0)
   {
