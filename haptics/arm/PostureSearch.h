@@ -51,11 +51,11 @@ template<class PostureAt>
   double damping = 1e-3;
   for (int step = 0; step < mostSteps && error.norm() > 4.0 * std::numeric_limits<double>::epsilon() * reach_m; ++step)
   {
-    ArmJacobian J = posture.jacobian;
-    J.bottomRows<3>() *= goal.turn ? reach_m : 0.0;
-    JointMatrix normal = J.transpose() * J;
+    ArmJacobian jacobian = posture.jacobian;
+    jacobian.bottomRows<3>() *= goal.turn ? reach_m : 0.0;
+    JointMatrix normal = jacobian.transpose() * jacobian;
     normal.diagonal().array() += damping * reach_m * reach_m;
-    const JointVector next = q + normal.ldlt().solve(J.transpose() * error);
+    const JointVector next = q + normal.ldlt().solve(jacobian.transpose() * error);
     const Posture there = postureAt(next);
     const GoalError left = errorOf(there.tip, goal, reach_m);
     const bool nearer = there.exists && left.norm() < error.norm();
