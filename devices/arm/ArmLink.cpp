@@ -117,7 +117,7 @@ bool ArmLink::fallsSilent(std::uint64_t beat, std::int64_t now_ns) noexcept
 WireOrder ArmLink::orderOf(Attached& device, std::int64_t now_ns) noexcept
 {
   WireOrder order;
-  device.pushed = false;
+  device.pushed_N = 0.0;
   const PidOutput::Wish wish = this->exchange_.wish();
   const bool silent = this->fallsSilent(wish.beat, now_ns);
   if (device.setCounters.exchange(false))
@@ -135,7 +135,7 @@ WireOrder ArmLink::orderOf(Attached& device, std::int64_t now_ns) noexcept
 }
 
 /// Whatever is beyond a limit is made smaller as a whole: the direction stays.
-void ArmLink::push(Attached& device, const Wrench& wrench_D, WireOrder& order) const noexcept
+void ArmLink::push(Attached& device, const Wrench& wrench_D, WireOrder& order) noexcept
 {
   const double asked_N = wrench_D.force.norm(), limit_N = this->limit_N_;
   if (!isFinite(wrench_D) || !(limit_N > 0.0))
@@ -143,7 +143,11 @@ void ArmLink::push(Attached& device, const Wrench& wrench_D, WireOrder& order) c
     return;
   }
   const double share = asked_N > limit_N ? limit_N / asked_N : 1.0;
-  device.pushed = asked_N > StillReading::counts * limit_N;
+  device.pushed_N = asked_N;
+  if (asked_N > 0.0)
+  {
+    this->forgetEnd(device);
+  }
   order.wrench_D.force = device.still.share() * share * wrench_D.force;
   if (!this->arm_ || !device.reached)
   {
@@ -199,7 +203,7 @@ void ArmLink::takeReading(Attached& device, WireReading& reading)
   device.mayPush = reading.homed && hand && reading.stopped.empty();
   if (hand)
   {
-    device.still.follow(hand->p_D, device.pushed, this->clock_.now_ns());
+    device.still.follow(hand->p_D, device.pushed_N, PositionWatch::counts * this->limit_N_, this->clock_.now_ns());
     device.faded = device.still.share() == 0.0;
   }
   this->judgeUse(device, reading, hand.has_value());
@@ -221,8 +225,19 @@ void ArmLink::judgeUse(Attached& device, const WireReading& reading, bool hasHan
                       : !hasHand               ? "the arm reports a position in which its links do not close"
                                                : "the counters of the arm are being set";
   }
+  device.ended = true;
   this->exchange_.mute();
   this->exchange_.presence.stalled();
+}
+
+/// An arm that pushes again has no end of its force to explain any more.
+void ArmLink::forgetEnd(Attached& device) noexcept
+{
+  if (std::exchange(device.ended, false))
+  {
+    const std::lock_guard lock(this->stopMutex_);
+    this->endedFor_.clear();
+  }
 }
 
 /// Counters that were set are believed once the device shows them.

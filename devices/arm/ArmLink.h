@@ -74,7 +74,8 @@ private:
     bool mayPush = false;           ///< it is homed and says nothing against it
     bool usable = false;            ///< moreover its counters are set, all by the last good answer
     StillReading still;
-    bool pushed = false;                              ///< by the last order, with a force that counts
+    double pushed_N = 0.0;                            ///< asked for by the last order that may push
+    bool ended = false;                               ///< it became useless, and has not pushed since
     std::atomic<bool> faded = false;                  ///< no force is left, as the readings stay the same
     int settling = 0;                                 ///< answers that may still show the counters of before
     std::atomic<bool> homed = false, counted = false; ///< its places mean something
@@ -85,7 +86,8 @@ private:
   void reattach(std::int64_t now_ns);
   [[nodiscard]] WireOrder orderOf(Attached& device, std::int64_t now_ns) noexcept;
   [[nodiscard]] bool fallsSilent(std::uint64_t beat, std::int64_t now_ns) noexcept;
-  void push(Attached& device, const Wrench& wrench_D, WireOrder& order) const noexcept;
+  void push(Attached& device, const Wrench& wrench_D, WireOrder& order) noexcept;
+  void forgetEnd(Attached& device) noexcept;
   void take(const std::shared_ptr<Attached>& device, ArmLine::Answer& answer, std::int64_t asked_ns);
   void takeReading(Attached& device, WireReading& reading);
   void judgeUse(Attached& device, const WireReading& reading, bool hasHand);

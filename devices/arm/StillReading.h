@@ -6,6 +6,7 @@
 
 #include "haptics/core/Clock.h"
 #include "haptics/core/Types.h"
+#include "haptics/safety/PositionWatch.h"
 
 namespace palpate
 {
@@ -19,17 +20,16 @@ public:
   static constexpr double holds_s = 0.5; ///< so long the force stays
   static constexpr double falls_s = 1.0; ///< then the share falls from 1 to 0
   static constexpr double rises_s = 0.5; ///< after a reading that changes the share rises from 0 to 1
-  static constexpr double counts = 0.2;  ///< a smaller part of the largest force does not count
 
-  /// After each reading. `pushed`: by a force that counts.
-  void follow(const Vec3& p_D, bool pushed, std::int64_t now_ns) noexcept
+  /// After each reading. `force_N`: of the order before; one of `above_N` or less does not count.
+  void follow(const Vec3& p_D, double force_N, double above_N, std::int64_t now_ns) noexcept
   {
     constexpr std::int64_t longest_ns = 20 * perMs_ns; // a clock that jumps has not shown that readings stay the same
     const std::int64_t passed_ns = std::clamp<std::int64_t>(now_ns - this->before_ns_, 0, longest_ns);
     const double passed_s = 1e-9 * static_cast<double>(passed_ns);
-    this->same_s_ = pushed && p_D == this->p_D_ ? this->same_s_ + passed_s : 0.0;
-    this->share_ = this->same_s_ > holds_s ? std::max(0.0, this->share_ - passed_s / falls_s)
-                                           : std::min(1.0, this->share_ + passed_s / rises_s);
+    static_cast<void>(this->watch_.look(p_D, this->p_D_, force_N, above_N, passed_s));
+    this->share_ = this->watch_.same_s > holds_s ? std::max(0.0, this->share_ - passed_s / falls_s)
+                                                 : std::min(1.0, this->share_ + passed_s / rises_s);
     this->p_D_ = p_D;
     this->before_ns_ = now_ns;
   }
@@ -39,7 +39,8 @@ public:
 private:
   Vec3 p_D_ = Vec3::Zero();
   std::int64_t before_ns_ = 0;
-  double same_s_ = 0.0, share_ = 1.0;
+  PositionWatch watch_;
+  double share_ = 1.0;
 };
 
 } // namespace palpate

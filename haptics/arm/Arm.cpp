@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/LU>
 
@@ -20,7 +19,6 @@ namespace palpate
 namespace
 {
 
-constexpr double turn_rad = 2.0 * std::numbers::pi;
 /// Fraction of a joint's range and of the largest condition number over which the force fades.
 constexpr double fading = 0.05;
 
@@ -65,7 +63,7 @@ JointVector Arm::jointsOf(const JointCounts& counts) const noexcept
   {
     const auto i = static_cast<std::size_t>(k);
     const double perTurn = this->plan_.joints[i].countsPerTurn;
-    turns[k] = perTurn > 0.0 ? turn_rad * counts[i] / perTurn : 0.0;
+    turns[k] = perTurn > 0.0 ? wholeTurn_rad * counts[i] / perTurn : 0.0;
   }
   return this->jointsOfEncoders(turns);
 }
@@ -83,7 +81,7 @@ JointCounts Arm::countsOf(const JointVector& q) const noexcept
   for (int k = 0; k < this->joints_; ++k)
   {
     const auto i = static_cast<std::size_t>(k);
-    const double count = std::floor(encoders_rad[k] / turn_rad * this->plan_.joints[i].countsPerTurn);
+    const double count = std::floor(encoders_rad[k] / wholeTurn_rad * this->plan_.joints[i].countsPerTurn);
     counts[i] = std::isfinite(count) ? static_cast<std::int32_t>(std::clamp(count, -most, most)) : 0;
   }
   return counts;
@@ -288,7 +286,7 @@ double Arm::forceFade(const JointVector& q, const Posture& posture) const noexce
   {
     const ArmJoint& joint = this->plan_.joints[static_cast<std::size_t>(k)];
     const double range = joint.high_rad - joint.low_rad;
-    const double width = fading * (std::isfinite(range) ? range : turn_rad);
+    const double width = fading * (std::isfinite(range) ? range : wholeTurn_rad);
     share = std::min(share, sharePast(std::min(q[k] - joint.low_rad, joint.high_rad - q[k]), width));
   }
   return share;

@@ -2,7 +2,6 @@
 // Joints for a place or a pose of the tip.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "haptics/arm/Arm.h"
 #include "haptics/arm/DeltaArm.h"
@@ -16,8 +15,6 @@ namespace palpate
 {
 namespace
 {
-
-constexpr double wholeTurn_rad = 2.0 * std::numbers::pi;
 
 /// The length of all links together, about [m].
 double sizeOf(const SerialGeometry& chain) noexcept

@@ -106,8 +106,8 @@ struct ArmPlan
   std::string name;
   std::string source; ///< origin of the numbers
   ArmGeometry geometry;
-  SerialGeometry
-    wrist; ///< hinges on the tip of any kind but a chain; count 0: none. Wrist.h has the frame they stand in
+  /// Hinges on the tip of any kind but a chain, in the frame that Wrist.h has; count 0: none.
+  SerialGeometry wrist;
   Pose base_D;
   std::array<ArmJoint, mostJoints> joints; ///< those with motors first, those of the wrist last
   std::vector<ArmMass> masses;

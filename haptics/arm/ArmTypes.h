@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 
 #include "haptics/core/Types.h"
 
@@ -11,6 +12,8 @@ namespace palpate
 
 /// Largest number of joints that can be sensed.
 inline constexpr int mostJoints = 6;
+
+inline constexpr double wholeTurn_rad = 2.0 * std::numbers::pi;
 
 /// One number per joint [rad, N m]; never on the heap.
 using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostJoints, 1>;

@@ -13,11 +13,12 @@ namespace palpate
 struct PositionWatch
 {
   static constexpr double frozenAfter_s = 0.25;
+  static constexpr double counts = 0.2; ///< a smaller part of a device's largest force does not count
   static constexpr double never = std::numeric_limits<double>::infinity();
 
   double same_s = 0.0; ///< for how long it has been the same under force
 
-  /// `above_N`: a smaller force does not count (a fifth of the device's largest). Returns whether it is frozen.
+  /// `above_N`: a smaller force does not count. Returns whether it is frozen.
   /// Real-time safe.
   [[nodiscard]] bool look(const Vec3& p_D, const Vec3& before_D, double force_N, double above_N, double dt_s) noexcept
   {

@@ -65,7 +65,7 @@ struct SafetyLimits
     if (device.rendersForce)
     {
       limits.hand = handLimits(device.workspaceRadius_m.value, most_N);
-      limits.frozenAbove_N = device.simulated ? PositionWatch::never : 0.2 * most_N;
+      limits.frozenAbove_N = device.simulated ? PositionWatch::never : PositionWatch::counts * most_N;
     }
     return limits;
   }

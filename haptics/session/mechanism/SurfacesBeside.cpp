@@ -2,6 +2,7 @@
 #include "haptics/session/mechanism/SurfacesBeside.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "haptics/core/PoseMath.h"
@@ -51,7 +52,7 @@ bool SurfacesBeside::Source::isSame(const Source& other) const noexcept
 bool SurfacesBeside::follow(const Scene* scene, const std::string& own)
 {
   std::vector<Source> sources;
-  for (const Surface& surface : scene ? scene->surfaces() : std::vector<Surface>())
+  for (const Surface& surface : scene ? std::span(scene->surfaces()) : std::span<const Surface>())
   {
     if (surface.name != own)
     {

@@ -309,6 +309,13 @@ std::string FakeService::eventOf(const std::string& name, const std::string& dev
   return Json{ { "name", name }, { "category", "device" }, { "level", "warning" }, { "data", data } }.dump();
 }
 
+std::vector<std::string> FakeService::messagesOfOthers()
+{
+  const Vec3 elsewhere_m(0.3, 0.3, 0.3);
+  return { eventOf("device-connected", "62"), stateOf("FFFF", 7, elsewhere_m), stateOf("049D", 8, elsewhere_m),
+    R"({"session_id":7,"inverse3":[{"device_id":"049D","config":{"type":"inverse3"}}]})", R"({"session_id":7})" };
+}
+
 std::string FakeService::stateOf(const std::string& device, int ofSession, const Vec3& position_m)
 {
   const Json state{ { "cursor_position", vectorOf(position_m) }, { "cursor_velocity", vectorOf(Vec3::Zero()) } };

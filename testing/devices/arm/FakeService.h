@@ -75,6 +75,8 @@ public:
     const std::string& name, const std::string& device, const std::string& reason = {});
   /// A state of that device in that session.
   [[nodiscard]] static std::string stateOf(const std::string& device, int session, const Vec3& position_m);
+  /// Messages that are no answer to one of 049D's in session 7, with a hand somewhere else.
+  [[nodiscard]] static std::vector<std::string> messagesOfOthers();
 
 private:
   struct Parts; ///< Boost's

@@ -349,7 +349,7 @@ TEST(ArmDevice, KeepsASmallForceHoweverLongItsReadingsStayTheSame)
 {
   ScriptedRig rig;
   ASSERT_EQ(rig.device.open(), "");
-  const double small_N = 0.99 * StillReading::counts * rig.device.info().maxForce_N.value;
+  const double small_N = 0.99 * PositionWatch::counts * rig.device.info().maxForce_N.value;
   ask(rig, { small_N, 0.0, 0.0 }, 3000);
   EXPECT_EQ(rig.script->last.wrench_D.force.x(), small_N);
 }

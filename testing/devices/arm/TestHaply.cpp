@@ -265,6 +265,7 @@ TEST(HaplyService, ThatStopsTheArmInContactEndsTheForceUntilAPersonEngagesAgain)
     describeFault(Fault::DeviceLost, rig.device.linkReport()), "the force has ended: " + why + "; then engage again");
   ask(rig, { 0.0, 0.0, 1.0 }, 5);
   EXPECT_EQ(rig.service.force_N().z(), 1.0);
+  EXPECT_EQ(rig.device.linkReport().endedFor, "") << "an arm that pushes again is not explained any more";
 }
 
 /// Runs until the device is lost, for 2000 messages at most. The reason; empty: it is not lost.
@@ -319,19 +320,10 @@ TEST(HaplyService, GoesOnAfterEventsOfOtherKindsAndOfOtherDevices)
   EXPECT_EQ(lostFor(rig), "the vendor's service stopped the device: stall_detected");
 }
 
-/// Messages that are no answer to a message of ours, with a hand somewhere else.
-std::vector<std::string> messagesOfOthers()
-{
-  const Vec3 elsewhere_m(0.3, 0.3, 0.3);
-  return { FakeService::eventOf("device-connected", "62"), FakeService::stateOf("FFFF", 7, elsewhere_m),
-    FakeService::stateOf("049D", 8, elsewhere_m),
-    R"({"session_id":7,"inverse3":[{"device_id":"049D","config":{"type":"inverse3"}}]})", R"({"session_id":7})" };
-}
-
 TEST(HaplyService, PassesOverMessagesOfOtherKindsDevicesAndSessionsBetweenItsAnswers)
 {
   HaplyRig rig;
-  rig.says.between = messagesOfOthers();
+  rig.says.between = FakeService::messagesOfOthers();
   rig.service.say(rig.says);
   ASSERT_EQ(rig.device.open(), "");
   const Vec3 force_N(0.5, -1.25, 2.0), place_m = rig.says.position_m - Vec3(0.0, -0.12, 0.15);
@@ -354,7 +346,7 @@ TEST(HaplyService, PassesOverMessagesOfOtherKindsDevicesAndSessionsBetweenItsAns
 
 TEST(HaplyService, WhoseMessagesAreAllOfOthersIsLostWithinTwentyMilliseconds)
 {
-  for (const std::string& other : messagesOfOthers())
+  for (const std::string& other : FakeService::messagesOfOthers())
   {
     HaplyRig rig;
     ASSERT_EQ(rig.device.open(), "");
@@ -422,115 +414,6 @@ TEST(HaplyService, ThatSaysSomethingElseIsLostWithinTwentyMillisecondsAndIsToldN
     EXPECT_TRUE(answer != Answers::Closes || why.find("does not hold the connection") != std::string::npos) << why;
     EXPECT_TRUE(answer == Answers::Closes || rig.service.force_N().norm() == 0.0) << static_cast<int>(answer);
   }
-}
-
-TEST(WebSocketLink, SaysThatTheProgramAtTheOtherEndHasLetGo)
-{
-  FakeService service;
-  const LoopbackSocket socket = openLoopbackSocket(service.port(), 1000);
-  ASSERT_NE(socket.link, nullptr) << socket.problem;
-  WireBytes bytes(65536);
-  ASSERT_GT(socket.link->receive(bytes, 10000), 0) << "the inventory";
-  FakeService::Says says;
-  says.answer = Answers::Closes;
-  service.say(says);
-  const std::string order = "{\"inverse3\":[{\"commands\":{}}]}";
-  ASSERT_TRUE(socket.link->send({ reinterpret_cast<const std::uint8_t*>(order.data()), order.size() }));
-  EXPECT_EQ(socket.link->receive(bytes, 10000), -1);
-  EXPECT_THAT(socket.link->gone(), testing::HasSubstr("does not hold the connection"));
-  EXPECT_FALSE(socket.link->send({ bytes.data(), 1 }));
-  EXPECT_THAT(socket.link->unsent(), testing::HasSubstr("does not hold the connection"));
-}
-
-// The layouts differ: a wireless grip's values stand below "state", a wired one's beside its name.
-TEST(HaplyServiceWire, TellsTurnAndButtonOfAGripWithAndWithoutAState)
-{
-  const HaplyServiceWire wire("049D", true);
-  const std::string arm =
-    R"("inverse3":[{"device_id":"049D","state":{"cursor_position":{"x":0.0,"y":0.0,"z":0.0}},"status":{}}])";
-  const std::string values = R"("button":true,"orientation":{"w":0.0,"x":1.0,"y":0.0,"z":0.0})";
-  for (const std::string& grip : { "{" + values + "}", R"({"state":{)" + values + "}}" })
-  {
-    const std::string text = "{" + arm + R"(,"verse_grip":[)" + grip + "]}";
-    const auto reading = wire.decode({ reinterpret_cast<const std::uint8_t*>(text.data()), text.size() });
-    ASSERT_TRUE(reading && reading->pose_D) << text;
-    EXPECT_EQ(reading->buttons, 1U) << text;
-    EXPECT_EQ(reading->pose_D->q.coeffs(), Quat(0.0, 1.0, 0.0, 0.0).coeffs()) << text;
-  }
-}
-
-TEST(HaplyServiceWire, TakesNoReadingFromAMessageOfOthersAndPassesItOver)
-{
-  const HaplyServiceWire wire("049D", true, Vec3::Zero(), "7");
-  const auto bytes = [](const std::string& text)
-  { return std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()); };
-  for (const std::string& other : messagesOfOthers())
-  {
-    EXPECT_FALSE(wire.decode(bytes(other))) << other;
-    EXPECT_TRUE(wire.isOthers(bytes(other))) << other;
-  }
-  const std::string own = FakeService::stateOf("049D", 7, Vec3::UnitX());
-  EXPECT_TRUE(wire.decode(bytes(own)));
-  EXPECT_FALSE(wire.isOthers(bytes(own)));
-  // A state of this device that makes no sense, and half a message, are wrong answers.
-  for (const std::string wrong : { R"({"inverse3":[{"device_id":"049D","state":{}}]})", "{\"inverse3\":[" })
-  {
-    EXPECT_FALSE(wire.decode(bytes(wrong))) << wrong;
-    EXPECT_FALSE(wire.isOthers(bytes(wrong))) << wrong;
-  }
-  EXPECT_EQ(haplySession(own), "7");
-  EXPECT_EQ(haplySession("{}"), "");
-  const HaplyServiceWire unknown("049D", true);
-  EXPECT_TRUE(unknown.decode(bytes(own))) << "a service that names no session at first";
-  const std::string unnamed = R"({"inverse3":[{"device_id":"049D","state":{"cursor_position":{"x":0,"y":0,"z":0}}}]})";
-  EXPECT_TRUE(wire.decode(bytes(unnamed))) << "or names it no more";
-}
-
-/// A channel that has another message whenever it is looked at, for a million looks.
-class FloodedLink final : public ByteLink
-{
-public:
-  explicit FloodedLink(int& looks) : looks_(looks) {}
-  bool send(std::span<const std::uint8_t> /*bytes*/) noexcept override { return true; }
-  int receive(std::span<std::uint8_t> bytes, int /*timeout_ms*/) noexcept override
-  {
-    bytes[0] = ' ';
-    return ++this->looks_ < 1000000 ? 1 : 0;
-  }
-  std::string error() const override { return ""; }
-  bool keepsBorders() const noexcept override { return true; }
-
-private:
-  int& looks_;
-};
-
-TEST(ServiceLine, GoesOnToTheForceDuringAFloodOfEvents)
-{
-  FakeService service;
-  LoopbackSocket states = openLoopbackSocket(service.port(), 1000);
-  ASSERT_NE(states.link, nullptr) << states.problem;
-  auto wire = std::make_unique<WireLine>(
-    std::move(states.link), std::make_shared<HaplyServiceWire>("049D", true, Vec3(Vec3::Zero()), ""));
-  int looks = 0;
-  ServiceLine line(std::move(wire), std::make_unique<FloodedLink>(looks), [](std::string_view) { return ""; });
-  WireOrder order;
-  order.wrench_D.force = { 0.0, 0.0, 1.0 };
-  static_cast<void>(line.exchange(order, 1000));
-  EXPECT_EQ(looks, 64);
-  EXPECT_TRUE(test::eventually([&] { return service.force_N() == Vec3(0.0, 0.0, 1.0); }));
-}
-
-TEST(HaplyServiceWire, TellsTheVersionWhateverStandsAroundIt)
-{
-  EXPECT_EQ(haplyHasVector("{\"version\":\"3.1.4\"}"), std::optional(false));
-  EXPECT_EQ(haplyHasVector("v3.5"), std::optional(true));
-  EXPECT_EQ(haplyHasVector("{\"name\":\"service\",\"version\":\"3.10.2\"}"), std::optional(true));
-  EXPECT_EQ(haplyHasVector("4.0.0"), std::optional(true));
-  EXPECT_EQ(haplyHasVector(R"({"api":"3.0","version":"3.5.1"})"), std::optional(true));
-  EXPECT_EQ(haplyHasVector(R"({"api":"3.5","version":"3.1.4"})"), std::optional(false));
-  EXPECT_EQ(haplyHasVector("2.9.0"), std::optional(false));
-  EXPECT_EQ(haplyHasVector("no version"), std::nullopt);
-  EXPECT_EQ(haplyHasVector(""), std::nullopt);
 }
 
 } // namespace

@@ -235,7 +235,11 @@ TEST(WireFile, SaysWhatIsWrongWithThePlaceAndTheReason)
   {
     EXPECT_EQ(parseWiredArm(with(test::ownPantograph(), old, fresh)).problem, sentence) << old;
   }
-  const std::vector<std::array<std::string, 3>> badToo{
+}
+
+TEST(WireFile, SaysLikewiseWhatIsWrongWithTheWireOfAWoodenHaptics)
+{
+  const std::vector<std::array<std::string, 3>> bad{
     { "\"pose\"", "\"report_bytes\": 13, \"pose\"", "wire.report_bytes: must be a whole number from 14 to 64" },
     { "\"pose\"", "\"report_bytes\": 65, \"pose\"", "wire.report_bytes: must be a whole number from 14 to 64" },
     { "\"pose\"", "\"device\": 5, \"pose\"",
@@ -246,7 +250,7 @@ TEST(WireFile, SaysWhatIsWrongWithThePlaceAndTheReason)
     { "\"woodenhaptics\", \"usb\"", "\"2diy\", \"usb\"", "the protocol carries at most 2 joints, and this arm has 3" },
   };
   ASSERT_EQ(parseWiredArm(test::ownWoodenHaptics()).problem, "");
-  for (const auto& [old, fresh, sentence] : badToo)
+  for (const auto& [old, fresh, sentence] : bad)
   {
     EXPECT_EQ(parseWiredArm(with(test::ownWoodenHaptics(), old, fresh)).problem, sentence) << old;
   }
