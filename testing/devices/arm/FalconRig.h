@@ -91,7 +91,7 @@ public:
     return count < 0 ? count : count + 2;
   }
   std::string error() const override { return "No such device"; }
-  /// How long the chip waits before it sends what it has.
+  /// The time that the chip waits for more bytes before it sends those that it has.
   [[nodiscard]] int latency_ms() const noexcept { return this->latency_ms_; }
   int handle() const noexcept override { return this->loader_->canBeHeld ? this->file_ : -1; }
 
