@@ -7,7 +7,7 @@
 #include "haptics/core/HapticDevice.h"
 #include "haptics/line/LineWorld.h"
 #include "haptics/safety/SafetyLimits.h"
-#include "haptics/tick/HapticState.h"
+#include "haptics/tick/base/HapticState.h"
 
 namespace palpate
 {

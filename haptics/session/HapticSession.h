@@ -10,7 +10,7 @@
 #include "haptics/core/HapticDevice.h"
 #include "haptics/realtime/RealtimeThread.h"
 #include "haptics/tick/HapticParameters.h"
-#include "haptics/tick/HapticState.h"
+#include "haptics/tick/base/HapticState.h"
 
 namespace palpate
 {

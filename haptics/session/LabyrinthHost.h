@@ -7,7 +7,7 @@
 #include "haptics/geometry/scene/Scene.h"
 #include "haptics/labyrinth/Labyrinth.h"
 #include "haptics/labyrinth/LabyrinthButtons.h"
-#include "haptics/tick/HapticState.h"
+#include "haptics/tick/base/HapticState.h"
 
 namespace palpate
 {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "haptics/tick/HapticState.h"
+#include "haptics/tick/base/HapticState.h"
 
 namespace palpate
 {

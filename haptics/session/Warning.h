@@ -4,7 +4,7 @@
 #include <string>
 
 #include "haptics/session/LoopReport.h"
-#include "haptics/tick/HapticState.h"
+#include "haptics/tick/base/HapticState.h"
 
 namespace palpate
 {

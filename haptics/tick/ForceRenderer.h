@@ -15,7 +15,7 @@
 #include "haptics/safety/LatenessPolicy.h"
 #include "haptics/tick/HapticEvent.h"
 #include "haptics/tick/HapticParameters.h"
-#include "haptics/tick/HapticState.h"
+#include "haptics/tick/base/HapticState.h"
 #include "haptics/tool/servo/ToolContacts.h"
 
 namespace palpate

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/StageList.h"
 #include "haptics/tick/stages/Blend.h"
 #include "haptics/tick/stages/Clutch.h"
+#include "haptics/tick/stages/ConstantForce.h"
 #include "haptics/tick/stages/Contact.h"
+#include "haptics/tick/stages/Coupling.h"
 #include "haptics/tick/stages/DeviceWalls.h"
 #include "haptics/tick/stages/Engage.h"
+#include "haptics/tick/stages/Field.h"
+#include "haptics/tick/stages/Game.h"
+#include "haptics/tick/stages/Guide.h"
 #include "haptics/tick/stages/Hand.h"
+#include "haptics/tick/stages/HeldMechanism.h"
 #include "haptics/tick/stages/Protect.h"
 #include "haptics/tick/stages/Report.h"
 #include "haptics/tick/stages/Samples.h"
+#include "haptics/tick/stages/Soft.h"
 #include "haptics/tick/stages/Stiffness.h"
 #include "haptics/tick/stages/Surroundings.h"
-#include "haptics/tick/stages/forces/ConstantForce.h"
-#include "haptics/tick/stages/forces/Coupling.h"
-#include "haptics/tick/stages/forces/Field.h"
-#include "haptics/tick/stages/forces/Game.h"
-#include "haptics/tick/stages/forces/Guide.h"
-#include "haptics/tick/stages/forces/HeldMechanism.h"
-#include "haptics/tick/stages/forces/Soft.h"
-#include "haptics/tick/stages/forces/Tool.h"
+#include "haptics/tick/stages/Tool.h"
 
 namespace palpate
 {

@@ -206,18 +206,12 @@ def heavy_headers(root):
 
 
 def room_arrows(arrows):
-    """The arrows between files as arrows between the folders they stand in. Only the tick is one with the folders within it: the
-    list of its stages has their plans by value, and a stage works on all of them."""
+    """The arrows between files as arrows between the folders they stand in."""
     rooms = {}
     for source, targets in arrows.items():
-        others = {_room_of(target) for target in targets} - {_room_of(source)}
-        rooms.setdefault(_room_of(source), set()).update(others)
+        others = {target.parent for target in targets} - {source.parent}
+        rooms.setdefault(source.parent, set()).update(others)
     return rooms
-
-
-def _room_of(file):
-    tick = LIST_OF_STAGES.parent
-    return tick if tick in file.parents else file.parent
 
 
 def circle_through(start, arrows):

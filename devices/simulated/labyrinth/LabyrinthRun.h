@@ -7,7 +7,7 @@
 #include "devices/simulated/DeviceModels.h"
 #include "devices/simulated/labyrinth/BlindHand.h"
 #include "haptics/labyrinth/Labyrinth.h"
-#include "haptics/tick/HapticState.h"
+#include "haptics/tick/base/HapticState.h"
 
 namespace palpate
 {

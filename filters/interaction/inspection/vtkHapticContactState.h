@@ -2,7 +2,7 @@
 #ifndef vtkHapticContactState_h
 #define vtkHapticContactState_h
 
-#include "haptics/tick/HapticState.h"
+#include "haptics/tick/base/HapticState.h"
 #include "vtkHapticMarkRecords.h"
 #include "vtkHapticSourceProbe.h"
 

@@ -3,7 +3,7 @@
 #define vtkHapticHeldMechanism_h
 
 #include "haptics/session/mechanism/MechanismWorker.h"
-#include "haptics/tick/HapticState.h"
+#include "haptics/tick/base/HapticState.h"
 #include "vtkBoundingBox.h"
 #include "vtkHapticFeltSource.h"
 #include "vtkHapticHeldAxis.h"

@@ -3,7 +3,7 @@
 #define vtkHapticPressedBody_h
 
 #include "haptics/session/soft/SoftWorker.h"
-#include "haptics/tick/HapticState.h"
+#include "haptics/tick/base/HapticState.h"
 
 #include "vtkHapticFeltSource.h"
 #include "vtkHapticSoftBodyData.h"

@@ -3,7 +3,7 @@
 #define vtkHapticTool_h
 
 #include "haptics/session/tool/ToolWorker.h"
-#include "haptics/tick/HapticState.h"
+#include "haptics/tick/base/HapticState.h"
 #include "vtkHapticFeltSource.h"
 #include "vtkHapticHeldAxis.h"
 #include "vtkHapticToolHandle.h"

@@ -11,7 +11,7 @@
 #include "haptics/field/proxy/FieldPlan.h"
 #include "haptics/session/background/LatestTask.h"
 #include "haptics/session/scene/FieldSource.h"
-#include "haptics/tick/HapticState.h"
+#include "haptics/tick/base/HapticState.h"
 
 namespace palpate
 {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "haptics/core/Types.h"
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/StageList.h"
 
 namespace palpate::stage
 {

@@ -8,8 +8,8 @@
 #include "haptics/contact/GodObject.h"
 #include "haptics/contact/view/BallLead.h"
 #include "haptics/force/WorkspaceMap.h"
-#include "haptics/tick/PlanRules.h"
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/PlanRules.h"
+#include "haptics/tick/base/StageList.h"
 
 namespace palpate::stage
 {

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "haptics/force/DeviceWalls.h"
-#include "haptics/tick/PlanRules.h"
-#include "haptics/tick/StageList.h"
-#include "haptics/tick/WallKeeper.h"
+#include "haptics/tick/base/PlanRules.h"
+#include "haptics/tick/base/StageList.h"
+#include "haptics/tick/base/WallKeeper.h"
 
 namespace palpate::stage
 {

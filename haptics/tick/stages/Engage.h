@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "haptics/tick/HapticState.h"
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/HapticState.h"
+#include "haptics/tick/base/StageList.h"
 
 namespace palpate::stage
 {

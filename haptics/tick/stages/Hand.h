@@ -8,8 +8,8 @@
 #include "haptics/force/VelocityEstimator.h"
 #include "haptics/force/WorkspaceMap.h"
 #include "haptics/safety/PositionWatch.h"
-#include "haptics/tick/PlanRules.h"
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/PlanRules.h"
+#include "haptics/tick/base/StageList.h"
 
 namespace palpate::stage
 {

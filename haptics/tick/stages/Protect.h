@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "haptics/safety/SafetyLimits.h"
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/StageList.h"
 
 namespace palpate::stage
 {

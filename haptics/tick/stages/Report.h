@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/StageList.h"
 
 namespace palpate::stage
 {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string_view>
 
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/StageList.h"
 
 namespace palpate::stage
 {

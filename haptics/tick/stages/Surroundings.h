@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "haptics/contact/view/LoadedRegion.h"
-#include "haptics/tick/PlanRules.h"
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/PlanRules.h"
+#include "haptics/tick/base/StageList.h"
 
 namespace palpate::stage
 {

@@ -6,8 +6,8 @@
 
 #include "haptics/core/Types.h"
 #include "haptics/force/PassivityController.h"
-#include "haptics/tick/PlanRules.h"
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/PlanRules.h"
+#include "haptics/tick/base/StageList.h"
 
 namespace palpate::stage
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/tick/stages/forces/Guide.h"
+#include "haptics/tick/stages/Guide.h"
 
 #include <algorithm>
 

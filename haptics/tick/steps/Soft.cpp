@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/tick/stages/forces/Soft.h"
+#include "haptics/tick/stages/Soft.h"
 
 #include <algorithm>
 #include <cmath>

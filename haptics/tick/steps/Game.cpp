@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/tick/stages/forces/Game.h"
+#include "haptics/tick/stages/Game.h"
 
 #include <algorithm>
 

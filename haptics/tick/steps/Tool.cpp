@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/tick/stages/forces/Tool.h"
+#include "haptics/tick/stages/Tool.h"
 
 #include "haptics/tick/TickContext.h"
 

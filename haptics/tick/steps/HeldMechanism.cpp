@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/tick/stages/forces/HeldMechanism.h"
+#include "haptics/tick/stages/HeldMechanism.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/tick/stages/forces/Field.h"
+#include "haptics/tick/stages/Field.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/tick/stages/forces/ConstantForce.h"
+#include "haptics/tick/stages/ConstantForce.h"
 
 #include "haptics/safety/ForceLimits.h"
 #include "haptics/tick/TickContext.h"

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "haptics/mechanism/servo/FeltMechanism.h"
-#include "haptics/tick/HapticState.h"
-#include "haptics/tick/PlanRules.h"
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/HapticState.h"
+#include "haptics/tick/base/PlanRules.h"
+#include "haptics/tick/base/StageList.h"
 #include "haptics/tool/servo/ToolLead.h"
 
 namespace palpate

@@ -8,7 +8,7 @@ namespace palpate
 
 struct TickContext;
 
-/// A stage of the tick is a struct of static members, in a file of its own in tick/stages/:
+/// A stage of the tick is a struct of static members, declared in tick/stages/, its functions in tick/steps/:
 ///   name                    of its part of a recording
 ///   step(TickContext&)      one tick; real-time safe
 /// and, where it has use for them,

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "haptics/force/VelocityEstimator.h"
-#include "haptics/tick/PlanRules.h"
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/PlanRules.h"
+#include "haptics/tick/base/StageList.h"
 #include "haptics/tool/servo/ToolBlend.h"
 #include "haptics/tool/servo/ToolLead.h"
 

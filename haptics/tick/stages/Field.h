@@ -9,8 +9,8 @@
 #include "haptics/field/proxy/FieldProxy.h"
 #include "haptics/force/PassivityController.h"
 #include "haptics/force/WorkspaceMap.h"
-#include "haptics/tick/PlanRules.h"
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/PlanRules.h"
+#include "haptics/tick/base/StageList.h"
 
 namespace palpate::stage
 {

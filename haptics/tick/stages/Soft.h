@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "haptics/compliance/servo/SoftEnergy.h"
-#include "haptics/tick/PlanRules.h"
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/PlanRules.h"
+#include "haptics/tick/base/StageList.h"
 
 namespace palpate::stage
 {

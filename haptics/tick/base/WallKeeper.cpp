@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/tick/WallKeeper.h"
+#include "haptics/tick/base/WallKeeper.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "haptics/labyrinth/LabyrinthGame.h"
-#include "haptics/tick/StageList.h"
+#include "haptics/tick/base/StageList.h"
 
 namespace palpate::stage
 {
