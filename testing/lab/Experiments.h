@@ -69,6 +69,7 @@ void runStruck(const Conditions& conditions, Table& table);
 void runContacts(const Conditions& conditions, Table& table);
 void runConstraints(const Conditions& conditions, Table& table);
 void runMechanism(const Conditions& conditions, Table& table);
+void runBodiesMeet(const Conditions& conditions, Table& table);
 void runMechanismMethods(const Conditions& conditions, Table& table);
 void runDirectCoupling(const Conditions& conditions, Table& table);
 void runMaterialsLarge(const Conditions& conditions, Table& table);
