@@ -89,6 +89,8 @@ public:
   [[nodiscard]] std::string toolBesideSoft() const; ///< why the tool is not held beside the soft body; "": it is
   [[nodiscard]] bool toolPresses() const;           ///< whether tool and soft body are felt as a mechanism
   [[nodiscard]] const ToolReport& toolReport();
+  /// The mechanism that is chosen, or else that of the tool that presses; null: neither.
+  [[nodiscard]] std::shared_ptr<const MechanismInputs> feltMechanism() const;
   /// The faults that a mechanism would have in this hand, or "". `atRest`: its soft bodies.
   [[nodiscard]] std::string refuseMechanism(
     const MechanismInputs& inputs, const std::vector<std::shared_ptr<const PressedBody>>& atRest) const;

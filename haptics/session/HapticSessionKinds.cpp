@@ -111,6 +111,11 @@ bool HapticSession::toolPresses() const
   return this->chosen_->pressing->isPair() && this->toolBesideSoft().empty() && !this->chosen<MechanismTask>().inputs;
 }
 
+std::shared_ptr<const MechanismInputs> HapticSession::feltMechanism() const
+{
+  return this->toolPresses() ? this->chosen_->pressing->made().inputs : this->chosen<MechanismTask>().inputs;
+}
+
 std::string HapticSession::toolRefusal() const
 {
   const std::string beside = this->toolBesideSoft();

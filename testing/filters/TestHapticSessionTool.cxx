@@ -2,6 +2,9 @@
 // A mesh in the hand of a session: the held tool, its texts, its refusals. Virtual time.
 #include <cmath>
 #include <functional>
+#include <map>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -18,11 +21,13 @@
 #include "vtkHapticSession.h"
 #include "vtkHapticSight.h"
 #include "vtkHapticToolProps.h"
+#include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
+#include "vtkStringArray.h"
 #include "vtkTouchAlongPath.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -223,7 +228,7 @@ struct ToolOnBlock
 
   void touch(double z)
   {
-    this->session->SetHandPosition(3.0, 1.0, z);
+    this->handAt(z);
     this->session->TouchingOn();
     this->session->Step(ticksToEngage);
   }
@@ -233,13 +238,16 @@ struct ToolOnBlock
   {
     for (double z = from; z > to; z -= 0.1)
     {
-      this->session->SetHandPosition(3.0, 1.0, z);
+      this->handAt(z);
       this->session->Step(2);
     }
-    this->session->SetHandPosition(3.0, 1.0, to);
+    this->handAt(to);
     this->session->Step(ticksToRest);
   }
 
+  void handAt(double z) { this->session->SetHandPosition(this->place.x(), this->place.y(), z); }
+
+  Vec3 place{ 3.0, 1.0, 0.0 }; ///< above which the hand comes down
   vtkNew<vtkHapticSession> session;
   vtkSmartPointer<vtkUnstructuredGrid> body = makeSoftBlock(100.0, 1.0 / scale);
 };
@@ -293,6 +301,112 @@ TEST_F(HapticSessionTool, PressesABodyThatGivesWayInWhicheverOrderTheyComeAsTheF
   filter->SetSetting("Scale", scale);
   filter->Update();
   EXPECT_NEAR(filter->GetOutput()->GetPointData()->GetArray("Force")->GetComponent(1199, 2), felt_N, 0.01 * felt_N);
+}
+
+/// The contacts of a session's tool, as the view draws them.
+struct DrawnContacts
+{
+  explicit DrawnContacts(vtkHapticSession* session) { session->GetSight()->GetContactForces(this->points); }
+
+  [[nodiscard]] int count() const { return static_cast<int>(this->points->GetNumberOfPoints()); }
+  [[nodiscard]] Vec3 at(int i) const { return Vec3(this->points->GetPoint(i)); }
+  [[nodiscard]] Vec3 force_N(int i) const
+  {
+    return Vec3(this->points->GetPointData()->GetArray("Force")->GetTuple3(i));
+  }
+  [[nodiscard]] std::string touched(int i) const
+  {
+    return vtkStringArray::SafeDownCast(this->points->GetPointData()->GetAbstractArray("Touched"))->GetValue(i);
+  }
+  [[nodiscard]] int pair(int i) const
+  {
+    return static_cast<int>(this->points->GetPointData()->GetArray("Pair")->GetComponent(i, 0));
+  }
+  [[nodiscard]] Vec3 all_N() const
+  {
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < this->count(); ++i)
+    {
+      sum += this->force_N(i);
+    }
+    return sum;
+  }
+
+  vtkNew<vtkPolyData> points;
+};
+
+TEST_F(HapticSessionTool, OnASurfaceHasAnArrowAtEachContactAsLongAsTheForceThere)
+{
+  ASSERT_TRUE(this->session_->AddTool("Cube1", cubeFarAway()));
+  this->touchAt(halfSide + 5.0);
+  EXPECT_EQ(DrawnContacts(this->session_).count(), 0) << "it touches nothing";
+  this->goTo(halfSide - 2.0);
+  const DrawnContacts contacts(this->session_);
+  EXPECT_GE(contacts.count(), 3) << "a face lies on a plane";
+  EXPECT_LE((contacts.all_N() - springOfTool * 2.0 / scale * Vec3::UnitZ()).norm(), 1e-5);
+  double most_N = 0.0;
+  for (int i = 0; i < contacts.count(); ++i)
+  {
+    EXPECT_NEAR(contacts.at(i).z(), 0.0, 1e-4);
+    EXPECT_EQ(contacts.touched(i), "surface");
+    EXPECT_EQ(contacts.pair(i), 0);
+    most_N = std::max(most_N, contacts.force_N(i).norm());
+  }
+  vtkNew<vtkHapticToolProps> props;
+  props->UpdateFrom(this->session_);
+  EXPECT_FALSE(props->GetContactsActor()->GetVisibility()) << "nobody has asked for arrows";
+  this->session_->SetSetting("ShowContactForces", true);
+  props->UpdateFrom(this->session_);
+  EXPECT_TRUE(props->GetContactsActor()->GetVisibility());
+  double box[6], scene[6];
+  props->GetContactsActor()->GetMapper()->GetBounds(box);
+  ASSERT_TRUE(this->session_->GetSceneBounds(scene));
+  const double diagonal = Vec3(scene[1] - scene[0], scene[3] - scene[2], scene[5] - scene[4]).norm();
+  EXPECT_NEAR(box[5], props->GetForceScale() * diagonal * most_N, 1e-3 * diagonal) << "they stand on the plane";
+  this->goTo(halfSide + 5.0);
+  props->UpdateFrom(this->session_);
+  EXPECT_FALSE(props->GetContactsActor()->GetVisibility());
+}
+
+TEST_F(HapticSessionTool, AcrossABodyThatGivesWayAndABoneHasTheForcesOfEachByName)
+{
+  constexpr double deep = 1.0, border = 50.0; // of the block; the bone begins there
+  ToolOnBlock on;
+  const auto session = vtkSmartPointer<vtkHapticSession>(on.session);
+  vtkNew<vtkCubeSource> bone, cube;
+  bone->SetBounds(border, border + 50.0, -60.0, 60.0, -40.0, -0.5);
+  bone->Update();
+  cube->SetXLength(80.0);
+  cube->SetYLength(40.0);
+  cube->SetZLength(2.0 * halfSide);
+  cube->Update();
+  ASSERT_TRUE(session->AddSurface("bone", bone->GetOutput(), nullptr)) << session->GetProblem();
+  session->CommitScene();
+  ASSERT_TRUE(session->FinishScene()) << session->GetSceneReport();
+  ASSERT_TRUE(session->AddTool("Cube1", cube->GetOutput()));
+  ASSERT_TRUE(session->AddSoftBody("block", on.body));
+  on.place = Vec3(border, 1.0, 0.0);
+  on.touch(halfSide + 1.0);
+  on.lower(halfSide + 1.0, halfSide - 0.5 - deep);
+  const DrawnContacts contacts(session);
+  std::map<std::string, Vec3> of;
+  std::map<std::string, std::set<int>> pairs;
+  for (int i = 0; i < contacts.count(); ++i)
+  {
+    const std::string& name = contacts.touched(i);
+    of.try_emplace(name, Vec3::Zero()).first->second += contacts.force_N(i);
+    pairs[name].insert(contacts.pair(i));
+    EXPECT_EQ(name == "bone", contacts.at(i).x() > border) << name << " at " << contacts.at(i).transpose();
+    EXPECT_GT(contacts.force_N(i).z(), 0.0);
+  }
+  ASSERT_EQ(of.size(), 2u);
+  EXPECT_GT(of.at("bone").z(), 0.02);
+  EXPECT_GT(of.at("block").z(), 0.02);
+  EXPECT_EQ(pairs.at("bone").size() + pairs.at("block").size(), 2u) << "a number for each";
+  EXPECT_NE(pairs.at("bone"), pairs.at("block"));
+  EXPECT_LE((contacts.all_N() - Vec3(session->GetForce())).norm(), 1e-6) << "and together they push the hand";
+  EXPECT_THAT(session->GetToolContacts(), HasSubstr("bone at ("));
+  EXPECT_THAT(session->GetToolContacts(), HasSubstr("block at ("));
 }
 
 TEST_F(HapticSessionTool, ThatIsOpenIsRefusedOnABodyThatGivesWayInWhicheverOrderTheyComeAndTheBallPresses)

@@ -37,6 +37,7 @@ class vtkHapticRecordings;
 class vtkHapticSceneSurfaces;
 class vtkHapticServerSurfaces;
 struct vtkHapticCheckState;
+struct vtkHapticContactForce;
 struct vtkHapticContactState;
 struct vtkHapticGameState;
 
@@ -280,6 +281,8 @@ public:
   const char* SayDeviceButton();
   const char* SayPlanText();
   const char* SayToolContacts();
+  /// Where the tool, or the held mesh of a mechanism, is pressed; none of a ball.
+  std::vector<vtkHapticContactForce> ContactForces(const palpate::HapticState& touched) const;
 
   /// A setting may name another source.
   void FollowSource(vtkHapticFeltSource& felt, const palpate::Setting& setting);

@@ -8,6 +8,7 @@
 #include "haptics/contact/planes/FeatureGeometry.h"
 #include "haptics/contact/sweep/Sweep.h"
 #include "vtkCamera.h"
+#include "vtkHapticContactForce.h"
 #include "vtkHapticFieldShape.h"
 #include "vtkHapticHeldMechanism.h"
 #include "vtkHapticSceneSurfaces.h"
@@ -179,6 +180,11 @@ void vtkHapticSight::GetToolShape(vtkPolyData* shape) const
 {
   vtkPolyData* const ofMechanism = this->Behind().Mechanism.HeldShape();
   ofMechanism ? shape->ShallowCopy(ofMechanism) : this->Behind().Tool.GetShape(shape);
+}
+
+void vtkHapticSight::GetContactForces(vtkPolyData* points) const
+{
+  vtkHapticPutForces(this->Behind().ContactForces(this->Behind().State), *points);
 }
 
 double vtkHapticSight::GetToolReach(const double direction_W[3]) const

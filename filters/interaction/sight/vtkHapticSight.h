@@ -55,6 +55,11 @@ public:
   /// The field at the proxy: patch, streamline, level, the place that is snapped to [u].
   void GetFieldShape(vtkPolyData* shape) const;
   void GetToolShape(vtkPolyData* shape) const;
+  /// The contacts of the tool, or of the held mesh of a mechanism, as of the last Update(): a point for each. The
+  /// arrays are Force (n, 3), the force there on the tool before limits [N], along the normal where the scene is rigid;
+  /// Touched (strings), the name of the surface or body that presses; and Pair (int), a number for each name. A proxy
+  /// sphere has none.
+  void GetContactForces(vtkPolyData* points) const;
   /// How far the tool reaches from its tip against a direction, turned as it is [u]; 0: none is held.
   double GetToolReach(const double direction_W[3]) const;
   /// The held tool or mechanism as it is turned now: from the hand to its tip [u], and its axis, a unit vector. The tip

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "haptics/geometry/measure/ContactPlace.h"
+#include "vtkHapticContactForce.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkHapticTool.h"
 
@@ -40,37 +41,48 @@ void vtkHapticSession::SetHandTurn(double w, double x, double y, double z)
   this->Impl->Feed();
 }
 
+std::vector<vtkHapticContactForce> vtkHapticSession::Internals::ContactForces(const palpate::HapticState& touched) const
+{
+  const auto mechanism = this->Core.feltMechanism();
+  if (touched.mechanism.held && mechanism)
+  {
+    return vtkHapticFoundForces(touched.mechanism, *mechanism);
+  }
+  const auto& scene = this->Scene.built().scene;
+  return scene ? vtkHapticToolForces(touched, *scene, this->Core.parameters().map.scale_u_per_m)
+               : std::vector<vtkHapticContactForce>();
+}
+
 std::optional<palpate::ContactPlace> vtkHapticSession::Internals::PlaceOfContact(
   const palpate::HapticState& touched) const
 {
-  const palpate::ToolState& tool = touched.tool;
   const palpate::Scene& scene = *this->Scene.built().scene;
-  if (!tool.held)
+  if (!touched.tool.held && !touched.mechanism.held)
   {
     return palpate::placeOf(scene, touched.proxy_W.p, touched.device_W.p);
   }
-  const auto* const end = tool.presses.begin() + tool.active;
-  const auto* const most = std::max_element(
-    tool.presses.begin(), end, [](const auto& one, const auto& other) { return one.push_u < other.push_u; });
-  return most == end ? std::nullopt : palpate::placeOf(scene, most->p_W, most->p_W - most->n_W);
+  const std::vector<vtkHapticContactForce> forces = this->ContactForces(touched);
+  const auto most = std::max_element(forces.begin(), forces.end(),
+    [](const auto& one, const auto& other) { return one.Force_N.norm() < other.Force_N.norm(); });
+  return most == forces.end() ? std::nullopt
+                              : palpate::placeOf(scene, most->At_W, most->At_W - most->Force_N.normalized());
 }
 
 const char* vtkHapticSession::Internals::SayToolContacts()
 {
-  const palpate::ToolState& tool = this->State.tool;
-  double all_u = 0.0;
-  for (int i = 0; i < tool.active; ++i)
+  const std::vector<vtkHapticContactForce> forces = this->ContactForces(this->State);
+  double all_N = 0.0;
+  for (const vtkHapticContactForce& force : forces)
   {
-    all_u += tool.presses[i].push_u;
+    all_N += force.Force_N.norm();
   }
   std::ostringstream lines;
   lines.precision(4);
-  for (int i = 0; i < tool.active && all_u > 0.0 && this->Scene.built().scene; ++i)
+  for (const vtkHapticContactForce& force : all_N > 0.0 ? forces : std::vector<vtkHapticContactForce>())
   {
-    const palpate::ToolPress& press = tool.presses[i];
-    const auto place = palpate::placeOf(*this->Scene.built().scene, press.p_W, press.p_W - press.n_W);
-    lines << (place ? place->surface : "?") << " at (" << press.p_W.x() << ", " << press.p_W.y() << ", "
-          << press.p_W.z() << ") u, " << std::lround(100.0 * press.push_u / all_u) << " %\n";
+    const palpate::Vec3& p_W = force.At_W;
+    lines << force.Touched << " at (" << p_W.x() << ", " << p_W.y() << ", " << p_W.z() << ") u, "
+          << std::lround(100.0 * force.Force_N.norm() / all_N) << " %\n";
   }
   this->Tool.Contacts = lines.str();
   return this->Tool.Contacts.c_str();

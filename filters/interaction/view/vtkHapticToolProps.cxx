@@ -8,6 +8,7 @@
 #include "vtkActor.h"
 #include "vtkArrowSource.h"
 #include "vtkCellArray.h"
+#include "vtkHapticContactProps.h"
 #include "vtkHapticHeldToolProps.h"
 #include "vtkHapticLabyrinthGame.h"
 #include "vtkHapticSession.h"
@@ -87,6 +88,7 @@ public:
   vtkNew<vtkActor> Field;
   vtkNew<vtkActor> Torque;
   vtkHapticHeldToolProps Held;
+  vtkHapticContactProps Contacts;
   vtkNew<vtkPolyData> Box;
   vtkNew<vtkPolyData> Way;
   vtkNew<vtkPolyData> Shape; ///< of the field
@@ -96,7 +98,7 @@ public:
 
   Internals();
   vtkActor* const* begin() const { return this->All; }
-  vtkActor* const* end() const { return this->All + 12; }
+  vtkActor* const* end() const { return this->All + 13; }
   void Place(vtkActor* actor, const double p_W[3], double radius) const;
   void PlaceMarks(vtkHapticSession* session, bool shown) const;
   void PlaceWorkspace(vtkHapticSession* session) const;
@@ -104,8 +106,8 @@ public:
 private:
   void MakeBox() const;
 
-  vtkActor* All[12] = { this->Proxy, this->Hand, this->Arrow, this->Trace, this->Start, this->Exit, this->Workspace,
-    this->Field, this->Torque, this->Held.Solid, this->Held.Ghost, this->SoftHand };
+  vtkActor* All[13] = { this->Proxy, this->Hand, this->Arrow, this->Trace, this->Start, this->Exit, this->Workspace,
+    this->Field, this->Torque, this->Held.Solid, this->Held.Ghost, this->Contacts.Arrows, this->SoftHand };
 };
 
 vtkHapticToolProps::Internals::Internals()
@@ -291,6 +293,7 @@ void vtkHapticToolProps::UpdateFrom(vtkHapticSession* session)
   impl.Hand->SetVisibility(!held);
   const double* const at_W = session->GetProxyPosition();
   const double perNewton = this->ForceScale * diagonal;
+  impl.Contacts.UpdateFrom(session, perNewton);
   PlaceArrow(impl.Arrow, impl.ArrowFrame, session->GetForce(), perNewton, at_W);
   PlaceArrow(impl.Torque, impl.TorqueFrame, session->GetToolTorque(), perNewton / torqueArm_m, at_W);
 }
@@ -343,6 +346,11 @@ vtkActor* vtkHapticToolProps::GetTorqueActor() const
 vtkActor* vtkHapticToolProps::GetHeldActor() const
 {
   return this->Impl->Held.Solid;
+}
+
+vtkActor* vtkHapticToolProps::GetContactsActor() const
+{
+  return this->Impl->Contacts.Arrows;
 }
 
 vtkActor* vtkHapticToolProps::GetGhostActor() const

@@ -5,10 +5,10 @@
  *
  * Two balls, or a tool or the held body of a mechanism, solid where it is felt and as a ghost where the hand would have
  * it; a grey ball where the hand was when soft bodies were computed last, if the session has ShowSoftHand; arrows of
- * force and torque; start (green) and exit (red) of a labyrinth and the path through it, and the box of the device's
- * workspace where the session has ShowWorkspace. The proxy's ball has the session's radius where that can be seen; the
- * arrows start at the proxy and point along the force on the hand and about the torque that a tool asks for. None is
- * picked or counted in the bounds of a scene.
+ * force and torque, and at each contact of a tool if the session has ShowContactForces; start (green) and exit (red) of
+ * a labyrinth and the path through it, and the box of the device's workspace where the session has ShowWorkspace. The
+ * proxy's ball has the session's radius where that can be seen; the arrows start at the proxy and point along the force
+ * on the hand and about the torque that a tool asks for. None is picked or counted in the bounds of a scene.
  */
 #ifndef vtkHapticToolProps_h
 #define vtkHapticToolProps_h
@@ -75,9 +75,10 @@ public:
   vtkActor* GetExitActor() const;
   vtkActor* GetWorkspaceActor() const;
   vtkActor* GetTorqueActor() const;
-  vtkActor* GetHeldActor() const;  ///< the tool, or the held body of a mechanism, at its pose
-  vtkActor* GetGhostActor() const; ///< and where the hand would have it
-  vtkActor* GetFieldActor() const; ///< patch of an isosurface and streamline where the proxy is
+  vtkActor* GetHeldActor() const;     ///< the tool, or the held body of a mechanism, at its pose
+  vtkActor* GetGhostActor() const;    ///< and where the hand would have it
+  vtkActor* GetContactsActor() const; ///< arrows at the contacts of the tool, where ShowContactForces is on
+  vtkActor* GetFieldActor() const;    ///< patch of an isosurface and streamline where the proxy is
   ///@}
 
 protected:

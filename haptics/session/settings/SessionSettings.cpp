@@ -205,6 +205,10 @@ const Setting settings[] = {
     text("ToolSource", "Held tool",
       "Source whose surface is the tool in the hand, by its name in the pipeline browser; empty: the proxy sphere",
       NextScene)),
+  at({ .group = "tool" }, flag("ShowContactForces", "Contact forces",
+                            "Draw an arrow at each contact of the tool: the force there on the tool, in one colour for "
+                            "each surface or body that is touched",
+                            false, NextFrame)),
   at({ .group = "tool" },
     choice("ToolHandle", "Held at",
       "Point of the tool that coincides with the hand: centre of mass, origin of its data, or handle", 0,

@@ -9,6 +9,7 @@
 #include "haptics/core/Types.h"
 #include "haptics/force/PassivityController.h"
 #include "haptics/labyrinth/LabyrinthGame.h"
+#include "haptics/mechanism/FoundContacts.h"
 #include "haptics/mechanism/servo/MechanismTick.h"
 #include "haptics/tool/servo/ToolForce.h"
 
@@ -107,6 +108,15 @@ struct ConstraintChanges
   }
 };
 
+/// A contact that was found and presses, for a person.
+struct FoundPress
+{
+  std::int32_t mesh = 0;       ///< the body that is pressed here, in the order of the description
+  std::int32_t body = 0;       ///< the body that presses it
+  Vec3 at_W = Vec3::Zero();    ///< where, as the bodies have yielded [u]
+  Vec3 force_W = Vec3::Zero(); ///< on the mesh, friction with it, before limits [N]
+};
+
 /// Result of a mechanism in a tick. Bodies and constraints are in the order of its description.
 struct MechanismNow
 {
@@ -118,12 +128,13 @@ struct MechanismNow
   std::array<Pose, Mechanism::mostBodies> pose_W{}; ///< of held and rigid bodies [u]
   std::array<ConstraintReport, Mechanism::mostConstraints> laws{};
   ConstraintChanges changes;
-  double age_s = 0.0;      ///< of the oldest snapshot of a soft body that is pressed
-  double residual_u = 0.0; ///< largest of the constraints'
-  bool capped = false;     ///< the solver goes on in the next tick
-  int touching = 0;        ///< contacts that were found, and press
-  int leftOut = 0;         ///< places that touch, for which the tick has no room
-  bool ahead = false;      ///< the hand is ahead of the held mesh, whose contacts were looked for no further
+  double age_s = 0.0;                                  ///< of the oldest snapshot of a soft body that is pressed
+  double residual_u = 0.0;                             ///< largest of the constraints'
+  bool capped = false;                                 ///< the solver goes on in the next tick
+  int touching = 0;                                    ///< contacts that were found, and press
+  std::array<FoundPress, FoundContacts::most> found{}; ///< the first `touching`
+  int leftOut = 0;                                     ///< places that touch, for which the tick has no room
+  bool ahead = false; ///< the hand is ahead of the held mesh, whose contacts were looked for no further
 };
 
 /// Result of a tick for view, panel and recording.

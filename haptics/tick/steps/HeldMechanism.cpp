@@ -119,6 +119,20 @@ void tellConstraints(const MechanismPlan& plan, const MechanismState& state, Mec
   }
 }
 
+/// Contacts that were found stand behind the plan's constraints, in their own order.
+void tellFound(
+  const MechanismPlan& plan, const FoundContacts& found, const MechanismResult& result, MechanismNow& now) noexcept
+{
+  for (int l = 0; l < result.found; ++l)
+  {
+    const ConstraintNow& law = result.laws[plan.lawCount + l];
+    if (law.force_W != Vec3::Zero())
+    {
+      now.found[now.touching++] = { found.contacts[l].mesh, found.contacts[l].body, law.at_W, law.force_W };
+    }
+  }
+}
+
 void tell(const TickContext& tick, const MechanismResult& result, HapticState& state) noexcept
 {
   const MechanismPlan& plan = tick.input.mechanism->plan();
@@ -130,10 +144,7 @@ void tell(const TickContext& tick, const MechanismResult& result, HapticState& s
     now.laws[l] = { law.phase, law.force_W.norm(), law.at_W, law.inside_u };
     state.contacts += law.force_W != Vec3::Zero();
   }
-  for (int l = plan.lawCount; l < plan.lawCount + result.found; ++l)
-  {
-    now.touching += result.laws[l].force_W != Vec3::Zero();
-  }
+  tellFound(plan, tick.s.mechanism.found, result, now);
   state.contacts += now.touching;
   now.ahead = result.ahead;
   now.leftOut = tick.s.mechanism.found.leftOut;
