@@ -6,6 +6,8 @@
 #   TIMEOUT seconds    default 120; times PALPATE_TIMEOUT_FACTOR where that is set (./dev test --full)
 #   ENVIRONMENT A=b... variables of the test's process
 #   SERIAL             nothing else runs beside it (tests that compare costs)
+#   COST seconds       about how long it takes: ctest starts the longest first, so that no core idles at the end. Default: 20 of gui
+#                      and plugin, 10 of fuzz and filters, 0 of the others
 #   GROUP name         its program is built apart (palpate_build_apart), before the first test of that group
 
 find_package(GTest REQUIRED)
@@ -33,7 +35,7 @@ set(PALPATE_MPI_ENVIRONMENT
 
 # Parses ARGN into arg_*; keeps the defaults in one place.
 macro (_palpate_parse default_label one_value multi_value)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL" "NAME;LABEL;TIMEOUT;GROUP;${one_value}" "ENVIRONMENT;${multi_value}")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL" "NAME;LABEL;TIMEOUT;COST;GROUP;${one_value}" "ENVIRONMENT;${multi_value}")
   if (arg_UNPARSED_ARGUMENTS OR NOT arg_NAME)
     message(FATAL_ERROR "Test '${arg_NAME}': NAME is missing, or these arguments are unknown: ${arg_UNPARSED_ARGUMENTS}")
   endif ()
@@ -46,6 +48,14 @@ macro (_palpate_parse default_label one_value multi_value)
   if (PALPATE_TIMEOUT_FACTOR)
     math(EXPR arg_TIMEOUT "${arg_TIMEOUT} * ${PALPATE_TIMEOUT_FACTOR}")
   endif ()
+  if (NOT arg_COST)
+    set(arg_COST 0)
+    if (arg_LABEL MATCHES "^(gui|plugin)$")
+      set(arg_COST 20)
+    elseif (arg_LABEL MATCHES "^(fuzz|filters)$")
+      set(arg_COST 10)
+    endif ()
+  endif ()
   if (NOT arg_SERIAL)
     set(arg_SERIAL OFF)
   endif ()
@@ -54,7 +64,7 @@ endmacro ()
 
 function (_palpate_set_properties test)
   set_tests_properties("${test}" PROPERTIES
-    LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" RUN_SERIAL "${arg_SERIAL}" ENVIRONMENT "${arg_ENVIRONMENT}")
+    LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" COST "${arg_COST}" RUN_SERIAL "${arg_SERIAL}" ENVIRONMENT "${arg_ENVIRONMENT}")
   if (arg_GROUP)
     set_tests_properties("${test}" PROPERTIES FIXTURES_REQUIRED "${arg_GROUP}")
   endif ()
@@ -62,10 +72,14 @@ endfunction ()
 
 # palpate_build_apart(GROUP target...): targets that only their own tests run. The default target leaves them out; ctest builds
 # the group before the first of its tests (a fixture, which ctest adds to whatever it selects), so that a test never runs an old
-# program. To build them by hand: ninja -C build GROUP.
+# program. To build them by hand: ninja -C build GROUP, or all groups: ninja -C build palpate_apart.
 function (palpate_build_apart group)
+  if (NOT TARGET palpate_apart)
+    add_custom_target(palpate_apart)
+  endif ()
   if (NOT TARGET "${group}")
     add_custom_target("${group}")
+    add_dependencies(palpate_apart "${group}")
     add_test(NAME "build.${group}" COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --target "${group}")
     # The compilers take all cores: nothing else is started beside them.
     set_tests_properties("build.${group}" PROPERTIES FIXTURES_SETUP "${group}" TIMEOUT 3600 RUN_SERIAL ON)
@@ -113,7 +127,7 @@ function (palpate_add_unit_test)
     return ()
   endif ()
   gtest_discover_tests("${arg_NAME}" TEST_PREFIX "${arg_NAME}." TEST_LIST "${arg_NAME}_tests" DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
-    PROPERTIES LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" RUN_SERIAL "${arg_SERIAL}")
+    PROPERTIES LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" COST "${arg_COST}" RUN_SERIAL "${arg_SERIAL}")
   # gtest_discover_tests takes a list apart, so the environment is set in a script that ctest reads after the discovery.
   set(script "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}-environment.cmake")
   file(WRITE "${script}" "foreach (test IN LISTS ${arg_NAME}_tests)
