@@ -214,14 +214,44 @@ function (_palpate_add_fuzz_test test)
   _palpate_set_properties("fuzz.${test}")
 endfunction ()
 
+# Sets for its caller: sources, with their paths; together, the one file that includes them, as headers take longest; and
+# palpate_fuzz_command, the compiler with the flags of every fuzz target.
+macro (_palpate_fuzz_together name)
+  set(sources ${arg_SOURCES})
+  list(TRANSFORM sources PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" REGEX "^[^/]")
+  set(together "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  list(TRANSFORM sources REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE includes)
+  list(JOIN includes "" includes)
+  file(GENERATE OUTPUT "${together}" CONTENT "${includes}")
+  get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+  set(palpate_fuzz_command "${PALPATE_CLANG}" -std=c++20 -O1 -gline-tables-only -ffp-contract=off -fno-sanitize-recover=all
+    "-I${PROJECT_SOURCE_DIR}" -isystem "${eigen}" -MD -MF "${together}.d")
+endmacro ()
+
+# palpate_add_fuzz_part(NAME fuzzed-arms SOURCES ...): sources that several fuzz targets share as PARTS fuzzed-arms, compiled once.
+function (palpate_add_fuzz_part)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "SOURCES")
+  find_program(PALPATE_CLANG clang++)
+  if (NOT PALPATE_CLANG)
+    return ()
+  endif ()
+  _palpate_fuzz_together("${arg_NAME}")
+  set(object "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}.o")
+  add_custom_command(OUTPUT "${object}"
+    COMMAND ${palpate_fuzz_command} -fsanitize=fuzzer-no-link,address,undefined -MT "${object}" -c "${together}" -o "${object}"
+    DEPENDS "${together}" ${sources} DEPFILE "${together}.d"
+    COMMENT "Part of fuzz targets ${arg_NAME}" VERBATIM)
+  add_custom_target("${arg_NAME}" DEPENDS "${object}") # those that need one output build it through one target
+endfunction ()
+
 # palpate_add_fuzz_target(NAME fuzz-clean SOURCES FuzzClean.cpp ../../haptics/geometry/mesh/TriangleMesh.cpp CORPUS folder
-#   [OPTIONS flags...] [LIBRARIES flags...] [FULL_RUNS count] [VARIANTS VARIABLE=value...])
+#   [PARTS parts...] [OPTIONS flags...] [LIBRARIES flags...] [FULL_RUNS count] [VARIANTS VARIABLE=value...])
 # A libFuzzer program built by clang++ with its own instrumented copies of SOURCES (the rest of the build may be GCC),
 # compiled at once as their headers take longest, and a ctest that runs it for 8 s, in ./dev test --full for 120 s or
 # FULL_RUNS inputs, from the seeds in CORPUS, which it does not change. With VARIANTS, one such ctest for each, with that
 # in its environment; in the short form they share the 8 s. Label: fuzz.
 function (palpate_add_fuzz_target)
-  _palpate_parse(fuzz "CORPUS;FULL_RUNS" "SOURCES;OPTIONS;LIBRARIES;VARIANTS")
+  _palpate_parse(fuzz "CORPUS;FULL_RUNS" "SOURCES;PARTS;OPTIONS;LIBRARIES;VARIANTS")
   set(arg_GROUP palpate_fuzzers)
   find_program(PALPATE_CLANG clang++)
   if (NOT PALPATE_CLANG)
@@ -239,20 +269,19 @@ function (palpate_add_fuzz_target)
   elseif (PALPATE_TIMEOUT_FACTOR)
     set(extent -max_total_time=120)
   endif ()
-  list(TRANSFORM arg_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" REGEX "^[^/]")
   set(program "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${arg_NAME}")
-  set(together "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}.cpp")
-  list(TRANSFORM arg_SOURCES REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE includes)
-  list(JOIN includes "" includes)
-  file(GENERATE OUTPUT "${together}" CONTENT "${includes}")
-  get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+  _palpate_fuzz_together("${arg_NAME}")
+  set(parts ${arg_PARTS})
+  list(TRANSFORM parts REPLACE "(.+)" "${CMAKE_CURRENT_BINARY_DIR}/\\1.o")
   add_custom_command(OUTPUT "${program}"
-    COMMAND "${PALPATE_CLANG}" -std=c++20 -O1 -gline-tables-only -ffp-contract=off -fsanitize=fuzzer,address,undefined
-      -fno-sanitize-recover=all "-I${PROJECT_SOURCE_DIR}" -isystem "${eigen}" ${arg_OPTIONS}
-      -MD -MF "${together}.d" -MT "${program}" "${together}" ${arg_LIBRARIES} -pthread -o "${program}"
-    DEPENDS "${together}" ${arg_SOURCES} DEPFILE "${together}.d"
+    COMMAND ${palpate_fuzz_command} -fsanitize=fuzzer,address,undefined ${arg_OPTIONS}
+      -MT "${program}" "${together}" ${parts} ${arg_LIBRARIES} -pthread -o "${program}"
+    DEPENDS "${together}" ${sources} ${parts} DEPFILE "${together}.d"
     COMMENT "Fuzz target ${arg_NAME}" VERBATIM COMMAND_EXPAND_LISTS)
   add_custom_target("${arg_NAME}" DEPENDS "${program}")
+  foreach (part IN LISTS arg_PARTS)
+    add_dependencies("${arg_NAME}" "${part}")
+  endforeach ()
   palpate_build_apart(palpate_fuzzers "${arg_NAME}")
   if (NOT arg_VARIANTS)
     _palpate_add_fuzz_test("${arg_NAME}")
