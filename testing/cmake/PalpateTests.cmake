@@ -6,6 +6,8 @@
 #   TIMEOUT seconds    default 120; times PALPATE_TIMEOUT_FACTOR where that is set (./dev test --full)
 #   ENVIRONMENT A=b... variables of the test's process
 #   SERIAL             nothing else runs beside it (tests that compare costs)
+#   COST seconds       about how long it takes: ctest starts the longest first, so that no core idles at the end. Default: 20 of gui
+#                      and plugin, 10 of fuzz and filters, 0 of the others
 #   GROUP name         its program is built apart (palpate_build_apart), before the first test of that group
 
 find_package(GTest REQUIRED)
@@ -33,7 +35,7 @@ set(PALPATE_MPI_ENVIRONMENT
 
 # Parses ARGN into arg_*; keeps the defaults in one place.
 macro (_palpate_parse default_label one_value multi_value)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL" "NAME;LABEL;TIMEOUT;GROUP;${one_value}" "ENVIRONMENT;${multi_value}")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL" "NAME;LABEL;TIMEOUT;COST;GROUP;${one_value}" "ENVIRONMENT;${multi_value}")
   if (arg_UNPARSED_ARGUMENTS OR NOT arg_NAME)
     message(FATAL_ERROR "Test '${arg_NAME}': NAME is missing, or these arguments are unknown: ${arg_UNPARSED_ARGUMENTS}")
   endif ()
@@ -46,6 +48,14 @@ macro (_palpate_parse default_label one_value multi_value)
   if (PALPATE_TIMEOUT_FACTOR)
     math(EXPR arg_TIMEOUT "${arg_TIMEOUT} * ${PALPATE_TIMEOUT_FACTOR}")
   endif ()
+  if (NOT arg_COST)
+    set(arg_COST 0)
+    if (arg_LABEL MATCHES "^(gui|plugin)$")
+      set(arg_COST 20)
+    elseif (arg_LABEL MATCHES "^(fuzz|filters)$")
+      set(arg_COST 10)
+    endif ()
+  endif ()
   if (NOT arg_SERIAL)
     set(arg_SERIAL OFF)
   endif ()
@@ -54,7 +64,7 @@ endmacro ()
 
 function (_palpate_set_properties test)
   set_tests_properties("${test}" PROPERTIES
-    LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" RUN_SERIAL "${arg_SERIAL}" ENVIRONMENT "${arg_ENVIRONMENT}")
+    LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" COST "${arg_COST}" RUN_SERIAL "${arg_SERIAL}" ENVIRONMENT "${arg_ENVIRONMENT}")
   if (arg_GROUP)
     set_tests_properties("${test}" PROPERTIES FIXTURES_REQUIRED "${arg_GROUP}")
   endif ()
@@ -62,10 +72,14 @@ endfunction ()
 
 # palpate_build_apart(GROUP target...): targets that only their own tests run. The default target leaves them out; ctest builds
 # the group before the first of its tests (a fixture, which ctest adds to whatever it selects), so that a test never runs an old
-# program. To build them by hand: ninja -C build GROUP.
+# program. To build them by hand: ninja -C build GROUP, or all groups: ninja -C build palpate_apart.
 function (palpate_build_apart group)
+  if (NOT TARGET palpate_apart)
+    add_custom_target(palpate_apart)
+  endif ()
   if (NOT TARGET "${group}")
     add_custom_target("${group}")
+    add_dependencies(palpate_apart "${group}")
     add_test(NAME "build.${group}" COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --target "${group}")
     # The compilers take all cores: nothing else is started beside them.
     set_tests_properties("build.${group}" PROPERTIES FIXTURES_SETUP "${group}" TIMEOUT 3600 RUN_SERIAL ON)
@@ -113,7 +127,7 @@ function (palpate_add_unit_test)
     return ()
   endif ()
   gtest_discover_tests("${arg_NAME}" TEST_PREFIX "${arg_NAME}." TEST_LIST "${arg_NAME}_tests" DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
-    PROPERTIES LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" RUN_SERIAL "${arg_SERIAL}")
+    PROPERTIES LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" COST "${arg_COST}" RUN_SERIAL "${arg_SERIAL}")
   # gtest_discover_tests takes a list apart, so the environment is set in a script that ctest reads after the discovery.
   set(script "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}-environment.cmake")
   file(WRITE "${script}" "foreach (test IN LISTS ${arg_NAME}_tests)
@@ -200,14 +214,44 @@ function (_palpate_add_fuzz_test test)
   _palpate_set_properties("fuzz.${test}")
 endfunction ()
 
+# Sets for its caller: sources, with their paths; together, the one file that includes them, as headers take longest; and
+# palpate_fuzz_command, the compiler with the flags of every fuzz target.
+macro (_palpate_fuzz_together name)
+  set(sources ${arg_SOURCES})
+  list(TRANSFORM sources PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" REGEX "^[^/]")
+  set(together "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  list(TRANSFORM sources REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE includes)
+  list(JOIN includes "" includes)
+  file(GENERATE OUTPUT "${together}" CONTENT "${includes}")
+  get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+  set(palpate_fuzz_command "${PALPATE_CLANG}" -std=c++20 -O1 -gline-tables-only -ffp-contract=off -fno-sanitize-recover=all
+    "-I${PROJECT_SOURCE_DIR}" -isystem "${eigen}" -MD -MF "${together}.d")
+endmacro ()
+
+# palpate_add_fuzz_part(NAME fuzzed-arms SOURCES ...): sources that several fuzz targets share as PARTS fuzzed-arms, compiled once.
+function (palpate_add_fuzz_part)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "SOURCES")
+  find_program(PALPATE_CLANG clang++)
+  if (NOT PALPATE_CLANG)
+    return ()
+  endif ()
+  _palpate_fuzz_together("${arg_NAME}")
+  set(object "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}.o")
+  add_custom_command(OUTPUT "${object}"
+    COMMAND ${palpate_fuzz_command} -fsanitize=fuzzer-no-link,address,undefined -MT "${object}" -c "${together}" -o "${object}"
+    DEPENDS "${together}" ${sources} DEPFILE "${together}.d"
+    COMMENT "Part of fuzz targets ${arg_NAME}" VERBATIM)
+  add_custom_target("${arg_NAME}" DEPENDS "${object}") # those that need one output build it through one target
+endfunction ()
+
 # palpate_add_fuzz_target(NAME fuzz-clean SOURCES FuzzClean.cpp ../../haptics/geometry/mesh/TriangleMesh.cpp CORPUS folder
-#   [OPTIONS flags...] [LIBRARIES flags...] [FULL_RUNS count] [VARIANTS VARIABLE=value...])
+#   [PARTS parts...] [OPTIONS flags...] [LIBRARIES flags...] [FULL_RUNS count] [VARIANTS VARIABLE=value...])
 # A libFuzzer program built by clang++ with its own instrumented copies of SOURCES (the rest of the build may be GCC),
 # compiled at once as their headers take longest, and a ctest that runs it for 8 s, in ./dev test --full for 120 s or
 # FULL_RUNS inputs, from the seeds in CORPUS, which it does not change. With VARIANTS, one such ctest for each, with that
 # in its environment; in the short form they share the 8 s. Label: fuzz.
 function (palpate_add_fuzz_target)
-  _palpate_parse(fuzz "CORPUS;FULL_RUNS" "SOURCES;OPTIONS;LIBRARIES;VARIANTS")
+  _palpate_parse(fuzz "CORPUS;FULL_RUNS" "SOURCES;PARTS;OPTIONS;LIBRARIES;VARIANTS")
   set(arg_GROUP palpate_fuzzers)
   find_program(PALPATE_CLANG clang++)
   if (NOT PALPATE_CLANG)
@@ -225,20 +269,19 @@ function (palpate_add_fuzz_target)
   elseif (PALPATE_TIMEOUT_FACTOR)
     set(extent -max_total_time=120)
   endif ()
-  list(TRANSFORM arg_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" REGEX "^[^/]")
   set(program "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${arg_NAME}")
-  set(together "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}.cpp")
-  list(TRANSFORM arg_SOURCES REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE includes)
-  list(JOIN includes "" includes)
-  file(GENERATE OUTPUT "${together}" CONTENT "${includes}")
-  get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+  _palpate_fuzz_together("${arg_NAME}")
+  set(parts ${arg_PARTS})
+  list(TRANSFORM parts REPLACE "(.+)" "${CMAKE_CURRENT_BINARY_DIR}/\\1.o")
   add_custom_command(OUTPUT "${program}"
-    COMMAND "${PALPATE_CLANG}" -std=c++20 -O1 -gline-tables-only -ffp-contract=off -fsanitize=fuzzer,address,undefined
-      -fno-sanitize-recover=all "-I${PROJECT_SOURCE_DIR}" -isystem "${eigen}" ${arg_OPTIONS}
-      -MD -MF "${together}.d" -MT "${program}" "${together}" ${arg_LIBRARIES} -pthread -o "${program}"
-    DEPENDS "${together}" ${arg_SOURCES} DEPFILE "${together}.d"
+    COMMAND ${palpate_fuzz_command} -fsanitize=fuzzer,address,undefined ${arg_OPTIONS}
+      -MT "${program}" "${together}" ${parts} ${arg_LIBRARIES} -pthread -o "${program}"
+    DEPENDS "${together}" ${sources} ${parts} DEPFILE "${together}.d"
     COMMENT "Fuzz target ${arg_NAME}" VERBATIM COMMAND_EXPAND_LISTS)
   add_custom_target("${arg_NAME}" DEPENDS "${program}")
+  foreach (part IN LISTS arg_PARTS)
+    add_dependencies("${arg_NAME}" "${part}")
+  endforeach ()
   palpate_build_apart(palpate_fuzzers "${arg_NAME}")
   if (NOT arg_VARIANTS)
     _palpate_add_fuzz_test("${arg_NAME}")

@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every experiment's verdicts pass and all charts come.
 
+usage: test_verdicts.py costs     of the experiments of which a verdict compares costs: nothing may run beside them
+       test_verdicts.py others    of all others
+
 At default sizes run all that are short and those of the long ones whose turn it is; the others run at their quick size. With PALPATE_TEST_FULL all run at default sizes.
 """
 
 import json
+import re
 import sys
 import unittest
 
 from charting.tables import read_folder
 from charts import CHARTS
-from lab_runs import LabTest
+from lab_runs import HERE, LabTest
 from turns import in_turn
 
 # 10 s or more each at default sizes.
@@ -21,10 +25,17 @@ LONG = (
     {"speed-accuracy", "tick-cost", "recorded-touch"},
     {"blind-solver"},
 )
+COMPARED = re.compile(r"^(?!.*\b(Cost::of|return Cost)\b).*\b(p50_us|p99_us|quantile_us)\b", re.MULTILINE)
 
 
-class Everything(LabTest):
-    def names(self):
+def compared_costs():
+    """The experiments whose source compares a cost with another, by the name of its file."""
+    files = [path.stem for path in sorted(HERE.glob("experiments/*.cpp")) if COMPARED.search(path.read_text(encoding="utf-8"))]
+    return {re.sub("(?<!^)(?=[A-Z])", "-", stem).lower() for stem in files}
+
+
+class Verdicts(LabTest):
+    def all_names(self):
         return {experiment["name"] for experiment in json.loads(self.lab("list", "--json").stdout)}
 
     def assert_all_verdicts_pass(self, names, *size):
@@ -32,10 +43,10 @@ class Everything(LabTest):
         self.assertEqual(run.returncode, 0, run.stdout)
         self.assertIn("verdicts passed", run.stdout.splitlines()[-1])
 
-    def test_all_verdicts_pass_and_all_charts_are_drawn(self):
-        names = self.names()
-        self.assertLessEqual(set().union(*LONG), names, "a long experiment was renamed")
-        quick = set().union(*LONG) - set().union(*in_turn(LONG, first=0))
+    def run_and_draw(self, names):
+        long = set().union(*LONG)
+        self.assertLessEqual(long, self.all_names(), "a long experiment was renamed")
+        quick = names & long - set().union(*in_turn(LONG, first=0))
         print("at quick sizes:", ", ".join(sorted(quick)) or "none", file=sys.stderr)
         self.assert_all_verdicts_pass(names - quick)
         if quick:
@@ -45,11 +56,24 @@ class Everything(LabTest):
         tables = read_folder(self.folder)
         self.assertEqual(set(tables), names)
         for name, _, _, needs, _ in CHARTS:
+            if not names & set(needs):
+                continue
+            self.assertLessEqual(set(needs), names, f"neither part draws {name}")
             if any(all(row.value is None for row in tables[experiment]) for experiment in needs):
                 continue  # a build without VTK has no gallery of mazes
             self.assertGreater((self.folder / f"{name}.png").stat().st_size, 10000, name)
             self.assertNotIn("nan", (self.folder / f"{name}.svg").read_text(encoding="utf-8").lower(), name)
 
+    def test_all_that_compare_costs_pass(self):
+        names = compared_costs()
+        self.assertIn("tick-cost", names)
+        self.assertLessEqual(names, self.all_names(), "an experiment that compares costs has another name than its file")
+        self.run_and_draw(names)
+
+    def test_all_others_pass(self):
+        self.run_and_draw(self.all_names() - compared_costs())
+
 
 if __name__ == "__main__":
-    unittest.main()
+    TEST = {"costs": "test_all_that_compare_costs_pass", "others": "test_all_others_pass"}[sys.argv.pop(1)]
+    unittest.main(defaultTest=f"Verdicts.{TEST}")
