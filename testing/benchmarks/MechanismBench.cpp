@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "haptics/compliance/wire/WireCompliance.h"
 #include "haptics/contact/GodObject.h"
 #include "haptics/mechanism/found/ContactFinder.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
@@ -16,6 +17,7 @@
 #include "testing/support/MechanismRig.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/NoisySphere.h"
+#include "testing/support/WireScenes.h"
 
 namespace palpate::test
 {
@@ -25,6 +27,8 @@ namespace
 /// Ticks of a point on a rigid surface that one of each may be: twice the number seen. A needle that the hand turns is
 /// solved some five times a tick, until its constraints are met on the finite turn.
 constexpr double mostOfTurned = 31.0, mostOfNeedle = 13.0, mostOfBlock = 125.0, mostOfSliding = 42.0;
+/// Likewise for the stiffness, factor and compliance of wires.
+constexpr double mostOfWire = 45.0, mostOfLongWire = 140.0;
 /// Ticks of a ball on tissue that one beside a bone may be, and answers: twice the numbers seen.
 constexpr double mostBeside = 2.5, mostAnswersBeside = 20.0;
 
@@ -250,6 +254,33 @@ bool tellBeside(int ticks)
   return ratio <= mostBeside && answers <= mostAnswersBeside;
 }
 
+/// Stiffness, factor and compliance between contacts of a wire that is bent at rest, as a tick needs them.
+Seen wire(int ticks, int beams, int contacts)
+{
+  WireRig rig(arcPoints(beams, 50.0, 2.0), PinnedColumn::section());
+  rig.loads.held[0] = WireLoads::clamped;
+  std::vector<WireTouch> touches;
+  for (int i = 0; i < contacts; ++i)
+  {
+    touches.push_back({ beams * (i + 1) / contacts - 1, 0.5, Vec3(0.0, 0.25, 0.0) });
+  }
+  const auto w = std::make_unique<ContactProblem::Square>(3 * contacts, 3 * contacts);
+  const ProcessorClock clock;
+  CostSample cost(static_cast<std::size_t>(ticks), clock);
+  for (int tick = 0; tick < ticks; ++tick)
+  {
+    cost.time(
+      [&]
+      {
+        (void)rig.newton->linearise(rig.wire, rig.places_W, rig.loads);
+        rig.newton->factor().invert();
+        w->setZero();
+        addWireCompliance(rig.newton->factor(), touches, *w);
+      });
+  }
+  return ended(cost, {});
+}
+
 bool tell(const char* name, const Seen& seen, const Seen& rigid, double mostOfRigid)
 {
   const double ratio = seen.p50_us / rigid.p50_us;
@@ -277,6 +308,8 @@ int main(int argc, char** argv)
   within = tell("the same, its turn free", needle(strokes, 0.0), rigid, mostOfNeedle) && within;
   within = tell("a block that rubs on four springs", block(5000, 0.0), rigid, mostOfBlock) && within;
   within = tell("the same, sliding without end", block(500, 0.6), rigid, mostOfSliding) && within;
+  within = tell("wire of 20 beams with 9 contacts: its rows", wire(5000, 20, 9), rigid, mostOfWire) && within;
+  within = tell("wire of 64 beams with 20 contacts: its rows", wire(2000, 64, 20), rigid, mostOfLongWire) && within;
   within = tellBeside(6000) && within;
   return within || !withAssertions ? 0 : 1;
 }

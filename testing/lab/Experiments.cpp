@@ -172,6 +172,14 @@ std::vector<Experiment> softExperiments()
       runMaterialsLarge },
     { "mapping", "forces go back by the transpose of the map, or a hand gets torque and energy for nothing", { 77 },
       runMapping },
+    { "wire", "a wire that bends far, rolls up, buckles and is turned in a tube; a linear beam goes 3.3 lengths aside",
+      { 75 }, runWire },
+    { "capstan", "a limp wire slides round a drum: the tension of each corner, and the exponential it goes to", {},
+      runCapstan },
+    { "stretch-transition", "a hand pulls a slack wire taut: felt in the tick, and not noticed by packets", { 76 },
+      runStretchTransition },
+    { "wire-packets", "a wire is pushed into a bent tube: whole in each tick, or as packets of another rate", { 43 },
+      runWirePackets },
   };
 }
 

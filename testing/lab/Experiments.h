@@ -74,5 +74,9 @@ void runMechanismMethods(const Conditions& conditions, Table& table);
 void runDirectCoupling(const Conditions& conditions, Table& table);
 void runMaterialsLarge(const Conditions& conditions, Table& table);
 void runMapping(const Conditions& conditions, Table& table);
+void runWire(const Conditions& conditions, Table& table);
+void runCapstan(const Conditions& conditions, Table& table);
+void runStretchTransition(const Conditions& conditions, Table& table);
+void runWirePackets(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab

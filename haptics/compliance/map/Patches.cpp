@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 
+#include "haptics/core/CrossMatrix.h"
+
 namespace palpate
 {
 namespace
@@ -96,13 +98,6 @@ Weights weightsAround(const BorderFaces& border, const Vec3& center_W, std::uint
     weight /= sum;
   }
   return weights;
-}
-
-Mat3 crossMatrix(const Vec3& v)
-{
-  Mat3 m;
-  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return m;
 }
 
 } // namespace
