@@ -11,8 +11,9 @@
 namespace palpate
 {
 
-/// A contact of a rigid mesh with a soft body, or with a mesh that stands, that nobody has named: the mesh's point
-/// stays on the outer side of the plane through the other body's.
+/// A contact of a rigid mesh with a soft body, or with another mesh, that nobody has named: the mesh's point stays on
+/// the outer side of the plane through the other body's. The plane is in the other body's frame, which is W but for a
+/// body that moves.
 struct FoundContact
 {
   static constexpr double alike = 0.9; ///< cosine between the normals of contacts that press in much the same direction

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "haptics/core/Types.h"
+#include "haptics/mechanism/BodyMass.h"
 
 namespace palpate
 {
@@ -19,7 +20,7 @@ enum class MechanismBodyKind : std::uint8_t
 {
   Held,  ///< rigid and in the hand: its frame is the hand's, turned by pose_W.q; its rod runs from the origin along +z
          ///< to its tip, or its mesh is given in that frame
-  Rigid, ///< rests on others, or is joined to them; its frame has its centre as origin
+  Rigid, ///< rests on others, or is joined to them, or is loose: with a mass; its frame has its centre as origin
   Soft,  ///< a soft body of the session, by its name; its frame is W, in which it is at rest
   World, ///< does not move; its frame is W; it may have a mesh
 };
@@ -29,13 +30,15 @@ struct MechanismBody
 {
   std::string name;
   MechanismBodyKind kind = MechanismBodyKind::World;
-  double length_u = 0.0;                    ///< of a held rod
-  double diameter_u = 0.0;                  ///< likewise
-  std::shared_ptr<const SidedSurface> mesh; ///< of a held body in place of a rod, or of one that does not move; or null
-  Vec3 halfSize_u = Vec3::Zero();           ///< of a rigid box, along its own axes
-  Pose pose_W;                              ///< where a rigid one is at first; how a held one is turned in the hand
-  Vec3 load_W = Vec3::Zero();               ///< on a rigid one's centre, its weight say [N]
-  std::optional<double> friction;           ///< Coulomb's, of a mesh that does not move; none: Mechanism::foundFriction
+  double length_u = 0.0;   ///< of a held rod
+  double diameter_u = 0.0; ///< likewise
+  std::shared_ptr<const SidedSurface>
+    mesh; ///< of a held body in place of a rod, of one that does not move, of one that is loose; or null
+  Vec3 halfSize_u = Vec3::Zero(); ///< of a rigid box, along its own axes
+  Pose pose_W;                    ///< where a rigid one is at first; how a held one is turned in the hand
+  Vec3 load_W = Vec3::Zero();     ///< on a rigid one's centre, its weight say [N]
+  BodyMass mass;                  ///< of a rigid one that is loose: giveMass()
+  std::optional<double> friction; ///< Coulomb's, of a mesh that does not move; none: Mechanism::foundFriction
 };
 
 /// How two bodies are joined (docs/theory.md, "Constraints between bodies"). A's motion is counted against B's.
@@ -88,7 +91,7 @@ struct Mechanism
 
   std::vector<MechanismBody> bodies;
   std::vector<MechanismConstraint> laws;
-  bool findsContacts = false; ///< of meshes with soft bodies, wherever they meet
+  bool findsContacts = false; ///< of meshes with soft bodies, and of loose ones with meshes, wherever they meet
   double foundFriction = 0.0; ///< Coulomb's coefficient there, but at meshes that have their own
   bool beginsApart = false;   ///< a soft body that lies in a mesh at rest is a fault: else both are pushed apart
 };
@@ -99,6 +102,9 @@ struct Mechanism
 [[nodiscard]] const char* nameOf(MechanismBodyKind kind) noexcept;
 /// How many rows a constraint has where it has most.
 [[nodiscard]] int mostRowsOf(ConstraintKind kind) noexcept;
+
+/// Whether a body has a mass: it moves by the forces on it, where others are at rest in each tick.
+[[nodiscard]] bool isLoose(const MechanismBody& body) noexcept;
 
 /// Coulomb's coefficient of the contacts that are found at the mesh of a body.
 [[nodiscard]] double foundFrictionOf(const Mechanism& mechanism, const MechanismBody& body) noexcept;

@@ -18,7 +18,14 @@ struct PlannedBody
   double length_u = 0.0;
   Pose pose_W;
   Vec3 load_W = Vec3::Zero();
+  BodyMass mass; ///< of a rigid one that is loose
 };
+
+/// Whether a body has a mass, so that it moves by the forces on it.
+[[nodiscard]] inline bool isLoose(const PlannedBody& body) noexcept
+{
+  return body.kind == MechanismBodyKind::Rigid && body.mass.mass_Ns2_per_u > 0.0;
+}
 
 /// A constraint as the tick knows it: numbers in place of names.
 struct PlannedConstraint
@@ -45,8 +52,9 @@ struct PlannedConstraint
 /// The plan of the tick. Immutable; of fixed size, so that a mailbox or a triple buffer carries it, and a recording.
 struct MechanismPlan
 {
-  std::uint64_t revision = 0;    ///< another for each that is handed on; above 0
-  double characteristic_u = 1.0; ///< rotations are measured by the displacement of its end
+  std::uint64_t revision = 0;                         ///< another for each that is handed on; above 0
+  double characteristic_u = 1.0;                      ///< rotations are measured by the displacement of its end
+  double farthest_u = MechanismConstraint::unlimited; ///< so far a loose body goes from where it began, then it sleeps
   int bodyCount = 0;
   int lawCount = 0;
   int held = -1; ///< which body is in the hand; -1: none

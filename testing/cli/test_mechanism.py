@@ -245,6 +245,47 @@ class Mechanism(CommandLineTest):
             self.refused("check", scene, saying=words)
             self.refused("touch", scene, "--path", "path.csv", "--csv", "out.csv", saying=words)
 
+    def stone(self, change=lambda scene: None):
+        shutil.copy(SCENES / "stone.obj", self.folder)
+        return self.spatula(change, "stone.json")
+
+    def test_a_stone_is_pushed_over_a_table_against_its_friction(self):
+        """A slow hand feels mu m g; the mass is that of the stone's volume, by tetrahedra to the origin of its file."""
+        friction, density = 0.3, 2600
+        lines = [line.split() for line in (SCENES / "stone.obj").read_text().splitlines()]
+        at = [tuple(map(float, line[1:])) for line in lines if line[0] == "v"]
+        faces = [[at[int(i) - 1] for i in line[1:]] for line in lines if line[0] == "f"]
+        volume = sum(ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
+                     for (ax, ay, az), (bx, by, bz), (cx, cy, cz) in faces) / 6e9
+        mass = density * abs(volume)
+        check = json.loads(self.succeed("check", self.stone(), "--json").stdout)
+        (loose,) = check["loose"]
+        self.assertEqual(loose["name"], "stone")
+        self.assertAlmostEqual(loose["mass_kg"], mass, delta=1e-6 * mass)
+        self.assertAlmostEqual(loose["density_kg_per_m3"], density, delta=1e-6 * density)
+        self.assertRegex(self.succeed("check", self.stone()).stdout, r"stone is loose: 0\.0\d+ kg at 2600 kg/m\^3")
+        ways = [(0, -10, 0.02 * i) for i in range(2500)]
+        rows, said = self.touch(self.stone(), ways, "--stiffness", 2000, "--scale", 1000, "--torque-stiffness", 20)
+        self.assertTrue(all(row["force_z"] == 0 for row in rows[:500]), "nothing is met yet")
+        mean = sum(row["force_z"] for row in rows[-500:]) / 500
+        self.assertAlmostEqual(-mean, friction * mass * 9.81, delta=0.05 * friction * mass * 9.81)
+        self.assertNotIn("in one another", said)
+
+    def test_a_loose_body_without_a_mass_is_refused_by_its_density(self):
+        self.write_path([(0, 0, 0, 0)])
+        self.write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+
+        def stone(**values):
+            return lambda scene: scene["bodies"][1].update(values)
+
+        cases = ((stone(density=0), ("density", "above 0")),
+                 (lambda scene: scene["bodies"][1].pop("density"), ("density", "missing")),
+                 (stone(file="open.obj"), ("open.obj", "open: 3", "density")))
+        for change, words in cases:
+            scene = self.stone(change)
+            self.refused("check", scene, saying=words)
+            self.refused("touch", scene, "--path", "path.csv", "--csv", "out.csv", saying=words)
+
     def test_what_cannot_be_felt_is_refused_in_words(self):
         lever = json.loads((SCENES / "lever.json").read_text())
         self.write_path([(0, 0, 0, 0)])

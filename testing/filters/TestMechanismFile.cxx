@@ -153,12 +153,54 @@ TEST(MechanismFile, ABodysFileIsLookedForBesideTheSceneFileAndAProblemNamesTheSc
   std::filesystem::remove_all(folder);
 }
 
-TEST(MechanismFile, AnyBytesAreAMechanismOrOneLineThatSaysWhyNot)
+namespace
 {
-  const std::string start = with(
+/// The whole file without its soft body, which takes long to read, and with a loose one in its place.
+std::string looseFile()
+{
+  const std::string load = "\"load_N\": [0, 0, -0.5]", head = "\"unit_m\": 0.001,";
+  std::string text = with(
     R"({ "name": "wall", "kind": "soft", "box": [40, 40, 10], "at": [0, 0, -5], "edge": 10, "fixed": "zmin",
       "young_Pa": 50000, "poisson": 0.3, "model": "linear" },)",
     "");
+  text.replace(text.find(load), load.size(), load + ", \"density\": 2500");
+  return text.replace(text.find(head), head.size(), head + " \"gravity\": [0, 0, -9.81],");
+}
+} // namespace
+
+TEST(MechanismFile, ADensityGivesABoxTheMassAndTheWeightOfItsVolume)
+{
+  const vtkHapticMechanismResult read = vtkHapticParseMechanism(looseFile(), ".");
+  ASSERT_TRUE(read.Inputs) << read.Problem;
+  const MechanismBody& plate = read.Inputs->mechanism.bodies[1];
+  const double mass_kg = 2500.0 * 0.010 * 0.010 * 0.002;
+  EXPECT_TRUE(isLoose(plate));
+  EXPECT_NEAR(plate.mass.mass_Ns2_per_u, mass_kg * 0.001, 1e-12 * mass_kg);
+  EXPECT_NEAR(plate.load_W.z(), -0.5 - 9.81 * mass_kg, 1e-12);
+  EXPECT_EQ(plate.pose_W.p, Vec3(1, 2, 3));
+  const vtkHapticMechanismResult light = vtkHapticParseMechanism(whole, ".");
+  EXPECT_FALSE(isLoose(light.Inputs->mechanism.bodies[2])) << "without density it is at rest in each tick";
+  EXPECT_EQ(light.Inputs->mechanism.bodies[2].mesh, nullptr);
+}
+
+TEST(MechanismFile, AMassThatIsNoneIsRefusedByItsDensity)
+{
+  const auto changed = [](const std::string& from, const std::string& to)
+  {
+    std::string text = looseFile();
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const std::string density = "\"density\": 2500";
+  EXPECT_THAT(problemOf(changed(density, "\"density\": 0")), HasSubstr("bodies[1].density: must be above 0"));
+  EXPECT_THAT(problemOf(changed(density, "\"density\": \"heavy\"")), HasSubstr("bodies[1].density: must be a finite"));
+  EXPECT_THAT(problemOf(changed("[5, 5, 1]", "[5, 5, 0]")), HasSubstr("bodies[1].density: gives no mass"));
+  EXPECT_THAT(problemOf(changed(", " + density, "")), HasSubstr("gravity: acts on bodies with a \"density\""));
+  EXPECT_THAT(problemOf(changed("\"length\": 150", "\"density\": 1")), HasSubstr("bodies[0].density: unknown key"));
+}
+
+TEST(MechanismFile, AnyBytesAreAMechanismOrOneLineThatSaysWhyNot)
+{
+  const std::string start = looseFile();
   const std::uint64_t seed = testSeed(20);
   Random random(seed);
   const std::size_t count = testCount(20000);

@@ -27,9 +27,18 @@ int vtkHapticCliCheckMechanism(const vtkHapticCliCheckOptions& options)
   const palpate::MechanismCheck& check = touch->check();
   if (options.Json)
   {
-    const nlohmann::ordered_json described{ { "file", file }, { "touchable", true }, { "rows", check.rows },
+    nlohmann::ordered_json described{ { "file", file }, { "touchable", true }, { "rows", check.rows },
       { "rank", check.rank }, { "free_turns", check.freeTurns }, { "condition", check.condition },
       { "redundant", check.redundant }, { "free", check.free }, { "remarks", check.remarks } };
+    for (const palpate::MechanismBody& body : read.Inputs->mechanism.bodies)
+    {
+      if (palpate::isLoose(body))
+      {
+        const vtkHapticLooseMass mass = vtkHapticMassOf(body, read.Inputs->unit_m);
+        described["loose"].push_back(
+          { { "name", body.name }, { "mass_kg", mass.Mass_kg }, { "density_kg_per_m3", mass.Density_kg_per_m3 } });
+      }
+    }
     std::cout << described.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
     return 0;
   }

@@ -89,7 +89,9 @@ vtkSmartPointer<vtkPolyData> BorderOf(vtkUnstructuredGrid& grid)
 vtkSmartPointer<vtkPolyData> ShapeOf(const palpate::MechanismBody& body, vtkUnstructuredGrid* grid)
 {
   using enum palpate::MechanismBodyKind;
+  const bool loose = body.kind == Rigid && body.mesh;
   return body.kind == Held    ? Placed(*vtkHapticHeldShape(body), body)
+         : loose              ? Placed(*vtkHapticToPolyData(body.mesh->rightHanded()), body)
          : body.mesh          ? vtkHapticToPolyData(body.mesh->rightHanded())
          : body.kind == Rigid ? BoxOf(body)
          : grid               ? BorderOf(*grid)
@@ -224,6 +226,13 @@ vtkHapticMechanismResult vtkHapticToMechanism(vtkDataObject& data)
   return vtkHapticParseMechanism(vtkHapticMechanismFileOf(data), vtkHapticMechanismFolderOf(data));
 }
 
+vtkHapticLooseMass vtkHapticMassOf(const palpate::MechanismBody& body, double unit_m)
+{
+  const double mass_kg = body.mass.mass_Ns2_per_u / unit_m;
+  const double volume_u3 = body.mesh ? palpate::enclosedBy(body.mesh->rightHanded()).volume_u3 : 0.0;
+  return { mass_kg, volume_u3 > 0.0 ? mass_kg / (volume_u3 * unit_m * unit_m * unit_m) : 0.0 };
+}
+
 std::vector<std::string> vtkHapticMechanismText(
   const palpate::MechanismInputs& inputs, const palpate::MechanismCheck& check)
 {
@@ -236,6 +245,16 @@ std::vector<std::string> vtkHapticMechanismText(
   {
     lines.push_back(
       "contacts are found, at most " + std::to_string(palpate::roomForFound(inputs.mechanism)) + " at once");
+  }
+  for (const palpate::MechanismBody& body : inputs.mechanism.bodies)
+  {
+    if (palpate::isLoose(body) && body.mesh)
+    {
+      const vtkHapticLooseMass mass = vtkHapticMassOf(body, inputs.unit_m);
+      std::ostringstream text;
+      text << body.name << " is loose: " << mass.Mass_kg << " kg at " << mass.Density_kg_per_m3 << " kg/m^3";
+      lines.push_back(text.str());
+    }
   }
   lines.insert(lines.end(), check.remarks.begin(), check.remarks.end());
   return lines;

@@ -49,6 +49,15 @@ VTKHAPTICPIPELINE_EXPORT void vtkHapticSetOfServer(vtkDataObject& data);
 /// The mechanism that data describe.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticMechanismResult vtkHapticToMechanism(vtkDataObject& data);
 
+/// Of a loose body.
+struct vtkHapticLooseMass
+{
+  double Mass_kg = 0.0;
+  double Density_kg_per_m3 = 0.0;
+};
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticLooseMass vtkHapticMassOf(
+  const palpate::MechanismBody& body, double unit_m);
+
 /// Properties of a mechanism, a line each.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<std::string> vtkHapticMechanismText(
   const palpate::MechanismInputs& inputs, const palpate::MechanismCheck& check);

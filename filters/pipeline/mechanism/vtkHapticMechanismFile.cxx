@@ -7,9 +7,12 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
+#include <map>
 
 #include "haptics/compliance/material/ElasticLaw.h"
 #include "haptics/core/JsonNode.h"
+#include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/found/SidedSurface.h"
 #include "vtkHapticBodyFile.h"
 #include "vtkHapticJson.h"
 #include "vtkHapticMechanismBodies.h"
@@ -63,7 +66,63 @@ vtkHapticSoftDescription SoftOf(const Node& node, double unit_m)
   return soft;
 }
 
-palpate::MechanismBody BodyOf(const Node& node, const std::string& folder)
+/// The folder, the unit and the gravity of all bodies of a file.
+struct Surroundings
+{
+  std::string folder;
+  double unit_m = 1.0;
+  palpate::Vec3 gravity_m_per_s2{ 0.0, 0.0, -9.81 };
+};
+
+/// A box that stands: the mesh of its surface, where it stands.
+std::shared_ptr<const palpate::SidedSurface> StandingBox(const Node& node, const palpate::MechanismBody& body)
+{
+  const palpate::Pose pose_W{ node.vector("at", palpate::Vec3::Zero()), body.pose_W.q };
+  palpate::TriangleMesh box = palpate::boxOf(body.halfSize_u);
+  for (palpate::Vec3& p : box.vertices_W)
+  {
+    p = pose_W * p;
+  }
+  const auto made = palpate::makeRigidMesh(box);
+  node.accept("half_size", made.problem);
+  return made.value;
+}
+
+/// A mesh, or the box in place of one. An open mesh has no volume.
+void ReadMesh(const Node& node, const Surroundings& around, palpate::MechanismBody& body)
+{
+  if (!node.has("file"))
+  {
+    return;
+  }
+  if (node.has("half_size"))
+  {
+    node.fail("file", "a body has either a \"file\" or a \"half_size\"");
+  }
+  if (body.kind == palpate::MechanismBodyKind::Rigid && !node.has("density"))
+  {
+    node.fail("density", "this key is missing: a rigid mesh is loose, and needs a density [kg/m^3]");
+  }
+  const auto read = vtkHapticReadRigidMesh(node.text("file", ""), around.folder);
+  const bool loose = body.kind == palpate::MechanismBodyKind::Rigid;
+  node.accept("file", read.ok() || !loose ? read.problem : read.problem + ", so that its density gives a mass");
+  body.mesh = read.value;
+}
+
+/// The origin of the body's frame in that of its file.
+palpate::Vec3 ReadMass(const Node& node, const Surroundings& around, palpate::MechanismBody& body)
+{
+  if (!node.has("density"))
+  {
+    return palpate::Vec3::Zero();
+  }
+  const palpate::MassGiven given = palpate::giveMass(body, node.number("density", 0.0), around.unit_m);
+  node.accept("density", given.refusal);
+  body.load_W += body.mass.mass_Ns2_per_u / around.unit_m * around.gravity_m_per_s2;
+  return given.centre_u;
+}
+
+palpate::MechanismBody BodyOf(const Node& node, const Surroundings& around, palpate::Vec3& centre_u)
 {
   using enum palpate::MechanismBodyKind;
   palpate::MechanismBody body;
@@ -75,14 +134,14 @@ palpate::MechanismBody BodyOf(const Node& node, const std::string& folder)
       node.knows({ "name", "kind", "file", "length", "diameter", "turn" });
       break;
     case Rigid:
-      node.knows({ "name", "kind", "half_size", "at", "turn", "load_N" });
+      node.knows({ "name", "kind", "file", "half_size", "at", "turn", "load_N", "density" });
       break;
     case Soft:
       node.knows(
         { "name", "kind", "file", "box", "at", "edge", "fixed", "young_Pa", "poisson", "model", "tip_diameter" });
       break;
     case World:
-      node.knows({ "name", "kind", "file" });
+      node.knows({ "name", "kind", "file", "half_size", "at", "turn" });
       break;
   }
   body.length_u = node.number("length", 0.0);
@@ -90,15 +149,20 @@ palpate::MechanismBody BodyOf(const Node& node, const std::string& folder)
   body.halfSize_u = node.vector("half_size", palpate::Vec3::Zero());
   body.load_W = node.vector("load_N", palpate::Vec3::Zero());
   body.pose_W.q = node.turn("turn");
-  if ((body.kind == Held || body.kind == World) && node.has("file"))
+  if (body.kind != Soft)
   {
-    const auto read = vtkHapticReadRigidMesh(node.text("file", ""), folder);
-    node.accept("file", read.problem);
-    body.mesh = read.value;
+    ReadMesh(node, around, body);
+  }
+  if (body.kind == World && node.has("half_size"))
+  {
+    body.mesh = StandingBox(node, body);
+    body.halfSize_u.setZero();
+    body.pose_W = {};
   }
   if (body.kind == Rigid)
   {
     body.pose_W.p = node.vector("at", palpate::Vec3::Zero());
+    centre_u = ReadMass(node, around, body);
   }
   return body;
 }
@@ -136,7 +200,7 @@ palpate::MechanismConstraint ConstraintOf(const Node& node, double unit_m)
 
 void CheckHead(const Node& root)
 {
-  root.knows({ "format", "version", "unit_m", "bodies", "laws", "contacts", "friction" });
+  root.knows({ "format", "version", "unit_m", "bodies", "laws", "contacts", "friction", "gravity" });
   palpate::checkHead(root, Format, Version);
 }
 
@@ -170,6 +234,13 @@ void PressByHeld(palpate::MechanismInputs& inputs)
   }
 }
 
+/// Points are given in the frame of a body's file, whose origin is not the centre of a loose mesh.
+palpate::Vec3 CentreOf(const std::map<std::string, palpate::Vec3>& centres_u, const std::string& body)
+{
+  const auto found = centres_u.find(body);
+  return found != centres_u.end() ? found->second : palpate::Vec3(palpate::Vec3::Zero());
+}
+
 vtkHapticMechanismResult Build(
   const Node& root, const std::string& folder, const std::vector<palpate::MechanismSoftInput>& read)
 {
@@ -181,9 +252,13 @@ vtkHapticMechanismResult Build(
   {
     root.fail("unit_m", "must be a number of metres from 1e-12 to 1e6");
   }
+  const Surroundings around{ folder, inputs->unit_m, root.vector("gravity", Surroundings().gravity_m_per_s2) };
+  std::map<std::string, palpate::Vec3> centres_u;
   for (const Node& node : root.list("bodies"))
   {
-    inputs->mechanism.bodies.push_back(BodyOf(node, folder));
+    palpate::Vec3 centre_u = palpate::Vec3::Zero();
+    inputs->mechanism.bodies.push_back(BodyOf(node, around, centre_u));
+    centres_u[inputs->mechanism.bodies.back().name] = centre_u;
     const palpate::MechanismBody& body = inputs->mechanism.bodies.back();
     if (body.kind != palpate::MechanismBodyKind::Soft || !read.empty())
     {
@@ -201,10 +276,16 @@ vtkHapticMechanismResult Build(
   inputs->soft = read.empty() ? inputs->soft : read;
   PressByHeld(*inputs);
   FindContacts(root, inputs->mechanism);
+  if (root.has("gravity") && std::ranges::none_of(inputs->mechanism.bodies, [](const auto& b) { return isLoose(b); }))
+  {
+    root.fail("gravity", "acts on bodies with a \"density\", and there are none: give one, or set \"load_N\"");
+  }
   for (const Node& node :
     inputs->mechanism.findsContacts && !root.has("laws") ? std::vector<Node>() : root.list("laws"))
   {
-    inputs->mechanism.laws.push_back(ConstraintOf(node, inputs->unit_m));
+    palpate::MechanismConstraint& law = inputs->mechanism.laws.emplace_back(ConstraintOf(node, inputs->unit_m));
+    law.point_A -= CentreOf(centres_u, law.a);
+    law.point_B -= CentreOf(centres_u, law.b);
   }
   result.Inputs = inputs;
   return result;

@@ -246,6 +246,7 @@ public:
   std::span<const Pose> pose_W; ///< none: bodies are as they stand, and nothing is held
   bool meshes = false;          ///< a held mesh is looked at as well
   bool worlds = false;          ///< so is one that stands
+  bool watched = false;         ///< in each tick: loose ones are left out, whose contacts are found
 
 private:
   template<class With>
@@ -258,7 +259,7 @@ private:
     switch (body.kind)
     {
       case MechanismBodyKind::Rigid:
-        return with(body);
+        return isLoose(body) && body.mesh ? !this->watched && with(standing(*body.mesh, body.pose_W)) : with(body);
       case MechanismBodyKind::Soft:
         return soft && soft->body && with(*soft->body);
       case MechanismBodyKind::Held:
@@ -326,6 +327,7 @@ const std::vector<BodyPair>& OverlapWatch::look(const Mechanism& mechanism, std:
 {
   Looked looked(mechanism, soft);
   looked.pose_W = pose_W;
+  looked.watched = true;
   const auto isSoft = [&mechanism](std::size_t b) { return mechanism.bodies[b].kind == MechanismBodyKind::Soft; };
   std::vector<std::uint64_t> computed;
   for (const MechanismSoft& body : soft)

@@ -49,7 +49,8 @@ public:
       this->laws_[l].place_B = this->plan_.laws[l].place_B;
     }
     const Pose hand_W = this->plan_.held >= 0 ? this->pose_W_[this->plan_.held] : Pose();
-    const ConstraintScene scene{ this->plan_, this->soft_, this->pose_W_, this->laws_, hand_W };
+    this->yieldLoose();
+    const ConstraintScene scene{ this->plan_, this->soft_, this->pose_W_, this->laws_, hand_W, this->loose_ };
     makeRows(scene, *this->rows_);
     assembleConstraints(scene, *this->rows_, grip, yieldOfHeld(scene, *this->rows_, grip), *this->problem_);
     const Eigen::MatrixXd along = this->problem_->along;
@@ -77,6 +78,20 @@ public:
   }
 
 private:
+  /// As they yield in a usual tick.
+  void yieldLoose()
+  {
+    constexpr double usualTick_s = 1e-3;
+    for (int b = 0; b < this->plan_.bodyCount; ++b)
+    {
+      if (isLoose(this->plan_.bodies[b]))
+      {
+        this->loose_[b] =
+          yieldOfLoose(this->plan_.bodies[b], this->pose_W_[b].q, {}, this->plan_.characteristic_u, usualTick_s);
+      }
+    }
+  }
+
   [[nodiscard]] std::vector<int> independent() const
   {
     std::vector<int> rows;
@@ -208,7 +223,9 @@ private:
   {
     for (int b = 0, first = 0; b < this->plan_.bodyCount; first += this->waysOf(b), ++b)
     {
-      if (this->plan_.bodies[b].load_W != Vec3::Zero() && this->problem_->along.middleCols(first, 3).isZero(0.0))
+      const bool rests = this->plan_.bodies[b].kind == MechanismBodyKind::Rigid && !isLoose(this->plan_.bodies[b]);
+      if (rests && this->plan_.bodies[b].load_W != Vec3::Zero() &&
+          this->problem_->along.middleCols(first, 3).isZero(0.0))
       {
         check.faults.push_back("No constraint supports body \"" +
                                this->mechanism_.bodies[static_cast<std::size_t>(b)].name +
@@ -222,7 +239,8 @@ private:
   {
     const MechanismBodyKind kind = this->plan_.bodies[body].kind;
     const bool turns = kind == MechanismBodyKind::Held && !(this->grip_.turning_Nu_per_rad > 0.0);
-    return kind == MechanismBodyKind::Rigid ? 6 : turns ? 3 : 0;
+    const int rests = isLoose(this->plan_.bodies[body]) ? 0 : 6;
+    return kind == MechanismBodyKind::Rigid ? rests : turns ? 3 : 0;
   }
 
   /// Coulomb's forces at points that no compliance separates have no unique answer, and their effect on a body that
@@ -252,10 +270,9 @@ private:
   /// A body that only the balance of forces or moments holds.
   [[nodiscard]] bool isBalanced(const std::string& name) const
   {
-    const MechanismBodyKind kind =
-      this->mechanism_.bodies[static_cast<std::size_t>(bodyNamed(this->mechanism_, name))].kind;
-    return kind == MechanismBodyKind::Rigid ||
-           (kind == MechanismBodyKind::Held && !(this->grip_.turning_Nu_per_rad > 0.0));
+    const MechanismBody& body = this->mechanism_.bodies[static_cast<std::size_t>(bodyNamed(this->mechanism_, name))];
+    return (body.kind == MechanismBodyKind::Rigid && !isLoose(body)) ||
+           (body.kind == MechanismBodyKind::Held && !(this->grip_.turning_Nu_per_rad > 0.0));
   }
 
   /// A rod that turns freely stands on its tip like a strut: without friction it falls over.
@@ -276,6 +293,7 @@ private:
   MechanismPlan plan_;
   std::array<Pose, Mechanism::mostBodies> pose_W_{};
   std::array<ConstraintState, Mechanism::mostConstraints> laws_{};
+  std::array<LooseYield, Mechanism::mostBodies> loose_{};
   std::vector<const PressedBody*> soft_;
   std::unique_ptr<ConstraintRows> rows_ = std::make_unique<ConstraintRows>();
   std::unique_ptr<ConstraintProblem> problem_ = std::make_unique<ConstraintProblem>();
@@ -291,8 +309,9 @@ void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> sof
   { return mechanism.bodies[static_cast<std::size_t>(bodyNamed(mechanism, name))].mesh != nullptr; };
   for (const auto& [a, b] : check.overlaps)
   {
-    const bool found = softNamed(soft, a) ? isMesh(b) : softNamed(soft, b) && isMesh(a);
-    if (found && mechanism.beginsApart)
+    const bool pushed = softNamed(soft, a) ? isMesh(b) : softNamed(soft, b) && isMesh(a);
+    const bool loose = mechanism.findsContacts && isMesh(a) && isMesh(b);
+    if (pushed && mechanism.beginsApart)
     {
       const auto& [body, mesh] = softNamed(soft, a) ? std::pair(a, b) : std::pair(b, a);
       check.faults.push_back(
@@ -300,8 +319,9 @@ void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> sof
       continue;
     }
     check.remarks.push_back("Bodies \"" + a + "\" and \"" + b + "\" overlap in the scene file: " +
-                            (found ? "the contacts push them apart at once."
-                                   : "bodies without a constraint between them pass through each other."));
+                            (loose     ? "the contacts push them apart slowly."
+                              : pushed ? "the contacts push them apart at once."
+                                       : "bodies without a constraint between them pass through each other."));
   }
   check.heldOverlaps = overlapsOfHeld(mechanism, soft);
   for (const auto& [a, b] : check.heldOverlaps)
@@ -321,86 +341,17 @@ void tellUnfound(const Mechanism& mechanism, MechanismCheck& check)
   {
     check.remarks.emplace_back("Contacts between two soft bodies are not found: they pass through one another.");
   }
-  if (mechanism.findsContacts && count(MechanismBodyKind::Rigid) > 0)
+  const bool boxes = std::ranges::any_of(
+    mechanism.bodies, [](const MechanismBody& b) { return b.kind == MechanismBodyKind::Rigid && !b.mesh; });
+  if (mechanism.findsContacts && boxes)
   {
     check.remarks.emplace_back(
-      "Contacts with boxes of the kind \"rigid\" are not found: they pass through other bodies "
+      "Contacts with boxes of the kind \"rigid\" that have no density are not found: they pass through other bodies "
       "where no constraint stops them.");
   }
 }
 
-PlannedBody planBody(const MechanismBody& body, std::span<const MechanismSoft> soft)
-{
-  PlannedBody planned;
-  planned.kind = body.kind;
-  planned.length_u = body.length_u;
-  if (body.kind == MechanismBodyKind::Held)
-  {
-    planned.pose_W.q = body.pose_W.q.normalized();
-  }
-  if (body.kind == MechanismBodyKind::Rigid)
-  {
-    planned.pose_W = { body.pose_W.p, body.pose_W.q.normalized() };
-    planned.load_W = body.load_W;
-  }
-  if (body.kind == MechanismBodyKind::Soft)
-  {
-    planned.soft = static_cast<int>(softNamed(soft, body.name) - soft.data());
-  }
-  return planned;
-}
-
-PlannedConstraint planConstraint(
-  const Mechanism& mechanism, const MechanismConstraint& law, std::span<const MechanismSoft> soft)
-{
-  PlannedConstraint planned;
-  planned.kind = law.kind == ConstraintKind::Friction && law.friction == 0.0 ? ConstraintKind::Contact : law.kind;
-  planned.a = bodyNamed(mechanism, law.a);
-  planned.b = bodyNamed(mechanism, law.b);
-  planned.point_A = law.point_A;
-  planned.point_B = law.point_B;
-  planned.axis_A = law.axis_A.normalized();
-  planned.axis_B = law.axis_B.normalized();
-  planned.strength_N = law.strength_N;
-  planned.tear_N = law.tear_N;
-  planned.friction = law.friction;
-  planned.dryFriction_N = law.dryFriction_N;
-  planned.compliance_u_per_N = 1.0 / law.stiffness_N_per_u;
-  planned.rest_u = law.rest_u;
-  planned.least_u = law.least_u;
-  planned.most_u = law.most_u;
-  if (const MechanismSoft* a = softNamed(soft, law.a))
-  {
-    planned.place_A = nearestPlace(*a->body, law.point_A);
-  }
-  if (const MechanismSoft* b = softNamed(soft, law.b))
-  {
-    planned.place_B = nearestPlace(*b->body, law.point_B);
-  }
-  return planned;
-}
-
 } // namespace
-
-MechanismPlan planMechanism(const Mechanism& mechanism, std::span<const MechanismSoft> soft, std::uint64_t revision)
-{
-  MechanismPlan plan;
-  plan.revision = revision;
-  double characteristic_u = 0.0;
-  for (const MechanismBody& body : mechanism.bodies)
-  {
-    plan.held = body.kind == MechanismBodyKind::Held ? plan.bodyCount : plan.held;
-    plan.bodies[plan.bodyCount++] = planBody(body, soft);
-    const double mesh_u = body.mesh ? body.mesh->radius_u : 0.0;
-    characteristic_u = std::max({ characteristic_u, 0.5 * body.length_u, body.halfSize_u.norm(), mesh_u });
-  }
-  for (const MechanismConstraint& law : mechanism.laws)
-  {
-    plan.laws[plan.lawCount++] = planConstraint(mechanism, law, soft);
-  }
-  plan.characteristic_u = characteristic_u > 0.0 ? characteristic_u : 1.0;
-  return plan;
-}
 
 MechanismCheck checkMechanism(
   const Mechanism& mechanism, std::span<const MechanismSoft> soft, const MechanismGrip& grip)

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Cholesky>
+
 #include "haptics/geometry/mesh/NearestOnTriangle.h"
 #include "haptics/geometry/mesh/TriangleWeights.h"
 #include "haptics/mechanism/found/SidedSurface.h"
@@ -85,6 +87,12 @@ private:
       std::ranges::count_if(this->mechanism_.bodies, [kind](const MechanismBody& b) { return b.kind == kind; }));
   }
 
+  [[nodiscard]] std::size_t countLoose() const
+  {
+    return static_cast<std::size_t>(
+      std::ranges::count_if(this->mechanism_.bodies, [](const MechanismBody& b) { return isLoose(b); }));
+  }
+
   void judgeCounts()
   {
     const auto most = [this](std::size_t count, std::size_t most, const std::string& what)
@@ -95,7 +103,7 @@ private:
     most(this->mechanism_.bodies.size(), Mechanism::mostBodies, "bodies");
     most(this->mechanism_.laws.size(), Mechanism::mostConstraints, "laws");
     most(this->countOf(MechanismBodyKind::Held), 1, "bodies in the hand");
-    most(this->countOf(MechanismBodyKind::Rigid), mostRigid, "free rigid bodies");
+    most(this->countOf(MechanismBodyKind::Rigid) - this->countLoose(), mostRigid, "free rigid bodies without density");
     std::size_t rows = 0;
     for (const MechanismConstraint& law : this->mechanism_.laws)
     {
@@ -130,13 +138,26 @@ private:
     this->require(!body.mesh || (body.length_u == 0.0 && body.diameter_u == 0.0),
       name + "is a mesh, and has the size of a rod beside it: give one of the two.");
     this->require(!body.mesh || body.mesh->radius_u <= farthest_u, name + "has a vertex beyond 1e9.");
-    this->require(!body.mesh || this->mechanism_.findsContacts,
+    this->require(!body.mesh || box || this->mechanism_.findsContacts,
       name + "is a mesh that would meet nothing: have its contacts found (\"contacts\": \"found\").");
-    this->require(
-      body.kind != MechanismBodyKind::Rigid || box, name + "has no size: set half sizes above 0 and at most 1e9.");
+    const bool massive = isLoose(body) && body.mesh != nullptr;
+    this->require(body.kind != MechanismBodyKind::Rigid || box || massive,
+      name + "has no size: set half sizes above 0 and at most 1e9.");
     this->require((body.kind != MechanismBodyKind::Rigid && body.kind != MechanismBodyKind::Held) || placed,
       name + "has an invalid pose (beyond 1e9) or load (beyond 1e6 N).");
+    this->judgeMass(body, name);
     this->require(body.kind != MechanismBodyKind::Soft || soft, name + "is missing: no soft body has that name.");
+  }
+
+  void judgeMass(const MechanismBody& body, const std::string& name)
+  {
+    const BodyMass& mass = body.mass;
+    const bool none = mass == BodyMass{};
+    const bool moves = mass.mass_Ns2_per_u > 0.0 && std::isfinite(mass.mass_Ns2_per_u) &&
+                       mass.inertia_N_s2_u.allFinite() && mass.inertia_N_s2_u.llt().info() == Eigen::Success;
+    this->require(none || body.kind == MechanismBodyKind::Rigid,
+      name + "has a density, which only a body of the kind \"rigid\" may have.");
+    this->require(none || moves, name + "has no mass: give it a density above 0, and a volume.");
   }
 
   void judgeConstraint(const MechanismConstraint& law, std::size_t i)
@@ -168,10 +189,10 @@ private:
     const bool mesh =
       std::ranges::any_of(this->mechanism_.bodies, [](const MechanismBody& b) { return b.mesh != nullptr; });
     this->require(mesh,
-      "Contacts are found for a mesh that is held or stands in the world, and no such body has a file: "
+      "Contacts are found for a mesh that is held, is loose or stands in the world, and no such body has a file: "
       "give one, or name the contacts of the rod.");
-    this->require(
-      this->countOf(MechanismBodyKind::Soft) > 0, "Contacts are found with soft bodies, and there are none: add one.");
+    this->require(this->countOf(MechanismBodyKind::Soft) + this->countLoose() > 0,
+      "Contacts are found with soft bodies and loose ones, and there are none: add one.");
     const auto coefficient = [](double friction) { return std::isfinite(friction) && friction >= 0.0; };
     const bool ofBodies = std::ranges::all_of(this->mechanism_.bodies,
       [&](const MechanismBody& body) { return coefficient(foundFrictionOf(this->mechanism_, body)); });
@@ -227,10 +248,11 @@ private:
   void judgePlace(const MechanismBody& body, const Vec3& point, const std::string& name)
   {
     const MechanismSoft* soft = softNamed(this->soft_, body.name);
-    const bool within = body.kind == MechanismBodyKind::Held    ? body.mesh ? onMesh(body, point) : onRod(body, point)
-                           : body.kind == MechanismBodyKind::Rigid ? inBox(body, point)
-                        : body.kind == MechanismBodyKind::Soft  ? !soft || !soft->body || onSurface(*soft->body, point)
-                                                                : true;
+    const bool within = body.kind == MechanismBodyKind::Held ? body.mesh ? onMesh(body, point) : onRod(body, point)
+                        : body.kind == MechanismBodyKind::Rigid
+                          ? (body.halfSize_u.isZero(0.0) ? body.mesh && onMesh(body, point) : inBox(body, point))
+                        : body.kind == MechanismBodyKind::Soft ? !soft || !soft->body || onSurface(*soft->body, point)
+                                                               : true;
     this->require(within, name + "lies outside of \"" + body.name + "\": move its point onto the body.");
   }
 

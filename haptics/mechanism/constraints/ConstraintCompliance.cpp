@@ -20,7 +20,8 @@ FreeWays waysOf(const MechanismPlan& plan, const MechanismGrip& grip, int body) 
   {
     const MechanismBodyKind kind = plan.bodies[b].kind;
     const int turns = grip.turning_Nu_per_rad > 0.0 ? 0 : 3;
-    return kind == MechanismBodyKind::Rigid ? 6 : kind == MechanismBodyKind::Held ? turns : 0;
+    const int rests = isLoose(plan.bodies[b]) ? 0 : 6;
+    return kind == MechanismBodyKind::Rigid ? rests : kind == MechanismBodyKind::Held ? turns : 0;
   };
   FreeWays ways{ 0, countOf(body) };
   for (int b = 0; b < body; ++b)
@@ -104,6 +105,38 @@ void addHeld(
   }
 }
 
+/// Of rows with Coulomb's friction, of the compliance by their loose bodies: a body that stands on more places than it
+/// has degrees of freedom shares its weight between them evenly.
+constexpr double evenly = 1e-3;
+
+/// Of a loose body: by its inertia it yields to a row's force in a tick like a spring.
+void addLoose(const ConstraintScene& scene, const ConstraintRows& rows, int body, ConstraintProblem& problem) noexcept
+{
+  const LooseYield& yield = scene.loose[static_cast<std::size_t>(body)];
+  std::array<Vec6, ConstraintRows::most> j;
+  std::array<int, ConstraintRows::most> own{};
+  int count = 0;
+  for (int i = 0; i < rows.count; ++i)
+  {
+    const auto& [a, b] = rows.ends[rows.rows[i].law];
+    if (a.body != body && b.body != body)
+    {
+      continue;
+    }
+    j[count] = jacobianOf(scene, rows, rows.rows[i], a.body == body ? 0 : 1);
+    own[count] = i;
+    problem.free[i] += j[count].dot(yield.back_u);
+    const Vec6 goes = yield.compliance * j[count];
+    for (int k = 0; k <= count; ++k)
+    {
+      problem.compliance(i, own[k]) += goes.dot(j[k]);
+    }
+    const bool rubs = i >= rows.count - 3 * rows.cones;
+    problem.compliance(i, i) += rubs ? evenly * goes.dot(j[count]) : 0.0;
+    ++count;
+  }
+}
+
 void addWays(const ConstraintScene& scene, const ConstraintRows& rows, const MechanismGrip& grip,
   ConstraintProblem& problem) noexcept
 {
@@ -123,7 +156,7 @@ void addWays(const ConstraintScene& scene, const ConstraintRows& rows, const Mec
   problem.load.setZero();
   for (int b = 0; b < scene.plan.bodyCount; ++b)
   {
-    if (scene.plan.bodies[b].kind == MechanismBodyKind::Rigid)
+    if (scene.plan.bodies[b].kind == MechanismBodyKind::Rigid && !isLoose(scene.plan.bodies[b]))
     {
       problem.load.segment<3>(waysOf(scene.plan, grip, b).first) = scene.plan.bodies[b].load_W;
     }
@@ -173,6 +206,13 @@ void assembleConstraints(const ConstraintScene& scene, const ConstraintRows& row
   problem.friction = rows.friction;
   problem.yield_u_per_N = 1.0 / grip.coupling_N_per_u;
   addHeld(scene, rows, held, problem);
+  for (int b = 0; b < static_cast<int>(scene.loose.size()); ++b)
+  {
+    if (isLoose(scene.plan.bodies[b]))
+    {
+      addLoose(scene, rows, b, problem);
+    }
+  }
   addSoft(scene, rows, problem);
   for (int i = 0; i < rows.count; ++i)
   {
@@ -223,6 +263,11 @@ Vec6 motionOf(const ConstraintScene& scene, const ConstraintRows& rows, const Me
   if (body == scene.plan.held)
   {
     motion = held.compliance * pressOn(scene, rows, forces, body) + held.back_u;
+  }
+  if (!scene.loose.empty() && isLoose(scene.plan.bodies[body]))
+  {
+    const LooseYield& yield = scene.loose[static_cast<std::size_t>(body)];
+    motion = yield.compliance * pressOn(scene, rows, forces, body) + yield.back_u;
   }
   const FreeWays ways = waysOf(scene.plan, grip, body);
   motion.tail(ways.count) += forces.way_u.segment(ways.first, ways.count);

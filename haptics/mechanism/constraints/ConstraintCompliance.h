@@ -6,8 +6,8 @@
 namespace palpate
 {
 
-/// The problem of these rows: W = sum J C J^T over the held body's springs, soft bodies and the constraints' own
-/// springs. Real-time safe.
+/// The problem of these rows: W = sum J C J^T over the held body's springs, loose bodies, soft bodies and the
+/// constraints' own springs. Real-time safe.
 void assembleConstraints(const ConstraintScene& scene, const ConstraintRows& rows, const MechanismGrip& grip,
   const HeldYield& held, ConstraintProblem& problem) noexcept;
 

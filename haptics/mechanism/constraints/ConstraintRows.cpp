@@ -271,7 +271,8 @@ bool isAlongAxis(ConstraintKind kind) noexcept
 Vec3 armOf(const ConstraintScene& scene, const ConstraintRows& rows, int law, int side) noexcept
 {
   const ConstraintEnd& end = rows.ends[law][side];
-  const bool atA = isAlongAxis(scene.plan.laws[law].kind) && end.body == scene.plan.held && rows.ends[law][0].soft < 0;
+  const bool turns = end.body == scene.plan.held || isLoose(scene.plan.bodies[end.body]);
+  const bool atA = isAlongAxis(scene.plan.laws[law].kind) && turns && rows.ends[law][0].soft < 0;
   return (atA ? rows.ends[law][0] : end).x_W - scene.pose_W[end.body].p;
 }
 

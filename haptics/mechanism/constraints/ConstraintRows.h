@@ -6,6 +6,7 @@
 #include "haptics/compliance/servo/PressedBody.h"
 #include "haptics/compliance/snapshot/PointCompliance.h"
 #include "haptics/mechanism/constraints/ConstraintState.h"
+#include "haptics/mechanism/constraints/LooseYield.h"
 #include "haptics/mechanism/solve/ConstraintProblem.h"
 #include "haptics/tool/motion/TargetMotion.h"
 
@@ -55,7 +56,8 @@ struct ConstraintScene
   std::span<const PressedBody* const> soft;
   std::span<const Pose> pose_W; ///< of each body: where its constraints are linearised
   std::span<const ConstraintState> laws;
-  const Pose& hand_W; ///< where the hand has the body that it holds
+  const Pose& hand_W;                     ///< where the hand has the body that it holds
+  std::span<const LooseYield> loose = {}; ///< of each body, of those that are loose; none: no body is
 };
 
 /// The rows of the constraints that hold now. A constraint on a soft body that is not there has none. Real-time safe.

@@ -42,6 +42,8 @@ constexpr double acrossBall = 2.2;
 /// Of the size of the mesh in the hand: contacts with a mesh that stands are no further apart, however large the
 /// triangles of that are.
 constexpr double apartOfHeld = 0.1;
+/// Of a mesh's size: pairs with a loose body that are no further apart touch, or will soon.
+constexpr double nearlyTouching = 0.01;
 /// Places before one mesh that stands whose compliance is known: so many of a body's 192.
 constexpr std::size_t mostWatched = 48;
 
@@ -73,6 +75,19 @@ ChosenPlaces spread(const std::vector<NearPlace>& sorted, PlaceRoom room, double
   return chosen;
 }
 
+bool isVertexOfOther(const FoundContact& contact)
+{
+  return contact.place_B.vertices[0] == contact.place_B.vertices[1];
+}
+
+/// The vertex becomes the point, and the plane is the mesh's. `mesh_B`: pose of the mesh in the other's frame.
+void turnRound(const Pose& mesh_B, FoundContact& contact)
+{
+  std::swap(contact.mesh, contact.body);
+  std::swap(contact.point_A, contact.place_B.x_W);
+  contact.normal_W = mesh_B.q.conjugate() * Vec3(-contact.normal_W);
+}
+
 /// Leaves a vertex of the soft body on the plane of the mesh that it had in the last answer while another plane is
 /// hardly nearer. Where two of the mesh's facets meet bluntly, the vertex goes along the plane that it has beyond their
 /// edge, where the other one is nearer: the next answer would lead it back, and so on.
@@ -84,7 +99,7 @@ void keepPlanes(const FoundContacts& before, const Quat& turned, const Pose& mes
     FoundContact& contact = place.contact;
     const auto was =
       std::find_if(before.contacts.begin(), end, [&](const FoundContact& other) { return other.name == contact.name; });
-    if (was == end || contact.place_B.vertices[0] != contact.place_B.vertices[1])
+    if (was == end || !isVertexOfOther(contact))
     {
       continue;
     }
@@ -100,37 +115,6 @@ void keepPlanes(const FoundContacts& before, const Quat& turned, const Pose& mes
     place.gap_u = gap_u;
     place.free_u = normal_W.dot(onPlane_W - place.without_W);
   }
-}
-
-/// The places that are nearest.
-std::vector<SurfacePoint> nearestPlaces(const std::vector<NearPlace>& near, std::size_t most)
-{
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < near.size(); ++i)
-  {
-    order.emplace_back(near[i].gap_u, i);
-  }
-  std::ranges::sort(order);
-  order.resize(std::min(order.size(), most));
-  std::vector<SurfacePoint> places;
-  std::ranges::transform(
-    order, std::back_inserter(places), [&near](const auto& one) { return near[one.second].contact.place_B; });
-  return places;
-}
-
-/// The least edge around a place.
-double edgeAround(const SidedSurface& surface, const SurfacePoint& place)
-{
-  const SurfaceData& data = surface.tree->data();
-  double edge_u = std::numeric_limits<double>::infinity();
-  data.forEachAround(place.vertices[0],
-    [&](std::uint32_t t)
-    {
-      const auto corner = data.cornersOf(t);
-      edge_u = std::min(
-        { edge_u, (corner[1] - corner[0]).norm(), (corner[2] - corner[1]).norm(), (corner[0] - corner[2]).norm() });
-    });
-  return edge_u;
 }
 
 double forceOn(int soft, int from, std::span<const MechanismPress> presses)
@@ -255,6 +239,26 @@ const SidedSurface* ContactFinder::held() const noexcept
   return !this->meshes_.empty() && this->isHeld(0) ? this->meshes_.front().surface.get() : nullptr;
 }
 
+bool ContactFinder::meets(std::size_t mesh, std::size_t other) const noexcept
+{
+  const FinderMesh &one = this->meshes_[mesh], &two = this->meshes_[other];
+  return mesh != other && (this->isHeld(mesh) || (one.loose && !this->isHeld(other) && (!two.loose || mesh < other)));
+}
+
+bool ContactFinder::isOfLoose(const Meeting& meeting) const noexcept
+{
+  const bool rigid = meeting.other >= this->bodies_.size();
+  return rigid && (this->meshes_[meeting.mesh].loose || this->meshes_[meeting.other - this->bodies_.size()].loose);
+}
+
+double ContactFinder::reachOf(std::size_t mesh, const FinderView& view) const
+{
+  const FinderMesh& of = this->meshes_[mesh];
+  return this->isHeld(mesh) ? view.held.reach_u
+         : of.loose         ? view.loose_u[static_cast<std::size_t>(of.body)]
+                            : view.standing.reach_u;
+}
+
 std::vector<ContactFinder::Meeting> ContactFinder::meetings(const FinderView& view) const
 {
   std::vector<Meeting> met;
@@ -264,14 +268,24 @@ std::vector<ContactFinder::Meeting> ContactFinder::meetings(const FinderView& vi
   const auto look = [&](std::size_t m, std::size_t other, const SidedSurface& surface, const PressedBody* soft)
   {
     const Pose& mesh_W = view.pose_W[static_cast<std::size_t>(this->meshes_[m].body)];
-    const double reach_u = (this->isHeld(m) ? view.held : view.standing).reach_u;
+    Meeting meeting{ m, other, {}, this->reachOf(m, view), mesh_W };
     const Quat turned = this->isHeld(m) ? mesh_W.q * this->last_.held_W.q.conjugate() : Quat::Identity();
-    std::vector<NearPlace> near = nearPlaces({ *this->meshes_[m].surface, mesh_W, surface, soft, pair++,
-      this->isHeld(m) ? -1 : this->meshes_[m].body, static_cast<int>(other), reach_u, view.presses });
-    keepPlanes(this->last_, turned, mesh_W, near);
-    if (!near.empty())
+    const bool loose = this->isOfLoose(meeting);
+    if (loose)
     {
-      met.push_back({ m, other, std::move(near) });
+      const FinderMesh& two = this->meshes_[other - this->bodies_.size()];
+      meeting.mesh_B = into(view.pose_W[static_cast<std::size_t>(two.body)], mesh_W);
+      meeting.reach_u += two.loose ? this->reachOf(other - this->bodies_.size(), view) : 0.0;
+    }
+    meeting.near = nearPlaces({ *this->meshes_[m].surface, meeting.mesh_B, surface, soft, pair++,
+      this->isHeld(m) ? -1 : this->meshes_[m].body, static_cast<int>(other), meeting.reach_u, view.presses, loose });
+    if (!loose)
+    {
+      keepPlanes(this->last_, turned, mesh_W, meeting.near);
+    }
+    if (!meeting.near.empty())
+    {
+      met.push_back(std::move(meeting));
     }
   };
   for (std::size_t m = 0; m < this->meshes_.size(); ++m)
@@ -283,9 +297,9 @@ std::vector<ContactFinder::Meeting> ContactFinder::meetings(const FinderView& vi
         look(m, s, *this->bodies_[s].surface, view.soft[s]);
       }
     }
-    for (std::size_t other = 0; this->isHeld(m) && other < this->meshes_.size(); ++other)
+    for (std::size_t other = 0; other < this->meshes_.size(); ++other)
     {
-      if (other != m)
+      if (this->meets(m, other))
       {
         look(m, this->bodies_.size() + other, *this->meshes_[other].surface, nullptr);
       }
@@ -313,7 +327,8 @@ double ContactFinder::apartOnSoft(const Meeting& meeting, double edge_u, const F
 
 void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderView& view, FoundContacts& found)
 {
-  const auto& [m, other, near] = meeting;
+  const std::size_t m = meeting.mesh, other = meeting.other;
+  const std::vector<NearPlace>& near = meeting.near;
   Body* const soft = other < this->bodies_.size() ? &this->bodies_[other] : nullptr;
   const FinderMesh* const standing = soft ? nullptr : &this->meshes_[other - this->bodies_.size()];
   const int body = soft ? soft->body : standing->body;
@@ -321,10 +336,13 @@ void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderV
   const double edge_u = edgeAround(soft ? *soft->surface : *standing->surface, nearest->contact.place_B);
   const bool isFirst = std::none_of(found.contacts.begin(), found.contacts.begin() + found.count,
     [body](const FoundContact& contact) { return contact.body == body; });
+  const bool loose = this->isOfLoose(meeting);
   const double apart_u = soft ? this->apartOnSoft(meeting, edge_u, view, isFirst)
-                              : std::min(edge_u, apartOfHeld * this->meshes_[m].surface->diagonal_u);
+                         : loose
+                           ? apartOfHeld * std::min(this->meshes_[m].surface->diagonal_u, standing->surface->diagonal_u)
+                           : std::min(edge_u, apartOfHeld * this->meshes_[m].surface->diagonal_u);
   const FinderReach& reach = this->isHeld(m) ? view.held : view.standing;
-  const double touches_u = soft ? reach.touches_u : std::max(reach.touches_u, reach.covers_u);
+  const double touches_u = soft ? reach.touches_u : loose ? meeting.reach_u : std::max(reach.touches_u, reach.covers_u);
   const ChosenPlaces chosen = choosePlaces(near, room, apart_u, touches_u, this->last_);
   if (soft && isFirst)
   {
@@ -347,6 +365,10 @@ void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderV
     contact.body = body;
     contact.apart_u = chosen.apart_u;
     contact.friction = (standing ? *standing : this->meshes_[m]).friction;
+    if (loose && isVertexOfOther(contact))
+    {
+      turnRound(meeting.mesh_B, contact);
+    }
   }
 }
 
@@ -367,29 +389,45 @@ void ContactFinder::forget(const std::vector<Meeting>& met)
   }
 }
 
+/// Where bodies are loose, pairs that touch come first and share all the room: those that only may meet take none of
+/// it.
+std::size_t ContactFinder::touchingFirst(std::vector<Meeting>& met) const
+{
+  const bool loose = std::ranges::any_of(met, [this](const Meeting& meeting) { return this->isOfLoose(meeting); });
+  const auto touches = [this](const Meeting& meeting)
+  {
+    const double gap_u = std::ranges::min_element(meeting.near, {}, &NearPlace::gap_u)->gap_u;
+    return gap_u <= nearlyTouching * this->meshes_[meeting.mesh].surface->diagonal_u;
+  };
+  const auto others = loose ? std::stable_partition(met.begin(), met.end(), touches) : met.end();
+  return static_cast<std::size_t>(others - met.begin());
+}
+
 const FoundContacts& ContactFinder::find(const FinderView& view)
 {
-  const std::vector<Meeting> met = this->meetings(view);
+  std::vector<Meeting> met = this->meetings(view);
   FoundContacts found;
   found.answer = this->last_.answer + 1;
   found.reach_u = std::numeric_limits<double>::infinity();
-  if (this->held() != nullptr)
+  if (this->held() != nullptr && view.held.reach_u >= 0.0)
   {
     found.reach_u = view.held.reach_u;
     found.held_W = view.pose_W[static_cast<std::size_t>(this->held_)];
   }
   this->forget(met);
+  const std::size_t touching = this->touchingFirst(met);
   for (std::size_t i = 0; i < met.size(); ++i)
   {
     const Meeting& meeting = met[i];
-    if (!this->isHeld(meeting.mesh))
+    if (!this->isHeld(meeting.mesh) && meeting.other < this->bodies_.size())
     {
       const std::vector<SurfacePoint> nearest = nearestPlaces(meeting.near, mostWatched);
       std::vector<SurfacePoint>& watched = this->bodies_[meeting.other].watched;
       watched.insert(watched.end(), nearest.begin(), nearest.end());
     }
     // Pairs that follow have an even share at least, and all that is left over.
-    const std::size_t share = (this->most_ - static_cast<std::size_t>(found.count)) / (met.size() - i);
+    const std::size_t left = (i < touching ? touching : met.size()) - i;
+    const std::size_t share = (this->most_ - static_cast<std::size_t>(found.count)) / left;
     this->choose(meeting, { share, i + 1 < met.size() ? (share + 1) / 2 : share }, view, found);
   }
   this->last_ = found;

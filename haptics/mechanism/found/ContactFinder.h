@@ -20,6 +20,7 @@ struct FinderMesh
   int body = 0; ///< in the plan
   std::shared_ptr<const SidedSurface> surface;
   double friction = 0.0; ///< Coulomb's: that of a mesh which stands counts where it is touched
+  bool loose = false;    ///< it moves by the forces on it
 };
 
 /// How near a mesh and the soft bodies have to be.
@@ -38,6 +39,7 @@ struct FinderView
   FinderReach standing;                     ///< of the others
   std::span<const PressedBody* const> soft; ///< in the plan's order
   std::span<const MechanismPress> presses;  ///< the forces under which the soft bodies are bent
+  std::span<const double> loose_u = {};     ///< reach of loose bodies, in the plan's order
 };
 
 /// A mesh and the body that it may meet, as a finder looks at the two.
@@ -52,6 +54,7 @@ struct PairView
   int soft_i = 0;
   double reach_u = 0.0;
   std::span<const MechanismPress> presses;
+  bool rigid = false; ///< both are, and may lie flush on one another: edges meet only where both are sharp
 };
 
 /// A place where two surfaces meet, or may.
@@ -66,6 +69,12 @@ struct NearPlace
 /// All places where a mesh may meet another body: a vertex of the body before the mesh, a vertex of the mesh before
 /// the body, and two edges that cross, of the mesh's those that are sharp. In the order of their features.
 [[nodiscard]] std::vector<NearPlace> nearPlaces(const PairView& view);
+
+/// Of those the ones that are nearest, at most so many.
+[[nodiscard]] std::vector<SurfacePoint> nearestPlaces(const std::vector<NearPlace>& near, std::size_t most);
+
+/// The least edge of a surface around a place [u].
+[[nodiscard]] double edgeAround(const SidedSurface& surface, const SurfacePoint& place);
 
 /// How many places may be chosen.
 struct PlaceRoom
@@ -86,9 +95,9 @@ struct ChosenPlaces
 [[nodiscard]] ChosenPlaces choosePlaces(
   const std::vector<NearPlace>& near, PlaceRoom room, double apart_u, double touches_u, const FoundContacts& before);
 
-/// Finds where the meshes of rigid bodies meet the soft bodies, and the mesh in the hand those that stand. Beside the
-/// tick, at the rate of the bodies' snapshots; the same view gives the same answer on any number of threads. Not
-/// real-time safe.
+/// Finds where the meshes of rigid bodies meet the soft bodies, the mesh in the hand those that stand, and loose ones
+/// all others. Beside the tick, at the rate of the bodies' snapshots; the same view gives the same answer on any number
+/// of threads. Not real-time safe.
 class ContactFinder
 {
 public:
@@ -136,11 +145,18 @@ private:
   struct Meeting
   {
     std::size_t mesh = 0, other = 0; ///< `other`: a soft body, or after these a mesh
-    std::vector<NearPlace> near;
+    std::vector<NearPlace> near;     ///< in the other's frame
+    double reach_u = 0.0;            ///< places that are no further apart were looked for
+    Pose mesh_B;                     ///< of the mesh in the other's frame
   };
 
   [[nodiscard]] bool isHeld(std::size_t mesh) const noexcept { return this->meshes_[mesh].body == this->held_; }
+  /// Whether it is looked for places where a mesh meets another one: each pair once.
+  [[nodiscard]] bool meets(std::size_t mesh, std::size_t other) const noexcept;
+  [[nodiscard]] bool isOfLoose(const Meeting& meeting) const noexcept;
+  [[nodiscard]] double reachOf(std::size_t mesh, const FinderView& view) const;
   [[nodiscard]] std::vector<Meeting> meetings(const FinderView& view) const;
+  [[nodiscard]] std::size_t touchingFirst(std::vector<Meeting>& met) const;
   void forget(const std::vector<Meeting>& met);
   /// Least distance between contacts, from the edges of the soft body there and the roundness of the mesh.
   [[nodiscard]] double apartOnSoft(const Meeting& meeting, double edge_u, const FinderView& view, bool isFirst);

@@ -2,22 +2,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "haptics/compliance/snapshot/PointCompliance.h"
 #include "haptics/core/PoseMath.h"
-#include "haptics/geometry/mesh/NearestOnTriangle.h"
 #include "haptics/geometry/mesh/TriangleWeights.h"
 #include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/geometry/tree/TreeWalk.h"
 #include "haptics/mechanism/found/ContactFinder.h"
+#include "haptics/mechanism/found/NearestFace.h"
 
 namespace palpate
 {
 namespace
 {
 
-/// Of a mesh's size: below that the direction from one surface to the other is rounding.
-constexpr double rounding = 1e-9;
 /// Cosine from which on two normals count as turned to one another.
 constexpr double facing = 0.1;
 /// The same for two that are apart: places that are aside of one another meet when an answer comes that is later.
@@ -26,6 +25,13 @@ constexpr double facingApart = 0.5;
 constexpr double aside = 0.05;
 /// The same of the soft body's edges, which a dent bends the other way.
 constexpr double asideInDent = 0.35;
+/// Of an edge: so near to its ends, rigid edges meet as vertices. No more than `flush`, so that one of both is seen.
+constexpr double nearEnd = 1e-5;
+/// Of a mesh's size: a rigid vertex that is beside a face by no more is over it, as where boxes of one size are
+/// stacked.
+constexpr double flush = 1e-5;
+/// Likewise no further below or above it.
+constexpr double shallow = 0.01;
 /// Of the shorter edge: edges that have gone further past one another have crossed, and vertices are met instead.
 constexpr double crossed = 0.3;
 
@@ -43,60 +49,6 @@ std::uint64_t nameOf(Features features, int pair, std::uint64_t a, std::uint64_t
   constexpr std::uint64_t mostPairs = 42; // of eight bodies 19 at most: one held, four soft, three that stand
   return ((static_cast<std::uint64_t>(features) * mostPairs + static_cast<std::uint64_t>(pair)) << 57) |
          ((a & mask) << 38) | ((b & mask) << 19) | (c & mask);
-}
-
-double outsideOf(const Box& box, const Vec3& x)
-{
-  return (box.low_W - x).cwiseMax(x - box.high_W).cwiseMax(0.0).norm();
-}
-
-/// The nearest place of a surface.
-struct Nearest
-{
-  std::uint32_t triangle = SurfaceData::none;
-  Vec3 p = Vec3::Zero();
-  double away_u = std::numeric_limits<double>::infinity();
-  double above = 0.0;         ///< along the outer normal of the triangle that decides the side: the steepest one
-  Vec3 normal = Vec3::Zero(); ///< outer, unit, of that triangle
-};
-
-/// The nearest place within `reach_u` on those triangles that count, by their outer normals. `slack_u`: the vertices
-/// may be so far from where the tree has them.
-template<class Counts>
-Nearest nearestOn(const SidedSurface& surface, const std::vector<Vec3>& vertices, const Vec3& x, double reach_u,
-  double slack_u, const Counts& counts)
-{
-  const SurfaceData& data = surface.tree->data();
-  Nearest best;
-  best.away_u = reach_u;
-  const auto look = [&](std::uint32_t t)
-  {
-    const auto& [a, b, c] = data.corners(t);
-    const Vec3 p = nearestOnTriangle(x, vertices[a], vertices[b], vertices[c]);
-    const double away_u = (x - p).norm();
-    if (away_u > best.away_u * (1.0 + rounding) + std::numeric_limits<double>::min())
-    {
-      return;
-    }
-    const Vec3 normal = surface.areaOf(t, vertices).normalized();
-    if (!counts(normal))
-    {
-      return;
-    }
-    const double above = normal.dot(x - p);
-    const bool nearer = away_u < best.away_u * (1.0 - rounding) || best.triangle == SurfaceData::none;
-    if (nearer || std::abs(above) > std::abs(best.above))
-    {
-      best = { t, p, std::min(away_u, best.away_u), above, normal };
-    }
-  };
-  const auto entriesOf = [&](const TreeNode& node) {
-    return std::array<double, 2>{ outsideOf(boxOf(node, 0), x) - slack_u, outsideOf(boxOf(node, 1), x) - slack_u };
-  };
-  const auto reaches = [&](double entry) { return entry <= best.away_u; };
-  walkNearestFirst(
-    data.nodes, 0.0, entriesOf, reaches, reaches, [&](std::uint32_t leaf) { data.forEachInLeaf(leaf, look); });
-  return best;
 }
 
 /// One mesh and one other body, which is soft or stands.
@@ -235,30 +187,37 @@ private:
     const auto any = [](const Vec3&) { return true; };
     const Vec3 x = into(this->view_.mesh_W, x_W);
     const std::vector<Vec3>& vertices = this->mesh_.tree->mesh().vertices_W;
-    const Nearest nearest = nearestOn(this->mesh_, vertices, x, this->view_.reach_u, 0.0, any);
+    const NearestFace nearest = nearestFace(this->mesh_, vertices, x, this->view_.reach_u, 0.0, any);
     if (nearest.triangle == SurfaceData::none)
     {
       return;
     }
     const std::uint64_t name = nameOf(Features::OtherVertex, this->view_.index, v);
     const SurfacePoint place = placeAt(v, this->free_W_);
-    if (nearest.above > 0.0 && nearest.away_u > rounding * this->mesh_.diagonal_u)
+    const bool apart = nearest.above > 0.0 && nearest.away_u > NearestFace::rounding * this->mesh_.diagonal_u;
+    const Vec3 way_W = apart ? Vec3(this->view_.mesh_W.q * Vec3((nearest.p - x) / nearest.away_u)) : out_W;
+    if (apart && way_W.dot(out_W) > facingApart)
     {
-      const Vec3 normal_W = this->view_.mesh_W.q * Vec3((nearest.p - x) / nearest.away_u);
-      if (normal_W.dot(out_W) > facingApart)
-      {
-        this->add(name, this->view_.mesh_W * nearest.p, place, normal_W, nearest.away_u);
-      }
+      this->add(name, this->view_.mesh_W * nearest.p, place, way_W, nearest.away_u);
+    }
+    if (apart && (!this->view_.rigid || way_W.dot(out_W) > facingApart))
+    {
       return;
     }
     const Vec3 out = this->view_.mesh_W.q.conjugate() * out_W;
-    const Nearest side = nearestOn(this->mesh_, vertices, x, this->view_.reach_u, 0.0,
+    const NearestFace side = nearestFace(this->mesh_, vertices, x, this->view_.reach_u, 0.0,
       [&out](const Vec3& normal) { return normal.dot(out) < -facing; });
-    if (side.triangle != SurfaceData::none)
+    if (side.triangle != SurfaceData::none && (!apart || this->isOver(side, x)))
     {
       const Vec3 normal_W = this->view_.mesh_W.q * Vec3(-side.normal);
       this->add(name, this->view_.mesh_W * side.p, place, normal_W, side.above);
     }
+  }
+
+  [[nodiscard]] bool isOver(const NearestFace& side, const Vec3& x) const
+  {
+    const double beside_u = (x - side.p - side.above * side.normal).norm();
+    return beside_u <= flush * this->mesh_.diagonal_u && std::abs(side.above) <= shallow * this->mesh_.diagonal_u;
   }
 
   /// Whether a triangle of the mesh at its vertex is turned to the body.
@@ -278,19 +237,38 @@ private:
       return;
     }
     const auto any = [](const Vec3&) { return true; };
-    const Nearest nearest = nearestOn(this->other_, this->bent_W_, y_W, this->view_.reach_u, this->bent_u_, any);
+    const NearestFace nearest = nearestFace(this->other_, this->bent_W_, y_W, this->view_.reach_u, this->bent_u_, any);
     if (nearest.triangle == SurfaceData::none)
     {
       return;
     }
-    const bool apart = nearest.above > 0.0 && nearest.away_u > rounding * this->mesh_.diagonal_u;
+    const bool apart = nearest.above > 0.0 && nearest.away_u > NearestFace::rounding * this->mesh_.diagonal_u;
     // In a dent the surface is as steep as its triangles happen to be: pressed, it is taken as it is without forces.
     const Vec3 free_W = this->other_.areaOf(nearest.triangle, this->free_W_).normalized();
     const Vec3 normal_W = apart ? Vec3((y_W - nearest.p) / nearest.away_u) : free_W;
-    if (this->facesAt(v, normal_W) && (!apart || normal_W.dot(nearest.normal) > facingApart))
+    const bool faces = this->facesAt(v, normal_W) && (!apart || normal_W.dot(nearest.normal) > facingApart);
+    if (this->view_.rigid && !(apart && faces))
+    {
+      this->lookFlush(v, apart);
+    }
+    else if (faces)
     {
       this->add(nameOf(Features::MeshVertex, this->view_.index, v), y_W, this->placeOn(nearest.triangle, nearest.p),
         normal_W, normal_W.dot(y_W - nearest.p));
+    }
+  }
+
+  /// A vertex that lies on a rigid body, or in it, has the nearest face that is turned to the vertex.
+  void lookFlush(std::uint32_t v, bool apart)
+  {
+    const Vec3& y_W = this->mesh_W_[v];
+    const Vec3 out_W = this->mesh_.normalAt(v, this->mesh_W_);
+    const NearestFace side = nearestFace(this->other_, this->bent_W_, y_W, this->view_.reach_u, 0.0,
+      [&out_W](const Vec3& normal) { return normal.dot(out_W) < -facing; });
+    if (side.triangle != SurfaceData::none && (!apart || this->isOver(side, y_W)))
+    {
+      this->add(nameOf(Features::MeshVertex, this->view_.index, v), y_W, this->placeOn(side.triangle, side.p),
+        side.normal, side.above);
     }
   }
 
@@ -341,7 +319,8 @@ private:
         for (std::size_t k = 0; k < 3; ++k)
         {
           const std::uint32_t a = corners[k], b = corners[(k + 1) % 3];
-          if (t < this->other_.tree->data().across[t][k]) // each edge once
+          const std::uint32_t across = this->other_.tree->data().across[t][k];
+          if (t < across && (!this->view_.rigid || this->isSharp(t, across))) // each edge once
           {
             this->cross(e, t, a, b, { inOne_W, inOther_W });
           }
@@ -367,6 +346,14 @@ private:
     return goesAway(t) && goesAway(other);
   }
 
+  [[nodiscard]] bool isSharp(std::uint32_t t, std::uint32_t across) const
+  {
+    return across != SurfaceData::none &&
+           this->other_.areaOf(t, this->bent_W_)
+               .normalized()
+               .dot(this->other_.areaOf(across, this->bent_W_).normalized()) < SidedSurface::sharpBelow;
+  }
+
   /// Two edges that cross: one line stands on both.
   void cross(std::uint32_t e, std::uint32_t t, std::uint32_t a, std::uint32_t b, const std::array<Vec3, 2>& inward_W)
   {
@@ -385,7 +372,8 @@ private:
     const Vec3 from_W = this->bent_W_[a] - this->mesh_W_[i];
     const double s = from_W.cross(v).dot(u.cross(v)) / (size * size);
     const double r = from_W.cross(u).dot(u.cross(v)) / (size * size);
-    const bool inside = s > 0.0 && s < 1.0 && r > 0.0 && r < 1.0;
+    const double end = this->view_.rigid ? nearEnd : 0.0;
+    const bool inside = s > end && s < 1.0 - end && r > end && r < 1.0 - end;
     const bool presses = inward_W[0].dot(normal_W) > -aside && inward_W[1].dot(normal_W) > -aside;
     if (!inside || !presses || !this->standsOut(t, a, b, normal_W))
     {
@@ -417,6 +405,35 @@ private:
 };
 
 } // namespace
+
+std::vector<SurfacePoint> nearestPlaces(const std::vector<NearPlace>& near, std::size_t most)
+{
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < near.size(); ++i)
+  {
+    order.emplace_back(near[i].gap_u, i);
+  }
+  std::ranges::sort(order);
+  order.resize(std::min(order.size(), most));
+  std::vector<SurfacePoint> places;
+  std::ranges::transform(
+    order, std::back_inserter(places), [&near](const auto& one) { return near[one.second].contact.place_B; });
+  return places;
+}
+
+double edgeAround(const SidedSurface& surface, const SurfacePoint& place)
+{
+  const SurfaceData& data = surface.tree->data();
+  double edge_u = std::numeric_limits<double>::infinity();
+  data.forEachAround(place.vertices[0],
+    [&](std::uint32_t t)
+    {
+      const auto corner = data.cornersOf(t);
+      edge_u = std::min(
+        { edge_u, (corner[1] - corner[0]).norm(), (corner[2] - corner[1]).norm(), (corner[0] - corner[2]).norm() });
+    });
+  return edge_u;
+}
 
 std::vector<NearPlace> nearPlaces(const PairView& view)
 {

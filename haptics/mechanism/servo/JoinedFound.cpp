@@ -19,7 +19,13 @@ int roomFor(const FoundContacts& found, int named) noexcept
 /// From B's point to A's, both rigid.
 Vec3 apartOf(const FoundContact& contact, const PosesOfBodies& pose_W) noexcept
 {
-  return pose_W[static_cast<std::size_t>(contact.mesh)] * contact.point_A - contact.place_B.x_W;
+  return pose_W[static_cast<std::size_t>(contact.mesh)] * contact.point_A -
+         pose_W[static_cast<std::size_t>(contact.body)] * contact.place_B.x_W;
+}
+
+Vec3 normalOf_W(const FoundContact& contact, const PosesOfBodies& pose_W) noexcept
+{
+  return pose_W[static_cast<std::size_t>(contact.body)].q * contact.normal_W;
 }
 
 Vec3 across(const Vec3& way, const Vec3& normal) noexcept
@@ -56,8 +62,8 @@ ConstraintState goOn(const FoundContact& contact, const FoundContact& other, con
   const PosesOfBodies& pose_W) noexcept
 {
   ConstraintState state = before;
-  const Vec3 slipped_W = across(apartOf(other, pose_W) - before.stuck_u, other.normal_W);
-  state.stuck_u = apartOf(contact, pose_W) - across(slipped_W, contact.normal_W);
+  const Vec3 slipped_W = across(apartOf(other, pose_W) - before.stuck_u, normalOf_W(other, pose_W));
+  state.stuck_u = apartOf(contact, pose_W) - across(slipped_W, normalOf_W(contact, pose_W));
   return state;
 }
 
@@ -76,7 +82,7 @@ void joinFound(const MechanismPlan& plan, const FoundContacts& found, MechanismP
     law.a = contact.mesh;
     law.b = contact.body;
     law.point_A = contact.point_A;
-    law.point_B = contact.place_B.x_W; // of a mesh that stands; on a soft body place_B is
+    law.point_B = contact.place_B.x_W; // of a rigid body; on a soft one place_B is
     law.axis_B = contact.normal_W;
     law.friction = contact.friction;
     law.place_B = contact.place_B;

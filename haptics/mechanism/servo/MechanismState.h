@@ -6,6 +6,7 @@
 
 #include "haptics/mechanism/FoundContacts.h"
 #include "haptics/mechanism/constraints/ConstraintState.h"
+#include "haptics/mechanism/constraints/LooseYield.h"
 #include "haptics/tool/servo/ToolBlend.h"
 
 namespace palpate
@@ -19,6 +20,7 @@ struct MechanismState
   std::uint64_t revision = 0;                                     ///< of the plan
   std::array<std::uint64_t, Mechanism::mostBodies> snapshot{};    ///< revisions of the soft bodies' snapshots
   PosesOfBodies pose_W{};                                         ///< of held and rigid bodies, left by the constraints
+  std::array<LooseMotion, Mechanism::mostBodies> loose{};         ///< of loose ones
   std::array<ConstraintState, Mechanism::mostConstraints> laws{}; ///< the plan's, then those that were found
   FoundContacts found;                                            ///< the answer that these are of
   bool placed = false;                                            ///< the held body has been somewhere

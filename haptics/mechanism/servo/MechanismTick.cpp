@@ -25,6 +25,9 @@ struct MechanismScratch
 namespace
 {
 
+/// Of the lever in a second: so fast loose bodies leave one another.
+constexpr double apartOfLever_per_s = 0.02;
+
 bool isPose(const Pose& pose) noexcept
 {
   return pose.p.allFinite() && std::abs(pose.q.squaredNorm() - 1.0) < 1e-6;
@@ -48,6 +51,7 @@ public:
     this->tip_W_ = this->plan_.held >= 0 ? this->tipOf(this->laws_.lead_W()) : Vec3(Vec3::Zero());
     this->takeSnapshots();
     this->meetSurfaces();
+    this->leadApart();
     const bool first = !this->state_.placed; // constraints that hold then make no step in the force
     (void)(first && this->tryWaiting());
     const bool others = this->input_.found && this->input_.found->answer != this->state_.found.answer;
@@ -96,6 +100,32 @@ private:
     }
     palpate::takeFound(*this->input_.found, this->named_.lawCount, pose_W, this->state_);
     joinFound(this->named_, this->state_.found, this->joined_);
+    this->leadApart();
+  }
+
+  /// Loose bodies that are in others, as they turn or begin, go apart slowly: in one tick that would throw them.
+  void leadApart() noexcept
+  {
+    const double most_u = apartOfLever_per_s * this->plan_.characteristic_u * this->input_.dt_s;
+    for (int l = 0; l < this->plan_.lawCount; ++l)
+    {
+      const PlannedConstraint& law = this->plan_.laws[l];
+      const bool loose = isLoose(this->plan_.bodies[law.a]) || isLoose(this->plan_.bodies[law.b]);
+      const bool pushes = law.kind == ConstraintKind::Contact || law.kind == ConstraintKind::Friction;
+      if (loose && pushes && !this->softOf(law.a) && !this->softOf(law.b))
+      {
+        const Pose& b = this->poseBefore(law.b);
+        const Vec3 normal_W = b.q * law.axis_B;
+        const double deep_u = -normal_W.dot(this->poseBefore(law.a) * law.point_A - b * law.point_B);
+        this->state_.laws[l].offset_W = std::max(deep_u - most_u, 0.0) * normal_W;
+      }
+    }
+  }
+
+  [[nodiscard]] const Pose& poseBefore(int body) const noexcept
+  {
+    const bool led = body == this->plan_.held && !this->state_.placed;
+    return led ? this->laws_.lead_W() : this->state_.pose_W[body];
   }
 
   /// The force as the answer before still has it: a hand that was ahead of that is free of it only now.
@@ -216,7 +246,7 @@ private:
   {
     for (int b = 0; b < this->plan_.bodyCount; ++b)
     {
-      this->state_.pose_W[b] = this->laws_.movedPose(b);
+      this->keepBody(b);
     }
     for (int l = 0; l < this->plan_.lawCount; ++l)
     {
@@ -241,6 +271,21 @@ private:
     this->result_.capped = this->laws_.capped();
     this->result_.residual_u = this->laws_.residual_u();
     this->result_.stored_Nu = this->laws_.stored_Nu();
+  }
+
+  void keepBody(int b) noexcept
+  {
+    const Pose moved_W = this->laws_.movedPose(b);
+    if (!isLoose(this->plan_.bodies[b]))
+    {
+      this->state_.pose_W[b] = moved_W;
+      return;
+    }
+    const bool slept = this->state_.loose[b].asleep;
+    const double away_u = (moved_W.p - this->plan_.bodies[b].pose_W.p).norm();
+    this->state_.loose[b] = motionAfter(this->plan_, this->plan_.bodies[b], this->state_.loose[b],
+      { this->laws_.motion(b), this->state_.pose_W[b].q, away_u }, this->input_.dt_s);
+    this->state_.pose_W[b] = slept && this->state_.loose[b].asleep ? this->state_.pose_W[b] : moved_W;
   }
 
   void keepConstraint(int l) noexcept

@@ -41,6 +41,22 @@ void SettledConstraints::begin() noexcept
     const bool led = b == this->plan_.held && !(this->isSprung(b) && this->state_.placed);
     this->reference_[b] = led ? this->lead_W_ : this->state_.pose_W[b];
   }
+  this->takeLoose();
+}
+
+/// A loose body moves by one step of its inertia in a tick, however often its constraints are solved.
+void SettledConstraints::takeLoose() noexcept
+{
+  for (int b = 0; b < this->plan_.bodyCount; ++b)
+  {
+    const PlannedBody& body = this->plan_.bodies[b];
+    if (isLoose(body))
+    {
+      this->loose_[b] = yieldOfLoose(
+        body, this->reference_[b].q, this->state_.loose[b], this->plan_.characteristic_u, this->input_.dt_s);
+      this->scene_.loose = this->loose_;
+    }
+  }
 }
 
 void SettledConstraints::makeRowsFirst() noexcept
@@ -67,7 +83,7 @@ void SettledConstraints::goOn() noexcept
   for (int b = 0; b < this->plan_.bodyCount; ++b)
   {
     const Pose moved = this->movedPose(b);
-    const bool goes = this->isSprung(b) || this->share_ < 1.0;
+    const bool goes = this->isSprung(b) || (this->share_ < 1.0 && !isLoose(this->plan_.bodies[b]));
     this->reference_[b].q = goes ? moved.q : this->reference_[b].q;
     this->reference_[b].p = goes && (b != this->plan_.held || this->isSprung(b)) ? moved.p : this->reference_[b].p;
   }
@@ -81,7 +97,7 @@ bool SettledConstraints::isSprung(int body) const noexcept
 
 double SettledConstraints::shareOf(int body) const noexcept
 {
-  return this->isSprung(body) ? this->heldShare_ : this->share_;
+  return this->isSprung(body) ? this->heldShare_ : isLoose(this->plan_.bodies[body]) ? 1.0 : this->share_;
 }
 
 bool SettledConstraints::wentInPart() const noexcept
@@ -161,6 +177,10 @@ void SettledConstraints::takeMotions() noexcept
   {
     this->motion_[b] =
       motionOf(this->scene_, this->room_.rows, this->input_.grip, this->room_.held, this->room_.forces, b);
+    if (isLoose(this->plan_.bodies[b]))
+    {
+      continue;
+    }
     double& most = this->isSprung(b) ? heldMost_rad : most_rad;
     most = std::max(most, this->motion_[b].tail<3>().norm() / this->plan_.characteristic_u);
   }
@@ -209,7 +229,7 @@ Vec3 SettledConstraints::movedPlace_W(int body) const noexcept
   {
     return this->lead_W_.p + this->onHand().head<3>() / this->input_.grip.coupling_N_per_u;
   }
-  return this->reference_[body].p + this->share_ * this->motion_[body].head<3>();
+  return this->reference_[body].p + this->shareOf(body) * this->motion_[body].head<3>();
 }
 
 Pose SettledConstraints::movedPose(int body) const noexcept
@@ -291,6 +311,13 @@ double SettledConstraints::stored_Nu() const noexcept
     stored += 0.5 * (grip.coupling_N_per_u * (held.p - this->lead_W_.p).squaredNorm() +
                       grip.turning_Nu_per_rad * turnFromTo(this->lead_W_.q, held.q).squaredNorm() -
                       press_N.dot(this->room_.held.compliance * press_N));
+  }
+  for (int b = 0; b < this->plan_.bodyCount && !this->scene_.loose.empty(); ++b)
+  {
+    // Inertia stores nothing in its constraints: its part of the rows' compliance is left out.
+    const Vec6 press_N = isLoose(this->plan_.bodies[b]) ? pressOn(this->scene_, this->room_.rows, this->room_.forces, b)
+                                                        : Vec6(Vec6::Zero());
+    stored -= 0.5 * press_N.dot(this->loose_[b].compliance * press_N);
   }
   for (const PressedBody* soft : this->input_.soft)
   {

@@ -49,6 +49,8 @@ public:
   /// Where the constraints were solved last, and where that brings a body.
   [[nodiscard]] const Pose& reference_W(int body) const noexcept { return this->reference_[body]; }
   [[nodiscard]] Pose movedPose(int body) const noexcept;
+  /// From there, whitened.
+  [[nodiscard]] const Vec6& motion(int body) const noexcept { return this->motion_[body]; }
 
   [[nodiscard]] std::uint32_t work() const noexcept { return this->work_; }
   [[nodiscard]] bool capped() const noexcept;
@@ -59,6 +61,7 @@ public:
 
 private:
   void begin() noexcept;
+  void takeLoose() noexcept;
   void solve(ConstraintStart start) noexcept;
   [[nodiscard]] bool mayGoOn() const noexcept;
   [[nodiscard]] bool isMet() const noexcept;
@@ -81,9 +84,10 @@ private:
   SettledScratch& room_;
   Pose lead_W_;
   std::array<Pose, Mechanism::mostBodies> reference_{};
-  std::array<Vec6, Mechanism::mostBodies> motion_{}; ///< of each body from there, whitened
-  double share_ = 1.0;                               ///< of the turns that free bodies can go in one piece
-  double heldShare_ = 1.0;                           ///< likewise of the body that the hand's spring turns
+  std::array<Vec6, Mechanism::mostBodies> motion_{};      ///< of each body from there, whitened
+  std::array<LooseYield, Mechanism::mostBodies> loose_{}; ///< of the loose ones
+  double share_ = 1.0;                                    ///< of the turns that free bodies can go in one piece
+  double heldShare_ = 1.0;                                ///< likewise of the body that the hand's spring turns
   std::uint32_t work_ = 0;
   ConstraintScene scene_;
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Cholesky>
+
 #include "haptics/recording/inputs/Bodies.h"
 
 namespace palpate
@@ -34,6 +36,7 @@ void layPlan(const Io& io, Plan& plan)
 {
   io(plan.revision);
   io(plan.characteristic_u);
+  io(plan.farthest_u);
   io(plan.bodyCount);
   io(plan.lawCount);
   io(plan.held);
@@ -47,6 +50,7 @@ void layBody(const Io& io, Body& body)
   io(body.length_u);
   io(body.pose_W);
   io(body.load_W);
+  io(body.mass);
 }
 
 template<class Io, class Constraint>
@@ -73,7 +77,7 @@ void readPlan(ByteReader& in, MechanismPlan& plan)
   layPlan(Get{ in }, plan);
   in.failUnless(plan.bodyCount > 0 && plan.bodyCount <= static_cast<int>(plan.bodies.size()) && plan.lawCount >= 0 &&
                 plan.lawCount <= static_cast<int>(plan.laws.size()) && plan.held >= 0 && plan.held < plan.bodyCount &&
-                plan.characteristic_u > 0.0 && std::isfinite(plan.characteristic_u));
+                plan.characteristic_u > 0.0 && std::isfinite(plan.characteristic_u) && plan.farthest_u > 0.0);
   for (int b = 0; in.ok() && b < plan.bodyCount; ++b)
   {
     layBody(Get{ in }, plan.bodies[static_cast<std::size_t>(b)]);
@@ -108,12 +112,21 @@ RecordedMechanism::Body readSoft(ByteReader& in)
   return recorded;
 }
 
+/// None, or one that a force moves.
+bool isUsable(const BodyMass& mass)
+{
+  const bool moves = mass.mass_Ns2_per_u > 0.0 && std::isfinite(mass.mass_Ns2_per_u) &&
+                     mass.inertia_N_s2_u.allFinite() && mass.inertia_N_s2_u.isApprox(mass.inertia_N_s2_u.transpose()) &&
+                     mass.inertia_N_s2_u.llt().info() == Eigen::Success;
+  return mass == BodyMass{} || moves;
+}
+
 bool isUsable(const PlannedBody& body, std::size_t softCount)
 {
   const bool soft = body.kind == MechanismBodyKind::Soft;
   return body.kind <= MechanismBodyKind::World && (soft ? body.soft >= 0 : body.soft == -1) &&
          body.soft < static_cast<int>(softCount) && std::isfinite(body.length_u) && isPlace(body.pose_W) &&
-         body.load_W.allFinite();
+         body.load_W.allFinite() && isUsable(body.mass);
 }
 
 /// Strengths and bounds may be unlimited.
@@ -149,8 +162,8 @@ bool isUsable(const FoundContacts& found)
            });
 }
 
-/// Whether they are of rigid bodies of the mechanism with soft ones or with such as stand, at vertices that soft ones
-/// have.
+/// Whether they are of rigid bodies of the mechanism with soft ones, with such as stand or with loose ones, at vertices
+/// that soft ones have.
 bool fits(const FoundContacts& found, const RecordedMechanism& mechanism)
 {
   return std::all_of(found.contacts.begin(), found.contacts.begin() + found.count,
@@ -159,8 +172,10 @@ bool fits(const FoundContacts& found, const RecordedMechanism& mechanism)
       const auto softOf = [&mechanism](int body) { return mechanism.plan.bodies[static_cast<std::size_t>(body)].soft; };
       const auto isMet = [&](const FoundContact& met)
       {
-        const MechanismBodyKind kind = mechanism.plan.bodies[static_cast<std::size_t>(met.body)].kind;
-        return softOf(met.body) >= 0 || (kind == MechanismBodyKind::World && met.mesh != met.body);
+        const auto& bodies = mechanism.plan.bodies;
+        const PlannedBody& body = bodies[static_cast<std::size_t>(met.body)];
+        const bool loose = isLoose(body) || isLoose(bodies[static_cast<std::size_t>(met.mesh)]);
+        return softOf(met.body) >= 0 || (met.mesh != met.body && (body.kind == MechanismBodyKind::World || loose));
       };
       const auto there = [&mechanism](int body) { return body >= 0 && body < mechanism.plan.bodyCount; };
       return there(contact.mesh) && there(contact.body) && softOf(contact.mesh) < 0 && isMet(contact) &&
@@ -185,8 +200,8 @@ bool isUsable(const RecordedMechanism& mechanism)
   const MechanismPlan& plan = mechanism.plan;
   const std::span bodies(plan.bodies.data(), static_cast<std::size_t>(plan.bodyCount));
   const std::span laws(plan.laws.data(), static_cast<std::size_t>(plan.lawCount));
-  const auto rigid =
-    std::ranges::count_if(bodies, [](const PlannedBody& b) { return b.kind == MechanismBodyKind::Rigid; });
+  const auto rigid = std::ranges::count_if(
+    bodies, [](const PlannedBody& b) { return b.kind == MechanismBodyKind::Rigid && !isLoose(b); });
   int rows = 0;
   for (const PlannedConstraint& law : laws)
   {
@@ -205,6 +220,11 @@ bool isUsable(const RecordedMechanism& mechanism)
          6 * rigid + 3 <= ConstraintProblem::mostWays && rows <= Mechanism::mostRows && oneHeld == 1 &&
          isUsable(mechanism.found) && fits(mechanism.found, mechanism) && hasRoom(mechanism.found, plan, rows) &&
          bodies[static_cast<std::size_t>(plan.held)].kind == MechanismBodyKind::Held;
+}
+
+bool isUsable(const LooseMotion& motion)
+{
+  return motion.speed_W.allFinite() && motion.spin_B.allFinite() && std::isfinite(motion.calm_s);
 }
 
 bool isUsable(const ConstraintState& law)
@@ -263,6 +283,7 @@ RecordedMechanism readMechanism(ByteReader& in)
 bool isUsable(const MechanismState& state)
 {
   return std::ranges::all_of(state.laws, [](const ConstraintState& law) { return isUsable(law); }) &&
+         std::ranges::all_of(state.loose, [](const LooseMotion& motion) { return isUsable(motion); }) &&
          isUsable(state.found) && std::ranges::all_of(state.pose_W, [](const Pose& pose) { return isPlace(pose); }) &&
          state.tip_W.allFinite() && state.blend.way_u.allFinite() && state.blend.turn_u.allFinite();
 }

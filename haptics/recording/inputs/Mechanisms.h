@@ -74,7 +74,7 @@ struct Mechanisms
     std::unique_ptr<MechanismTick> room = std::make_unique<MechanismTick>();
   };
 
-  static constexpr ChunkKind chunk{ "joined", 4 };
+  static constexpr ChunkKind chunk{ "joined", 5 };
   static void write(ByteWriter& payload, const FeltMechanism& mechanism) { putMechanism(payload, mechanism); }
   template<class Store>
   static void forEachPart(const FeltMechanism& mechanism, const Store& store)

@@ -2,6 +2,7 @@
 #include "haptics/session/mechanism/MechanismBodies.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "haptics/core/PoseMath.h"
@@ -20,6 +21,8 @@ constexpr double usualCover = 0.05;
 /// Of a soft body's size: so near to a mesh that stands, its surface may meet the mesh until the next answer but one,
 /// or touches it.
 constexpr double standingReach = 0.05, standingTouch = 0.0005;
+/// Of a loose body's size: so near to another one, both may meet though neither moved.
+constexpr double looseReach = 0.05;
 /// Of the motion since the answer before: an answer is up to two periods old, and a hand may grow faster.
 constexpr double reachOfMotion = 3.0, touchOfMotion = 2.0;
 
@@ -29,6 +32,9 @@ double stiffnessOf(const SoftBodyInput& input)
   const double young_Pa = *std::ranges::min_element(input.young_Pa);
   return young_Pa * input.unit_m * input.unit_m / (1.0 - input.poisson * input.poisson);
 }
+
+/// Reach of a mesh in the hand whose place is not known: it meets nothing, and is held back by nothing.
+constexpr double nowhere_u = -std::numeric_limits<double>::infinity();
 
 /// Motion of a body from pose to pose: no point of it goes further.
 double motionOf(double radius_u, const Pose& from_W, const Pose& to_W)
@@ -93,8 +99,19 @@ void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan
   this->looked_W_.reset();
   this->diagonal_u_ = 0.0;
   this->told_ = {};
+  this->told_.pose_W = this->begin_W_;
   this->held_ = plan.held;
   this->plan_ = plan.revision;
+  this->loose_.clear();
+  for (int b = 0; b < plan.bodyCount; ++b)
+  {
+    const MechanismBody& body = mechanism.bodies[static_cast<std::size_t>(b)];
+    if (isLoose(body) && body.mesh)
+    {
+      this->loose_.push_back(
+        { b, body.mesh->radius_u, body.mesh->diagonal_u, body.load_W.norm() / body.mass.mass_Ns2_per_u });
+    }
+  }
   if (mechanism.findsContacts)
   {
     const auto most = static_cast<std::size_t>(roomForFound(mechanism));
@@ -104,7 +121,7 @@ void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan
       if (mechanism.bodies[b].mesh)
       {
         const MechanismBody& body = mechanism.bodies[b];
-        meshes.push_back({ static_cast<int>(b), body.mesh, foundFrictionOf(mechanism, body) });
+        meshes.push_back({ static_cast<int>(b), body.mesh, foundFrictionOf(mechanism, body), isLoose(body) });
       }
     }
     this->finder_ = std::make_unique<ContactFinder>(std::move(meshes), plan.held, most);
@@ -141,12 +158,14 @@ bool MechanismBodies::knows(std::uint64_t plan) const noexcept
 void MechanismBodies::tell(const MechanismHand& told)
 {
   this->told_ = told;
+  if (told.plan != this->plan_)
+  {
+    this->told_.pose_W = this->begin_W_;
+  }
   if (told.plan != this->plan_ && this->knows(told.plan))
   {
-    const Pose held_W = told.pose_W[static_cast<std::size_t>(this->held_)];
     this->told_.plan = this->plan_;
-    this->told_.pose_W = this->begin_W_;
-    this->told_.pose_W[static_cast<std::size_t>(this->held_)] = held_W;
+    this->told_.pose_W[static_cast<std::size_t>(this->held_)] = told.pose_W[static_cast<std::size_t>(this->held_)];
   }
   this->tellBodies();
 }
@@ -219,10 +238,10 @@ void MechanismBodies::lookAround(std::size_t body, BodyHand& hand) const
   hand.tip_u = this->tips_u_[body] > 0.0 ? this->tips_u_[body] : this->finder_->tip_u(body);
 }
 
-/// Whether the hand has told where the mesh is.
+/// Once the hand has told where the mesh is. Loose bodies have contacts before, or they would fall until then.
 bool MechanismBodies::looks() const noexcept
 {
-  return this->finder_ && this->told_.plan == this->plan_;
+  return this->finder_ && (this->told_.plan == this->plan_ || !this->loose_.empty());
 }
 
 void MechanismBodies::findAt(double time_s)
@@ -245,6 +264,20 @@ void MechanismBodies::findAt(double time_s)
   }
 }
 
+/// A loose body goes on as it went, is pushed by the hand, and falls, in the two periods until another answer is in
+/// use: a t^2 / 2 with t two periods.
+void MechanismBodies::reachLoose(double heldMotion_u)
+{
+  for (const Loose& loose : this->loose_)
+  {
+    const auto b = static_cast<std::size_t>(loose.body);
+    const double motion_u =
+      this->looked_W_ ? motionOf(loose.radius_u, (*this->looked_W_)[b], this->told_.pose_W[b]) : 0.0;
+    this->looseReach_u_[b] = looseReach * loose.diagonal_u + reachOfMotion * (motion_u + heldMotion_u) +
+                             2.0 * loose.falls_u_per_s2 * this->period_s_ * this->period_s_;
+  }
+}
+
 const FoundContacts& MechanismBodies::find()
 {
   FinderView view;
@@ -252,7 +285,8 @@ const FoundContacts& MechanismBodies::find()
   const Pose& held_W = view.pose_W[static_cast<std::size_t>(this->held_)];
   const SidedSurface* const mesh = this->finder_->held();
   const double radius_u = mesh ? mesh->radius_u : 0.0, diagonal_u = mesh ? mesh->diagonal_u : 0.0;
-  const double motion_u = this->looked_W_ ? motionOf(radius_u, *this->looked_W_, held_W) : 0.0;
+  const double motion_u =
+    this->looked_W_ ? motionOf(radius_u, (*this->looked_W_)[static_cast<std::size_t>(this->held_)], held_W) : 0.0;
   view.held = { usualReach * diagonal_u + reachOfMotion * motion_u, usualTouch * diagonal_u + touchOfMotion * motion_u,
     usualCover * diagonal_u + reachOfMotion * motion_u };
   // A soft body that the hand presses moves no faster than the hand.
@@ -260,7 +294,14 @@ const FoundContacts& MechanismBodies::find()
     standingTouch * this->diagonal_u_ + touchOfMotion * motion_u };
   view.soft = this->given_;
   view.presses = this->told_.pressing();
-  this->looked_W_ = held_W;
+  this->reachLoose(motion_u);
+  view.loose_u = this->looseReach_u_;
+  this->looked_W_ = this->told_.pose_W;
+  if (this->told_.plan != this->plan_)
+  {
+    view.held = { nowhere_u, nowhere_u, nowhere_u };
+    this->looked_W_.reset();
+  }
   const FoundContacts& found = this->finder_->find(view);
   this->tellBodies(); // snapshots that come with this answer have the compliance of its places
   return found;
@@ -335,8 +376,10 @@ std::vector<SeenBody> MechanismBodies::seen() const
 
 bool MechanismBodies::changed()
 {
-  const bool others = this->asked_ != this->newest_;
+  const bool answered = !this->loose_.empty() && this->askedFound_ != this->found_.answer;
+  const bool others = this->asked_ != this->newest_ || answered;
   this->asked_ = this->newest_;
+  this->askedFound_ = this->found_.answer;
   return others;
 }
 

@@ -93,6 +93,7 @@ private:
   [[nodiscard]] const FoundContacts& find();
   void findAt(double time_s);
   void tellBodies();
+  void reachLoose(double heldMotion_u);
   void lookAround(std::size_t body, BodyHand& hand) const;
 
   std::vector<std::unique_ptr<BodyMaker>> makers_;
@@ -111,7 +112,18 @@ private:
   FoundContacts underWay_;                        ///< arrives with the next snapshots; in virtual time
   double period_s_ = 0.0, due_s_ = 0.0;           ///< likewise
   MechanismHand told_;
-  std::optional<Pose> looked_W_;  ///< where the mesh was, the last time
+  std::optional<PosesOfBodies> looked_W_; ///< where the bodies were, the last time
+  /// A loose body, for how far it may go until an answer is in use.
+  struct Loose
+  {
+    int body = 0; ///< in the plan
+    double radius_u = 0.0;
+    double diagonal_u = 0.0;
+    double falls_u_per_s2 = 0.0; ///< under its load
+  };
+  std::vector<Loose> loose_;
+  std::array<double, Mechanism::mostBodies> looseReach_u_{}; ///< of each in the plan's order, of those that are loose
+  std::uint64_t askedFound_ = 0;  ///< the newest answer, when it was asked whether the bodies are others
   std::vector<double> stiffness_; ///< E / (1 - nu^2) of each body [N/u^2]
   std::vector<double> tips_u_;    ///< of each body, as its description has it; 0: as its contacts are apart
   std::vector<BodyHand> hands_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/mechanism/MechanismTouch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -159,10 +160,11 @@ MechanismResult MechanismTouch::computeAtRest(MechanismInput& input)
   return result;
 }
 
-/// The held body is where the hand is, before any tick.
+/// The held body is where the hand is, the others are where they begin, before any tick.
 void MechanismTouch::begin(const MechanismInput& input, const Pose& hand_W)
 {
   MechanismHand hand = this->handOf(input, {});
+  std::ranges::transform(this->plan_.bodies, hand.pose_W.begin(), &PlannedBody::pose_W);
   hand.pose_W[static_cast<std::size_t>(this->plan_.held)] = input.hand_W;
   this->bodies_->tell(hand);
   if (this->mechanism_.findsContacts)

@@ -84,6 +84,7 @@ struct HeldMechanism
     visit("revision", s.mechanism.revision...);
     visit("packets", s.mechanism.snapshot...);
     visit("poses_W", s.mechanism.pose_W...);
+    visit("motions", s.mechanism.loose...);
     visit("laws", s.mechanism.laws...);
     visit("found", s.mechanism.found...);
     visit("placed", s.mechanism.placed...);
