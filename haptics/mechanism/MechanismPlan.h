@@ -18,7 +18,9 @@ struct PlannedBody
   double length_u = 0.0;
   Pose pose_W;
   Vec3 load_W = Vec3::Zero();
-  BodyMass mass; ///< of a rigid one that is loose
+  BodyMass mass;             ///< of a rigid one that is loose
+  Vec3 low_u = Vec3::Zero(); ///< bounds of its mesh, in its frame
+  Vec3 high_u = Vec3::Zero();
 };
 
 /// Whether a body has a mass, so that it moves by the forces on it.

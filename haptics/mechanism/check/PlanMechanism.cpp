@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/mechanism/check/MechanismCheck.h"
 #include "haptics/mechanism/check/MechanismFaults.h"
 #include "haptics/mechanism/found/SidedSurface.h"
@@ -26,6 +27,11 @@ PlannedBody planBody(const MechanismBody& body, std::span<const MechanismSoft> s
     planned.pose_W = { body.pose_W.p, body.pose_W.q.normalized() };
     planned.load_W = body.load_W;
     planned.mass = body.mass;
+  }
+  if (body.mesh)
+  {
+    planned.low_u = body.mesh->tree->data().low_W;
+    planned.high_u = body.mesh->tree->data().high_W;
   }
   if (body.kind == MechanismBodyKind::Soft)
   {

@@ -353,7 +353,7 @@ void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderV
   {
     // Beyond, places may touch that lie aside of those that are near now. At a mesh that stands, those that may touch
     // until the next answer have contacts already: no edge of a fine mesh slows the hand down.
-    const double beyond_u = std::max(nearest->gap_u, 0.0) + strides * edge_u;
+    const double beyond_u = std::max(nearest->gap_u, 0.0) + strides * (soft ? edge_u : apart_u);
     found.reach_u = std::min(found.reach_u, soft ? beyond_u : std::max(beyond_u, touches_u));
   }
   found.leftOut += chosen.leftOut;

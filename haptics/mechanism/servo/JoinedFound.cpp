@@ -67,10 +67,21 @@ ConstraintState goOn(const FoundContact& contact, const FoundContact& other, con
   return state;
 }
 
+/// The plane of a face that meets a vertex is the mesh's own; others are the other body's, or of both.
+bool turnsWithMesh(const MechanismPlan& plan, const FoundContact& contact) noexcept
+{
+  const bool atVertex = contact.place_B.vertices[0] == contact.place_B.vertices[1];
+  const bool stands = plan.bodies[static_cast<std::size_t>(contact.body)].kind == MechanismBodyKind::World;
+  return atVertex && contact.mesh == plan.held && stands;
+}
+
 } // namespace
 
-void joinFound(const MechanismPlan& plan, const FoundContacts& found, MechanismPlan& joined) noexcept
+void joinFound(
+  const MechanismPlan& plan, const FoundContacts& found, const PosesOfBodies& pose_W, MechanismPlan& joined) noexcept
 {
+  const Quat turned =
+    plan.held >= 0 ? pose_W[static_cast<std::size_t>(plan.held)].q * found.held_W.q.conjugate() : Quat::Identity();
   joined = plan;
   const int count = roomFor(found, plan.lawCount);
   for (int i = 0; i < count; ++i)
@@ -83,7 +94,7 @@ void joinFound(const MechanismPlan& plan, const FoundContacts& found, MechanismP
     law.b = contact.body;
     law.point_A = contact.point_A;
     law.point_B = contact.place_B.x_W; // of a rigid body; on a soft one place_B is
-    law.axis_B = contact.normal_W;
+    law.axis_B = turnsWithMesh(plan, contact) ? Vec3(turned * contact.normal_W) : contact.normal_W;
     law.friction = contact.friction;
     law.place_B = contact.place_B;
   }

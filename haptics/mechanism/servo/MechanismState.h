@@ -7,6 +7,7 @@
 #include "haptics/mechanism/FoundContacts.h"
 #include "haptics/mechanism/constraints/ConstraintState.h"
 #include "haptics/mechanism/constraints/LooseYield.h"
+#include "haptics/mechanism/servo/HandLead.h"
 #include "haptics/tool/servo/ToolBlend.h"
 
 namespace palpate
@@ -23,6 +24,10 @@ struct MechanismState
   std::array<LooseMotion, Mechanism::mostBodies> loose{};         ///< of loose ones
   std::array<ConstraintState, Mechanism::mostConstraints> laws{}; ///< the plan's, then those that were found
   FoundContacts found;                                            ///< the answer that these are of
+  HandLead led;                                                   ///< by the hand, in the last tick
+  Vec3 push_N = Vec3::Zero();                                     ///< on the hand, in the last tick; not spread
+  Vec3 turning_N = Vec3::Zero();                                  ///< likewise, of a moment at the lever
+  bool capped = false;                                            ///< the last tick did not meet the constraints
   bool placed = false;                                            ///< the held body has been somewhere
   Vec3 tip_W = Vec3::Zero();                                      ///< of the held body, as the constraints left it
   ToolBlend blend;

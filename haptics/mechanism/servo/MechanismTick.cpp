@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/servo/FollowingMesh.h"
 #include "haptics/mechanism/servo/JoinedFound.h"
 #include "haptics/mechanism/servo/SettledConstraints.h"
 #include "haptics/mechanism/servo/TipPlace.h"
-#include "haptics/tool/motion/Turn.h"
 
 namespace palpate
 {
@@ -41,32 +41,39 @@ public:
   MechanismStep(
     const MechanismInput& input, const MechanismPlan& named, MechanismState& state, MechanismScratch& room) noexcept
     : input_(input), named_(named), plan_(*input.plan), joined_(room.joined), state_(state), result_(room.result),
-      laws_(input, state, room.laws)
+      laws_(input_, state, room.laws), mesh_(input_, named.lawCount, state, laws_)
   {
   }
 
   void run() noexcept
   {
     this->result_ = {};
+    const bool first = !this->state_.placed; // constraints that hold then make no step in the force
+    const bool pressed = this->mesh_.isPressed();
+    if (!first)
+    {
+      this->mesh_.follow(pressed);
+    }
     this->tip_W_ = this->plan_.held >= 0 ? this->tipOf(this->laws_.lead_W()) : Vec3(Vec3::Zero());
     this->takeSnapshots();
     this->meetSurfaces();
     this->leadApart();
-    const bool first = !this->state_.placed; // constraints that hold then make no step in the force
     (void)(first && this->tryWaiting());
-    const bool others = this->input_.found && this->input_.found->answer != this->state_.found.answer;
-    if (others && first)
+    const bool others = this->mesh_.isOther();
+    Vec6 before_N = this->pushBefore();
+    if (others)
     {
       this->takeFound();
     }
     this->laws_.settle();
-    const Vec6 before_N = others && !first ? this->endAnswer() : this->laws_.onHand();
-    if (others && !first)
+    if (!first && !pressed && this->state_.led.isBehind() && this->laws_.onHand() != Vec6::Zero())
     {
-      this->takeFound();
+      this->mesh_.follow(true);
       this->laws_.settle();
     }
-    this->slowDown();
+    this->mesh_.slowDown();
+    const bool unmet = this->state_.capped || this->laws_.capped();
+    before_N = others || unmet ? before_N : this->laws_.onHand();
     std::size_t changes = 0;
     for (bool more = !first && this->tryWaiting();
          changes < Mechanism::mostConstraints && (more || this->changeConstraints()); more = false)
@@ -75,7 +82,7 @@ public:
       ++changes;
     }
     this->keep();
-    this->tellHand(before_N, (changes > 0 || others) && !first);
+    this->tellHand(before_N, (changes > 0 || others || unmet) && !first);
   }
 
 private:
@@ -99,7 +106,7 @@ private:
       pose_W[this->plan_.held] = this->laws_.lead_W();
     }
     palpate::takeFound(*this->input_.found, this->named_.lawCount, pose_W, this->state_);
-    joinFound(this->named_, this->state_.found, this->joined_);
+    joinFound(this->named_, this->state_.found, pose_W, this->joined_);
     this->leadApart();
   }
 
@@ -128,38 +135,13 @@ private:
     return led ? this->laws_.lead_W() : this->state_.pose_W[body];
   }
 
-  /// The force as the answer before still has it: a hand that was ahead of that is free of it only now.
-  [[nodiscard]] Vec6 endAnswer() noexcept
+  /// The force on the hand in the tick before. From there another answer makes a step, and a tick that does not meet
+  /// the constraints, as it may miss them by much.
+  [[nodiscard]] Vec6 pushBefore() const noexcept
   {
-    const Pose lead_W = this->laws_.lead_W();
-    this->slowDown();
-    const Vec6 before_N = this->laws_.onHand();
-    this->laws_.lead(lead_W);
-    this->result_.ahead = false;
-    return before_N;
-  }
-
-  /// A hand that leads the mesh to where nothing was looked for leads it as far as that was, until the next answer.
-  void slowDown() noexcept
-  {
-    const FoundContacts& found = this->state_.found;
-    if (found.answer == 0 || std::isinf(found.reach_u))
-    {
-      return;
-    }
-    const Pose held_W = this->laws_.movedPose(this->plan_.held);
-    const Vec3 way_W = held_W.p - found.held_W.p;
-    const Vec3 turn_rad = turnFromTo(found.held_W.q, held_W.q);
-    const double moved_u = way_W.norm() + this->plan_.characteristic_u * turn_rad.norm();
-    if (moved_u <= found.reach_u)
-    {
-      return;
-    }
-    const double back = 1.0 - found.reach_u / moved_u;
-    const Pose& lead_W = this->laws_.lead_W();
-    this->laws_.lead({ lead_W.p - back * way_W, (turnBy(-back * turn_rad) * lead_W.q).normalized() });
-    this->laws_.settle();
-    this->result_.ahead = true;
+    Vec6 push_N;
+    push_N << this->state_.push_N, this->state_.turning_N;
+    return push_N;
   }
 
   /// Under the same forces a later snapshot would have points elsewhere: that much offset keeps them, and fades.
@@ -244,10 +226,13 @@ private:
   /// Keeps the outcome of the constraints for the next tick and for readers.
   void keep() noexcept
   {
+    const Pose before_W = this->state_.pose_W[std::max(this->plan_.held, 0)];
     for (int b = 0; b < this->plan_.bodyCount; ++b)
     {
       this->keepBody(b);
     }
+    const bool stops = this->laws_.capped() && this->state_.placed && this->plan_.held >= 0;
+    this->hand_N_ = stops ? this->mesh_.stopBefore(before_W) : this->laws_.onHand();
     for (int l = 0; l < this->plan_.lawCount; ++l)
     {
       this->keepConstraint(l);
@@ -263,7 +248,12 @@ private:
     }
     this->state_.tip_W =
       this->plan_.held >= 0 ? this->tipOf(this->state_.pose_W[this->plan_.held]) : Vec3(Vec3::Zero());
+    this->state_.led = { this->mesh_.hand_W(), this->laws_.lead_W() };
+    this->state_.push_N = this->hand_N_.head<3>();
+    this->state_.turning_N = this->hand_N_.tail<3>();
+    this->state_.capped = this->laws_.capped();
     this->state_.placed = true;
+    this->result_.ahead = this->mesh_.isBehind();
     this->result_.pose_W = this->state_.pose_W;
     this->result_.rows = this->laws_.rows().count;
     this->result_.found = this->plan_.lawCount - this->named_.lawCount;
@@ -360,7 +350,7 @@ private:
   void tellHand(const Vec6& before_N, bool changed) noexcept
   {
     const double k = this->input_.grip.coupling_N_per_u;
-    const Vec6 now_N = this->laws_.onHand();
+    const Vec6 now_N = this->hand_N_;
     const Vec6 step_u = changed ? Vec6((now_N - before_N) / k) : Vec6(Vec6::Zero());
     const Vec6 felt_N = k * this->state_.blend.blended(now_N / k, step_u, k, this->input_.dt_s);
     const auto wrench = [this](const Vec6& f) {
@@ -370,15 +360,17 @@ private:
     this->result_.wrench_W = wrench(felt_N);
   }
 
-  const MechanismInput& input_;
+  MechanismInput input_; ///< where the turn is held, with a spring that holds it
   const MechanismPlan& named_;
   const MechanismPlan& plan_;
   MechanismPlan& joined_;
   MechanismState& state_;
   MechanismResult& result_;
+  Vec6 hand_N_ = Vec6::Zero(); ///< of the held body on the hand, whitened
   Vec3 tip_W_ = Vec3::Zero();
   std::array<bool, Mechanism::mostConstraints> tried_{};
   SettledConstraints laws_;
+  FollowingMesh mesh_;
 };
 
 } // namespace
@@ -418,7 +410,7 @@ const MechanismResult& MechanismTick::step(const MechanismInput& input) noexcept
   MechanismInput joined = input;
   if (input.found != nullptr || this->state_.found.answer != 0)
   {
-    joinFound(*input.plan, this->state_.found, this->room_->joined);
+    joinFound(*input.plan, this->state_.found, this->state_.pose_W, this->room_->joined);
     joined.plan = &this->room_->joined;
   }
   MechanismStep(joined, *input.plan, this->state_, *this->room_).run();

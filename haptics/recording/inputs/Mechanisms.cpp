@@ -51,6 +51,8 @@ void layBody(const Io& io, Body& body)
   io(body.pose_W);
   io(body.load_W);
   io(body.mass);
+  io(body.low_u);
+  io(body.high_u);
 }
 
 template<class Io, class Constraint>
@@ -126,7 +128,7 @@ bool isUsable(const PlannedBody& body, std::size_t softCount)
   const bool soft = body.kind == MechanismBodyKind::Soft;
   return body.kind <= MechanismBodyKind::World && (soft ? body.soft >= 0 : body.soft == -1) &&
          body.soft < static_cast<int>(softCount) && std::isfinite(body.length_u) && isPlace(body.pose_W) &&
-         body.load_W.allFinite() && isUsable(body.mass);
+         body.load_W.allFinite() && isUsable(body.mass) && body.low_u.allFinite() && body.high_u.allFinite();
 }
 
 /// Strengths and bounds may be unlimited.
@@ -285,7 +287,9 @@ bool isUsable(const MechanismState& state)
   return std::ranges::all_of(state.laws, [](const ConstraintState& law) { return isUsable(law); }) &&
          std::ranges::all_of(state.loose, [](const LooseMotion& motion) { return isUsable(motion); }) &&
          isUsable(state.found) && std::ranges::all_of(state.pose_W, [](const Pose& pose) { return isPlace(pose); }) &&
-         state.tip_W.allFinite() && state.blend.way_u.allFinite() && state.blend.turn_u.allFinite();
+         state.push_N.allFinite() && state.turning_N.allFinite() && isPlace(state.led.hand_W) &&
+         isPlace(state.led.lead_W) && state.tip_W.allFinite() && state.blend.way_u.allFinite() &&
+         state.blend.turn_u.allFinite();
 }
 
 bool fits(const MechanismState& state, const RecordedMechanism& mechanism)

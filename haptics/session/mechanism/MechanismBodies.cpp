@@ -287,8 +287,10 @@ const FoundContacts& MechanismBodies::find()
   const double radius_u = mesh ? mesh->radius_u : 0.0, diagonal_u = mesh ? mesh->diagonal_u : 0.0;
   const double motion_u =
     this->looked_W_ ? motionOf(radius_u, (*this->looked_W_)[static_cast<std::size_t>(this->held_)], held_W) : 0.0;
-  view.held = { usualReach * diagonal_u + reachOfMotion * motion_u, usualTouch * diagonal_u + touchOfMotion * motion_u,
-    usualCover * diagonal_u + reachOfMotion * motion_u };
+  // A mesh that is behind the hand comes after it.
+  const double behind_u = std::min((this->told_.hand_W - held_W.p).norm(), usualReach * diagonal_u);
+  view.held = { usualReach * diagonal_u + reachOfMotion * motion_u + behind_u,
+    usualTouch * diagonal_u + touchOfMotion * motion_u, usualCover * diagonal_u + reachOfMotion * motion_u };
   // A soft body that the hand presses moves no faster than the hand.
   view.standing = { standingReach * this->diagonal_u_ + reachOfMotion * motion_u,
     standingTouch * this->diagonal_u_ + touchOfMotion * motion_u };

@@ -134,13 +134,14 @@ MechanismResult MechanismTouch::compute(MechanismInput& input)
   return this->tick_.step(input);
 }
 
-/// Bodies and constraints take turns until the force stays: each turn begins where the tick before ended.
+/// Bodies and constraints take turns until the force stays: each turn begins where the tick before ended, or where the
+/// mesh came to in this one.
 MechanismResult MechanismTouch::computeAtRest(MechanismInput& input)
 {
   constexpr int mostTurns = 40;
   constexpr int stepsToRest = 20;
   constexpr double stays = 1e-9; // of the force
-  const MechanismState start = this->tick_.state();
+  MechanismState start = this->tick_.state();
   MechanismResult result;
   Vec3 force_N = Vec3::Zero();
   for (int turn = 0; turn < mostTurns; ++turn)
@@ -150,6 +151,11 @@ MechanismResult MechanismTouch::computeAtRest(MechanismInput& input)
     input.found = this->newestFound();
     result = this->tick_.step(input);
     this->bodies_->tell(this->handOf(input, result));
+    if (result.ahead)
+    {
+      start = this->tick_.state(); // the mesh goes as far as contacts were looked for, and on from there
+      continue;
+    }
     const double change_N = (result.exact_W.force - force_N).norm();
     force_N = result.exact_W.force;
     if (change_N <= stays * force_N.norm())

@@ -87,6 +87,11 @@ struct HeldMechanism
     visit("motions", s.mechanism.loose...);
     visit("laws", s.mechanism.laws...);
     visit("found", s.mechanism.found...);
+    visit("led.hand_W", s.mechanism.led.hand_W...);
+    visit("led.lead_W", s.mechanism.led.lead_W...);
+    visit("push_N", s.mechanism.push_N...);
+    visit("turning_N", s.mechanism.turning_N...);
+    visit("capped", s.mechanism.capped...);
     visit("placed", s.mechanism.placed...);
     visit("tip_W", s.mechanism.tip_W...);
     visit("blend.way_u", s.mechanism.blend.way_u...);

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "haptics/compliance/snapshot/PointCompliance.h"
 #include "haptics/mechanism/found/ContactFinder.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
 #include "testing/haptics/compliance/Blocks.h"
@@ -89,6 +90,27 @@ private:
   MechanismResult result_;
   double time_s_ = 0.0;
 };
+
+/// Where the vertices of a body are under the forces of a tick.
+inline std::vector<Vec3> bentBy(const MechanismResult& result, const PressedBody& body)
+{
+  std::vector<Vec3> bent_W = body.snapshot->free_W;
+  std::vector<CompliantPoint> from;
+  for (int p = 0; p < result.pressCount; ++p)
+  {
+    from.push_back(compliantPoint(*body.snapshot, result.presses[static_cast<std::size_t>(p)].at));
+  }
+  for (std::uint32_t v = 0; v < bent_W.size(); ++v)
+  {
+    const SurfacePoint place{ { v, v, v }, Vec3::UnitX(), body.snapshot->free_W[v] };
+    const CompliantPoint at = compliantPoint(*body.snapshot, place);
+    for (std::size_t p = 0; p < from.size(); ++p)
+    {
+      bent_W[v] += complianceBetween(*body.snapshot, at, from[p]) * result.presses[p].force_N;
+    }
+  }
+  return bent_W;
+}
 
 /// One body that is not computed anew, so that a shot costs its ticks alone.
 struct Range

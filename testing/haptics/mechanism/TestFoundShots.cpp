@@ -19,27 +19,6 @@ namespace palpate::test
 namespace
 {
 
-/// Where the vertices of the block are under the forces of a tick.
-std::vector<Vec3> bentBy(const MechanismResult& result, const PressedBody& body)
-{
-  std::vector<Vec3> bent_W = body.snapshot->free_W;
-  std::vector<CompliantPoint> from;
-  for (int p = 0; p < result.pressCount; ++p)
-  {
-    from.push_back(compliantPoint(*body.snapshot, result.presses[static_cast<std::size_t>(p)].at));
-  }
-  for (std::uint32_t v = 0; v < bent_W.size(); ++v)
-  {
-    const SurfacePoint place{ { v, v, v }, Vec3::UnitX(), body.snapshot->free_W[v] };
-    const CompliantPoint at = compliantPoint(*body.snapshot, place);
-    for (std::size_t p = 0; p < from.size(); ++p)
-    {
-      bent_W[v] += complianceBetween(*body.snapshot, at, from[p]) * result.presses[p].force_N;
-    }
-  }
-  return bent_W;
-}
-
 /// The nearest place of a closed surface to a point that is in it; no triangle: it is not.
 struct Foot
 {
