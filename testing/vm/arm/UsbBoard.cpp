@@ -19,7 +19,9 @@ constexpr std::array<std::uint8_t, 14> bulkEndpoints{ 7, 5, 0x02, 2, 64, 0, 0, 7
 Bytes configurationOf(std::uint8_t interfaces, const Bytes& rest)
 {
   const std::size_t length = 9 + rest.size() + bulkEndpoints.size();
-  Bytes all{ 9, 2, low(length), high(length), interfaces, 1, 0, 0x80, 50 };
+  Bytes all;
+  all.reserve(length);
+  all.insert(all.end(), { 9, 2, low(length), high(length), interfaces, 1, 0, 0x80, 50 });
   all.insert(all.end(), rest.begin(), rest.end());
   all.insert(all.end(), bulkEndpoints.begin(), bulkEndpoints.end());
   return all;
