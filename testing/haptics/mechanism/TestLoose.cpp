@@ -204,7 +204,8 @@ TEST_F(Coasting, GoesByTheHandsForceLessFrictionThenSlowsStopsAndSleeps)
     const Pose before = i > 0 ? run.pose_W(box) : Pose{ Vec3(0, 0, half_m.z()), Quat::Identity() };
     const MechanismResult& r = run.next(handAt(i));
     v = (run.pose_W(box).p.x() - before.p.x()) / dt_s;
-    const double now_J = energy_J(half_m, before, run.pose_W(box));
+    // The contacts are springs, too: where friction ends, the box goes back by nanometres.
+    const double now_J = energy_J(half_m, before, run.pose_W(box)) + r.stored_Nu;
     if (i <= pushes)
     {
       const bool slides = v > 1e-6; // else its friction holds it
