@@ -342,16 +342,19 @@ TEST_F(HapticSessionTool, OnASurfaceHasAnArrowAtEachContactAsLongAsTheForceThere
   EXPECT_EQ(DrawnContacts(this->session_).count(), 0) << "it touches nothing";
   this->goTo(halfSide - 2.0);
   const DrawnContacts contacts(this->session_);
-  EXPECT_GE(contacts.count(), 3) << "a face lies on a plane";
+  ASSERT_GT(contacts.count(), 0);
   EXPECT_LE((contacts.all_N() - springOfTool * 2.0 / scale * Vec3::UnitZ()).norm(), 1e-5);
   double most_N = 0.0;
+  Vec3 moment = Vec3::Zero(); // about the hand, which holds the middle of a cube that lies flat
   for (int i = 0; i < contacts.count(); ++i)
   {
+    moment += contacts.at(i).cross(contacts.force_N(i));
     EXPECT_NEAR(contacts.at(i).z(), 0.0, 1e-4);
     EXPECT_EQ(contacts.touched(i), "surface");
     EXPECT_EQ(contacts.pair(i), 0);
     most_N = std::max(most_N, contacts.force_N(i).norm());
   }
+  EXPECT_LE(moment.norm(), 1e-4 * halfSide);
   vtkNew<vtkHapticToolProps> props;
   props->UpdateFrom(this->session_);
   EXPECT_FALSE(props->GetContactsActor()->GetVisibility()) << "nobody has asked for arrows";
@@ -370,11 +373,11 @@ TEST_F(HapticSessionTool, OnASurfaceHasAnArrowAtEachContactAsLongAsTheForceThere
 
 TEST_F(HapticSessionTool, AcrossABodyThatGivesWayAndABoneHasTheForcesOfEachByName)
 {
-  constexpr double deep = 1.0, border = 50.0; // of the block; the bone begins there
+  constexpr double deep = 1.0, border = 50.0, apart = 2.0; // where the block ends, and how far the bone is from it
   ToolOnBlock on;
   const auto session = vtkSmartPointer<vtkHapticSession>(on.session);
   vtkNew<vtkCubeSource> bone, cube;
-  bone->SetBounds(border, border + 50.0, -60.0, 60.0, -40.0, -0.5);
+  bone->SetBounds(border + apart, border + 50.0, -60.0, 60.0, -40.0, -0.5);
   bone->Update();
   cube->SetXLength(80.0);
   cube->SetYLength(40.0);
@@ -396,7 +399,8 @@ TEST_F(HapticSessionTool, AcrossABodyThatGivesWayAndABoneHasTheForcesOfEachByNam
     const std::string& name = contacts.touched(i);
     of.try_emplace(name, Vec3::Zero()).first->second += contacts.force_N(i);
     pairs[name].insert(contacts.pair(i));
-    EXPECT_EQ(name == "bone", contacts.at(i).x() > border) << name << " at " << contacts.at(i).transpose();
+    EXPECT_EQ(name == "bone", contacts.at(i).x() > border + 0.5 * apart)
+      << name << " at " << contacts.at(i).transpose();
     EXPECT_GT(contacts.force_N(i).z(), 0.0);
   }
   ASSERT_EQ(of.size(), 2u);

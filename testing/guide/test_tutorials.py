@@ -86,6 +86,22 @@ class Tutorials(unittest.TestCase):
         self.assertGreaterEqual(led, stopped - 0.02)  # a circle is drawn of pieces
         self.assertLessEqual(led, stopped + 0.05 + 0.02)
 
+    def test_spatula(self):
+        # Between spatula and rib the liver is compressed.
+        first, second = self.play("spatula", (0, 0, 20), (0, 0, 11))
+        self.assertGreaterEqual(first, 0.8 * 0.05)  # it yields on while it comes to rest
+        self.assertGreaterEqual(second, 0.8 * 0.4)
+        contacts = [line for line in self.said.splitlines() if " at (" in line]
+        touched = {line.split(" at (")[0] for line in contacts}
+        self.assertEqual(touched, {"liver", "rib on liver"})
+        for line in contacts:
+            x, y, z = (float(number) for number in re.search(r"at \((.*)\) u", line)[1].split(", "))
+            if line.startswith("rib"):
+                self.assertAlmostEqual(math.hypot(x, z + 21.5), 6, delta=0.3, msg=line)  # on the rod
+            else:
+                self.assertLessEqual(abs(x), 7.5, line)  # below the spatula
+                self.assertLessEqual(abs(y), 20.5, line)
+
     if "soft-brain" in tutorials.present():
 
         def test_soft_brain(self):

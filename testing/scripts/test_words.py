@@ -146,6 +146,7 @@ HELD = (
     "docs/guide/labyrinth.md",
     "docs/guide/skull.md",
     "docs/guide/soft-brain.md",
+    "docs/guide/spatula.md",
     "docs/mechanisms.md",
     "docs/program.md",
     "docs/recipes/README.md",

@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "haptics/core/CrossMatrix.h"
 #include "haptics/tool/motion/Turn.h"
 
 namespace palpate
@@ -14,13 +15,6 @@ namespace
 
 /// Share of the springs' stiffness that is left at least where the second derivatives are taken as they are.
 constexpr double leastStiff = 0.1;
-
-Mat3 crossing(const Vec3& v) noexcept
-{
-  Mat3 m;
-  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return m;
-}
 
 /// Half the second derivative of the squared angle between two orientations, along turns of one of them.
 Mat3 bendOfAngle(const Quat& from, const Quat& to) noexcept
@@ -58,7 +52,7 @@ struct Stiffness
   void addTurning(const Vec3& force_W, const Vec3& arm_W, double characteristic_u) noexcept
   {
     this->turning = true;
-    const Mat3 across = crossing(force_W) / characteristic_u;
+    const Mat3 across = crossMatrix(force_W) / characteristic_u;
     this->addFixed(-force_W, arm_W, characteristic_u);
     this->forces.topRightCorner<3, 3>() += across;
     this->forces.bottomLeftCorner<3, 3>() += across.transpose();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/mechanism/constraints/LooseYield.h"
 
+#include "haptics/core/CrossMatrix.h"
+
 namespace palpate
 {
 namespace
@@ -15,13 +17,6 @@ constexpr double wokenBy = 1e-3;
 /// A turn in a tick beyond which the rows of small turns mean little [rad].
 constexpr double mostTurn_rad = 0.25;
 
-Mat3 skew(const Vec3& v) noexcept
-{
-  Mat3 m;
-  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return m;
-}
-
 /// I (w - spin) + dt w x I w = 0: the energy w I w does not grow, as w is normal to w x I w.
 Vec3 freeSpin(const Mat3& inertia, const Vec3& spin_B, double dt_s) noexcept
 {
@@ -29,7 +24,7 @@ Vec3 freeSpin(const Mat3& inertia, const Vec3& spin_B, double dt_s) noexcept
   for (int step = 0; step < gyroSteps && spin_B != Vec3::Zero(); ++step)
   {
     const Vec3 open = inertia * (w - spin_B) + dt_s * w.cross(inertia * w);
-    const Mat3 slope = inertia + dt_s * (skew(w) * inertia - skew(inertia * w));
+    const Mat3 slope = inertia + dt_s * (crossMatrix(w) * inertia - crossMatrix(inertia * w));
     w -= slope.inverse() * open;
   }
   return w;
