@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/mechanism/BodyMass.h"
 
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+#include "haptics/geometry/measure/Moments.h"
+
 namespace palpate
 {
 
 EnclosedVolume enclosedBy(const TriangleMesh& mesh)
 {
-  EnclosedVolume sum;
   if (mesh.triangles.empty())
   {
-    return sum;
+    return {};
   }
   const Vec3 from = mesh.vertices_W[mesh.triangles.front()[0]];
-  Vec3 first_u4 = Vec3::Zero();
-  for (const auto& [i, j, k] : mesh.triangles)
-  {
-    const Vec3 a = mesh.vertices_W[i] - from, b = mesh.vertices_W[j] - from, c = mesh.vertices_W[k] - from;
-    const double volume = a.dot(b.cross(c)) / 6.0;
-    const Vec3 all = a + b + c;
-    sum.volume_u3 += volume;
-    first_u4 += volume / 4.0 * all;
-    sum.second_u5 +=
-      volume / 20.0 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + all * all.transpose());
-  }
-  const Vec3 centre = sum.volume_u3 != 0.0 ? Vec3(first_u4 / sum.volume_u3) : Vec3(Vec3::Zero());
-  sum.second_u5 -= sum.volume_u3 * centre * centre.transpose();
-  sum.centre_u = from + centre;
-  return sum;
+  const Moments<Mat3> moments = momentsOf<Mat3>(mesh, from, addSolid);
+  const Vec3 centre = moments.weight != 0.0 ? Vec3(moments.first / moments.weight) : Vec3(Vec3::Zero());
+  return { moments.weight, from + centre, moments.second - moments.weight * centre * centre.transpose() };
+}
+
+bool isValid(const BodyMass& mass)
+{
+  const bool moves = mass.mass_Ns2_per_u > 0.0 && std::isfinite(mass.mass_Ns2_per_u) &&
+                     mass.inertia_N_s2_u.allFinite() && mass.inertia_N_s2_u.isApprox(mass.inertia_N_s2_u.transpose()) &&
+                     mass.inertia_N_s2_u.llt().info() == Eigen::Success;
+  return mass == BodyMass{} || moves;
 }
 
 TriangleMesh boxOf(const Vec3& halfSize_u)

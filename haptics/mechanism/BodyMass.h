@@ -23,6 +23,10 @@ struct BodyMass
   friend bool operator==(const BodyMass&, const BodyMass&) = default;
 };
 
+/// Whether a mass is none, or a force moves a body that has it: above 0, and the inertia symmetric and positive
+/// definite.
+[[nodiscard]] bool isValid(const BodyMass& mass);
+
 template<class Visit, class Mass>
 void membersOf(const Visit& visit, Mass& mass) requires std::is_same_v<std::remove_const_t<Mass>, BodyMass>
 {
@@ -41,8 +45,7 @@ struct EnclosedVolume
   Mat3 second_u5 = Mat3::Zero(); ///< integral of x x^T about the centre
 };
 
-/// Of triangles that are right-handed about the outer normal. Tetrahedra from the first vertex to each triangle are
-/// added up: sum det / 6, and so on (Mirtich 1996 has the same integrals over faces).
+/// Of triangles that are right-handed about the outer normal.
 [[nodiscard]] EnclosedVolume enclosedBy(const TriangleMesh& mesh);
 
 /// A box of these half sizes about the origin: 12 triangles, right-handed about the outer normal.

@@ -26,6 +26,11 @@ struct FoundContact
   Vec3 normal_W = Vec3::UnitZ(); ///< out of the other body
   double apart_u = 0.0;          ///< other contacts in this direction are as far away, or further
   double friction = 0.0;         ///< Coulomb's
+
+  [[nodiscard]] bool isAtVertexOfOther() const noexcept
+  {
+    return this->place_B.vertices[0] == this->place_B.vertices[1];
+  }
 };
 
 template<class Visit, class Contact>

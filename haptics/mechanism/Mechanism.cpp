@@ -38,11 +38,6 @@ int mostRowsOf(ConstraintKind kind) noexcept
   return kinds[static_cast<std::size_t>(kind)].rows;
 }
 
-bool isLoose(const MechanismBody& body) noexcept
-{
-  return body.kind == MechanismBodyKind::Rigid && body.mass.mass_Ns2_per_u > 0.0;
-}
-
 double foundFrictionOf(const Mechanism& mechanism, const MechanismBody& body) noexcept
 {
   return body.friction.value_or(mechanism.foundFriction);

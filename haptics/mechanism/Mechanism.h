@@ -103,8 +103,13 @@ struct Mechanism
 /// How many rows a constraint has where it has most.
 [[nodiscard]] int mostRowsOf(ConstraintKind kind) noexcept;
 
-/// Whether a body has a mass: it moves by the forces on it, where others are at rest in each tick.
-[[nodiscard]] bool isLoose(const MechanismBody& body) noexcept;
+/// Whether a body, as described or as planned, has a mass: it moves by the forces on it, where others are at rest in
+/// each tick.
+template<class Body>
+[[nodiscard]] bool isLoose(const Body& body) noexcept
+{
+  return body.kind == MechanismBodyKind::Rigid && body.mass.mass_Ns2_per_u > 0.0;
+}
 
 /// Coulomb's coefficient of the contacts that are found at the mesh of a body.
 [[nodiscard]] double foundFrictionOf(const Mechanism& mechanism, const MechanismBody& body) noexcept;

@@ -23,12 +23,6 @@ struct PlannedBody
   Vec3 high_u = Vec3::Zero();
 };
 
-/// Whether a body has a mass, so that it moves by the forces on it.
-[[nodiscard]] inline bool isLoose(const PlannedBody& body) noexcept
-{
-  return body.kind == MechanismBodyKind::Rigid && body.mass.mass_Ns2_per_u > 0.0;
-}
-
 /// A constraint as the tick knows it: numbers in place of names.
 struct PlannedConstraint
 {

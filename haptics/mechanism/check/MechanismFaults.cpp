@@ -151,13 +151,9 @@ private:
 
   void judgeMass(const MechanismBody& body, const std::string& name)
   {
-    const BodyMass& mass = body.mass;
-    const bool none = mass == BodyMass{};
-    const bool moves = mass.mass_Ns2_per_u > 0.0 && std::isfinite(mass.mass_Ns2_per_u) &&
-                       mass.inertia_N_s2_u.allFinite() && mass.inertia_N_s2_u.llt().info() == Eigen::Success;
-    this->require(none || body.kind == MechanismBodyKind::Rigid,
+    this->require(body.mass == BodyMass{} || body.kind == MechanismBodyKind::Rigid,
       name + "has a density, which only a body of the kind \"rigid\" may have.");
-    this->require(none || moves, name + "has no mass: give it a density above 0, and a volume.");
+    this->require(isValid(body.mass), name + "has no mass: give it a density above 0, and a volume.");
   }
 
   void judgeConstraint(const MechanismConstraint& law, std::size_t i)

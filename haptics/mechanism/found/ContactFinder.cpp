@@ -75,11 +75,6 @@ ChosenPlaces spread(const std::vector<NearPlace>& sorted, PlaceRoom room, double
   return chosen;
 }
 
-bool isVertexOfOther(const FoundContact& contact)
-{
-  return contact.place_B.vertices[0] == contact.place_B.vertices[1];
-}
-
 /// The vertex becomes the point, and the plane is the mesh's. `mesh_B`: pose of the mesh in the other's frame.
 void turnRound(const Pose& mesh_B, FoundContact& contact)
 {
@@ -99,7 +94,7 @@ void keepPlanes(const FoundContacts& before, const Quat& turned, const Pose& mes
     FoundContact& contact = place.contact;
     const auto was =
       std::find_if(before.contacts.begin(), end, [&](const FoundContact& other) { return other.name == contact.name; });
-    if (was == end || !isVertexOfOther(contact))
+    if (was == end || !contact.isAtVertexOfOther())
     {
       continue;
     }
@@ -365,7 +360,7 @@ void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderV
     contact.body = body;
     contact.apart_u = chosen.apart_u;
     contact.friction = (standing ? *standing : this->meshes_[m]).friction;
-    if (loose && isVertexOfOther(contact))
+    if (loose && contact.isAtVertexOfOther())
     {
       turnRound(meeting.mesh_B, contact);
     }

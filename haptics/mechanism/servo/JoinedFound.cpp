@@ -70,9 +70,8 @@ ConstraintState goOn(const FoundContact& contact, const FoundContact& other, con
 /// The plane of a face that meets a vertex is the mesh's own; others are the other body's, or of both.
 bool turnsWithMesh(const MechanismPlan& plan, const FoundContact& contact) noexcept
 {
-  const bool atVertex = contact.place_B.vertices[0] == contact.place_B.vertices[1];
   const bool stands = plan.bodies[static_cast<std::size_t>(contact.body)].kind == MechanismBodyKind::World;
-  return atVertex && contact.mesh == plan.held && stands;
+  return contact.isAtVertexOfOther() && contact.mesh == plan.held && stands;
 }
 
 } // namespace

@@ -114,21 +114,12 @@ RecordedMechanism::Body readSoft(ByteReader& in)
   return recorded;
 }
 
-/// None, or one that a force moves.
-bool isUsable(const BodyMass& mass)
-{
-  const bool moves = mass.mass_Ns2_per_u > 0.0 && std::isfinite(mass.mass_Ns2_per_u) &&
-                     mass.inertia_N_s2_u.allFinite() && mass.inertia_N_s2_u.isApprox(mass.inertia_N_s2_u.transpose()) &&
-                     mass.inertia_N_s2_u.llt().info() == Eigen::Success;
-  return mass == BodyMass{} || moves;
-}
-
 bool isUsable(const PlannedBody& body, std::size_t softCount)
 {
   const bool soft = body.kind == MechanismBodyKind::Soft;
   return body.kind <= MechanismBodyKind::World && (soft ? body.soft >= 0 : body.soft == -1) &&
          body.soft < static_cast<int>(softCount) && std::isfinite(body.length_u) && isPlace(body.pose_W) &&
-         body.load_W.allFinite() && isUsable(body.mass) && body.low_u.allFinite() && body.high_u.allFinite();
+         body.load_W.allFinite() && isValid(body.mass) && body.low_u.allFinite() && body.high_u.allFinite();
 }
 
 /// Strengths and bounds may be unlimited.
