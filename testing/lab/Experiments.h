@@ -70,6 +70,8 @@ void runContacts(const Conditions& conditions, Table& table);
 void runConstraints(const Conditions& conditions, Table& table);
 void runMechanism(const Conditions& conditions, Table& table);
 void runBodiesMeet(const Conditions& conditions, Table& table);
+void runLoose(const Conditions& conditions, Table& table);
+void runInertia(const Conditions& conditions, Table& table);
 void runMechanismMethods(const Conditions& conditions, Table& table);
 void runDirectCoupling(const Conditions& conditions, Table& table);
 void runMaterialsLarge(const Conditions& conditions, Table& table);

@@ -10,7 +10,7 @@ import argparse
 import pathlib
 import sys
 
-from charting import arms, costs, mechanisms, old_joystick, plane_worlds, soft, speed_accuracy, stability, tools
+from charting import arms, costs, loose, mechanisms, old_joystick, plane_worlds, soft, speed_accuracy, stability, tools
 from charting.page import page
 from charting.style import pyplot
 from charting.tables import Problem, read_folder
@@ -97,6 +97,11 @@ CHARTS = [
      "lines are the least energy. Each spot by itself pushes where the organ is pulled, and has the hand feel up to 29 % too much. Right: the needle goes in, "
      "punctures, turns round and comes back; what falls at once is spread for the hand. Below: what laws cost a tick, from the median to the 99th of a hundred.",
      ["mechanism", "laws"], lambda t: mechanisms.draw(t["mechanism"], t["laws"])),
+    ("loose", "Bodies with mass: slopes, inertia, and the tick",
+     "Left: a box slides on a slope as Coulomb's law says (wide dashed line), and rests below the angle of friction; friction as a damper, "
+     "whole from 1 mm/s on, creeps there. Middle: the hand feels the inertia of a box that it shakes; a body at rest in each tick has none. "
+     "Right: with half the tick a pendulum is twice as near to the true one.",
+     ["loose", "inertia"], lambda t: loose.draw(t["loose"], t["inertia"])),
     ("tool-methods", "A tool that turns: speed against accuracy (C7)",
      "As above, for the force of a virtual coupling from the hand to where a tool ends, beside its nearest free pose: points among "
      "voxels and in a field of distances, corners as penalties against a coupling, steps as long as a distance allows, and planes that prove "

@@ -51,6 +51,18 @@ public:
     return this->inputs.mechanism.bodies.emplace_back(box);
   }
 
+  /// The constraints alone join the bodies: a rod in the hand, no table, and boxes that meet nothing.
+  void meetNothing(const std::vector<MechanismConstraint>& laws)
+  {
+    this->inputs.mechanism.findsContacts = false;
+    MechanismBody& hand = this->inputs.mechanism.bodies[held];
+    hand.mesh.reset();
+    hand.length_u = 0.01;
+    hand.diameter_u = 0.002;
+    this->inputs.mechanism.bodies[table].mesh.reset();
+    this->inputs.mechanism.laws = laws;
+  }
+
   MechanismInputs inputs;
 
 private:

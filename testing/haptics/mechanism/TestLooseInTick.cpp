@@ -4,10 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "LooseRig.h"
+#include "LooseScenes.h"
+#include "MechanismTicks.h"
 #include "haptics/recording/RecordedStages.h"
-#include "haptics/recording/inputs/Mechanisms.h"
-#include "haptics/tick/ForceRenderer.h"
 
 namespace palpate::test
 {
@@ -15,35 +14,12 @@ namespace
 {
 
 constexpr int answerTicks = 33, stone = LooseRig::first;
-const Vec3 stoneHalf_m(0.03, 0.02, 0.01);
 
-/// One hand's ticks, which comes from the side and pushes.
-class Ticks
+/// A hand that comes from the side and pushes.
+Pose handAt(int tick)
 {
-public:
-  explicit Ticks(std::unique_ptr<RendererState> state = std::make_unique<RendererState>()) : state_(std::move(state))
-  {
-    this->parameters_.stiffness_N_per_m = 1000.0;
-    this->parameters_.mechanismTurning_N_m_per_rad = 2.0;
-    this->parameters_.safety = SafetyLimits::none();
-    this->input_.mechanismTick = &this->room_;
-  }
-
-  TickOutput next(int tick, const FeltMechanism& felt)
-  {
-    this->input_.tick = static_cast<std::uint64_t>(tick + 1);
-    this->input_.mechanism = &felt;
-    this->input_.sample.pose_D = { Vec3(-0.06 + 5e-5 * tick, 0.002, stoneHalf_m.z()), Quat::Identity() };
-    return renderTick(this->input_, this->parameters_, *this->state_);
-  }
-  [[nodiscard]] const RendererState& state() const { return *this->state_; }
-
-private:
-  HapticParameters parameters_;
-  std::unique_ptr<RendererState> state_;
-  MechanismTick room_;
-  TickInput input_;
-};
+  return { Vec3(-0.06 + 5e-5 * tick, 0.002, stoneHalf_m.z()), Quat::Identity() };
+}
 
 /// A worker's mechanism, an answer after each so many ticks.
 class Worker
@@ -78,14 +54,9 @@ private:
   MechanismPlan plan_;
 };
 
-FeltMechanism writtenAndRead(const FeltMechanism& felt)
+FeltMechanism feltAgain(const FeltMechanism& felt)
 {
-  ByteWriter out;
-  putMechanism(out, felt);
-  ByteReader in(out.bytes().data(), out.bytes().size());
-  const RecordedMechanism read = readMechanism(in);
-  EXPECT_TRUE(in.ok());
-  EXPECT_EQ(in.left(), 0u);
+  const RecordedMechanism read = writtenAndRead(felt);
   return { read.revision, read.plan, {}, read.found };
 }
 
@@ -94,10 +65,10 @@ TEST(LooseInTick, StandsOnItsTableBeforeTheHandHasToldAnything)
   LooseRig rig(0.3);
   rig.add(stoneHalf_m, Vec3(0, 0, stoneHalf_m.z()));
   Worker worker(rig);
-  Ticks ticks;
+  MechanismTicks ticks;
   for (int i = 0; i < 2 * answerTicks; ++i)
   {
-    (void)ticks.next(i, worker.at(i, ticks.state().mechanismHand));
+    (void)ticks.next(i, handAt(i), worker.at(i, ticks.state().mechanismHand));
     EXPECT_NEAR(ticks.state().mechanism.pose_W[stone].p.z(), stoneHalf_m.z(), 1e-7) << i;
   }
 }
@@ -109,7 +80,7 @@ TEST(LooseInTick, IsComputedAnewToTheLastBitFromARecordingAndFromHalfway)
   rig.add(Vec3(0.01, 0.01, 0.02), Vec3(0.045, 0.004, 0.02), Quat(Eigen::AngleAxisd(0.3, Vec3::UnitZ())));
   Worker worker(rig);
   constexpr int most = 1000, halfway = 15 * answerTicks;
-  Ticks ticks;
+  MechanismTicks ticks;
   ByteWriter half;
   std::vector<TickOutput> first;
   std::vector<Pose> stone_W;
@@ -120,7 +91,7 @@ TEST(LooseInTick, IsComputedAnewToTheLastBitFromARecordingAndFromHalfway)
     {
       putState(half, ticks.state());
     }
-    first.push_back(ticks.next(i, felt));
+    first.push_back(ticks.next(i, handAt(i), felt));
     stone_W.push_back(ticks.state().mechanism.pose_W[stone + 1]);
   }
   EXPECT_GT(stone_W.back().p.x(), 0.05) << "the stone has pushed the other one";
@@ -128,17 +99,17 @@ TEST(LooseInTick, IsComputedAnewToTheLastBitFromARecordingAndFromHalfway)
   ByteReader in(half.bytes().data(), half.bytes().size());
   getState(in, *middle);
   ASSERT_TRUE(in.ok());
-  Ticks again, fromHalfway(std::move(middle));
+  MechanismTicks again, fromHalfway(std::move(middle));
   for (int i = 0; i < most; ++i)
   {
     const auto place = static_cast<std::size_t>(i);
-    const FeltMechanism read = writtenAndRead(*worker.felt[place / answerTicks]);
+    const FeltMechanism read = feltAgain(*worker.felt[place / answerTicks]);
     const Wrench& expected = first[place].command.wrench_D;
-    ASSERT_EQ(again.next(i, read).command.wrench_D.force, expected.force) << i;
+    ASSERT_EQ(again.next(i, handAt(i), read).command.wrench_D.force, expected.force) << i;
     ASSERT_EQ(again.state().mechanism.pose_W[stone + 1].p, stone_W[place].p) << i;
     if (i >= halfway)
     {
-      ASSERT_EQ(fromHalfway.next(i, read).command.wrench_D.force, expected.force) << i;
+      ASSERT_EQ(fromHalfway.next(i, handAt(i), read).command.wrench_D.force, expected.force) << i;
       ASSERT_EQ(fromHalfway.state().mechanism.pose_W[stone + 1].p, stone_W[place].p) << i;
     }
   }

@@ -5,9 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "haptics/recording/RecordedStages.h"
-#include "haptics/recording/inputs/Mechanisms.h"
-#include "haptics/tick/ForceRenderer.h"
 #include "testing/haptics/mechanism/HeldMesh.h"
+#include "testing/haptics/mechanism/MechanismTicks.h"
 
 namespace palpate::test
 {
@@ -23,42 +22,9 @@ Pose handAt(int tick)
     Quat(Eigen::AngleAxisd(0.05 * t, Vec3::UnitX())) };
 }
 
-/// One hand's ticks, each with its mechanism.
-class Ticks
+std::shared_ptr<const FeltMechanism> feltAgain(const FeltMechanism& felt)
 {
-public:
-  explicit Ticks(std::unique_ptr<RendererState> state = std::make_unique<RendererState>()) : state_(std::move(state))
-  {
-    this->parameters_.stiffness_N_per_m = 1000.0;
-    this->parameters_.mechanismTurning_N_m_per_rad = 2.0;
-    this->parameters_.safety = SafetyLimits::none();
-    this->input_.mechanismTick = &this->room_;
-  }
-
-  TickOutput next(int tick, const FeltMechanism& felt)
-  {
-    this->input_.tick = static_cast<std::uint64_t>(tick + 1);
-    this->input_.mechanism = &felt;
-    this->input_.sample.pose_D = handAt(tick);
-    return renderTick(this->input_, this->parameters_, *this->state_);
-  }
-  [[nodiscard]] const RendererState& state() const { return *this->state_; }
-
-private:
-  HapticParameters parameters_;
-  std::unique_ptr<RendererState> state_;
-  MechanismTick room_;
-  TickInput input_;
-};
-
-std::shared_ptr<const FeltMechanism> writtenAndRead(const FeltMechanism& felt)
-{
-  ByteWriter out;
-  putMechanism(out, felt);
-  ByteReader in(out.bytes().data(), out.bytes().size());
-  const RecordedMechanism read = readMechanism(in);
-  EXPECT_TRUE(in.ok());
-  EXPECT_EQ(in.left(), 0u);
+  const RecordedMechanism read = writtenAndRead(felt);
   auto body = std::make_shared<PressedBody>(*read.bodies[0].body);
   body->scene = felt.bodies()[0]->scene;
   return std::make_shared<const FeltMechanism>(
@@ -76,7 +42,7 @@ TEST(FoundInTick, WhatIsRecordedIsComputedAnewToTheLastBitFromTheBeginningAndFro
   std::vector<std::shared_ptr<const FeltMechanism>> felt;
   std::vector<TickOutput> first;
   ByteWriter half;
-  Ticks ticks;
+  MechanismTicks ticks;
   constexpr int most = 1000, halfway = 18 * answerTicks; // a tick that takes another answer
   for (int i = 0; i < most; ++i)
   {
@@ -90,7 +56,7 @@ TEST(FoundInTick, WhatIsRecordedIsComputedAnewToTheLastBitFromTheBeginningAndFro
     {
       putState(half, ticks.state());
     }
-    first.push_back(ticks.next(i, *felt.back()));
+    first.push_back(ticks.next(i, handAt(i), *felt.back()));
   }
   EXPECT_GT(first.back().state.mechanism.touching, 0);
   EXPECT_EQ(first.back().state.contacts, first.back().state.mechanism.touching);
@@ -100,21 +66,21 @@ TEST(FoundInTick, WhatIsRecordedIsComputedAnewToTheLastBitFromTheBeginningAndFro
   ByteReader in(half.bytes().data(), half.bytes().size());
   getState(in, *middle);
   ASSERT_TRUE(in.ok());
-  Ticks again, fromHalfway(std::move(middle));
+  MechanismTicks again, fromHalfway(std::move(middle));
   std::shared_ptr<const FeltMechanism> read;
   for (int i = 0; i < most; ++i)
   {
     if (i % answerTicks == 0)
     {
-      read = writtenAndRead(*felt[static_cast<std::size_t>(i / answerTicks)]);
+      read = feltAgain(*felt[static_cast<std::size_t>(i / answerTicks)]);
     }
     const Wrench& expected = first[static_cast<std::size_t>(i)].command.wrench_D;
-    const TickOutput now = again.next(i, *read);
+    const TickOutput now = again.next(i, handAt(i), *read);
     ASSERT_EQ(now.command.wrench_D.force, expected.force) << i;
     ASSERT_EQ(now.command.wrench_D.torque, expected.torque) << i;
     if (i >= halfway)
     {
-      const Wrench& other = fromHalfway.next(i, *read).command.wrench_D;
+      const Wrench& other = fromHalfway.next(i, handAt(i), *read).command.wrench_D;
       ASSERT_EQ(other.force, expected.force) << i;
       ASSERT_EQ(other.torque, expected.torque) << i;
     }
