@@ -181,6 +181,29 @@ TEST_F(Coasting, PushesTheHandAsTheHandPushes)
   EXPECT_GT(pressed, pushes / 2);
 }
 
+/// Nothing resists the turn of such a ball about the normal of its contact.
+TEST(Loose, SlidesBeforeABallThatTurnsFreelyWithEachTickMet)
+{
+  constexpr double friction = 0.3;
+  const Vec3 half(0.016, 0.014, 0.009);
+  LooseRig rig(friction);
+  rig.inputs.mechanism.bodies.front().mesh = heldMesh(makeIcosphere(2, 0.006));
+  rig.add(half, Vec3(0, 0, half.z()));
+  MechanismHold hold = firmHold();
+  hold.stiffness_N_per_m = 1000.0;
+  hold.turning_N_m_per_rad = 0.0;
+  LooseRun run(rig.inputs, dt_s, hold);
+  double push_N = 0.0;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const MechanismResult& r = run.next(Vec3(-0.03 + 2e-5 * i, 0, 0.01));
+    EXPECT_FALSE(r.capped) << i;
+    push_N = -r.exact_W.force.x();
+  }
+  const double slides_N = friction * boxMass_kg(half) * gravity_m_per_s2;
+  EXPECT_NEAR(push_N, slides_N, 0.01 * slides_N);
+}
+
 TEST(Loose, BoxesThatMeetKeepTheMomentumThatAForceGives)
 {
   LooseRig rig(0.4);
