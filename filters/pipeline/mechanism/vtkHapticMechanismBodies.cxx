@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticMechanismBodies.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
+#include "haptics/core/PoseMath.h"
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkHapticBodyFile.h"
 #include "vtkHapticConversion.h"
@@ -73,7 +75,7 @@ vtkHapticDescribedSoft vtkHapticMakeSoft(const vtkHapticSoftDescription& descrip
 }
 
 palpate::Outcome<std::shared_ptr<const palpate::SidedSurface>> vtkHapticReadRigidMesh(
-  const std::string& file, const std::string& folder)
+  const std::string& file, const std::string& folder, const palpate::Pose& place_W)
 {
   const std::string path = (std::filesystem::path(folder) / file).string();
   const vtkHapticReadResult read = vtkHapticReadSurface(path, {});
@@ -86,7 +88,9 @@ palpate::Outcome<std::shared_ptr<const palpate::SidedSurface>> vtkHapticReadRigi
   {
     return { nullptr, path + ": " + converted.Problem };
   }
-  auto made = palpate::makeRigidMesh(*converted.Mesh);
+  palpate::TriangleMesh mesh = *converted.Mesh;
+  std::ranges::transform(mesh.vertices_W, mesh.vertices_W.begin(), [&](const palpate::Vec3& p) { return place_W * p; });
+  auto made = palpate::makeRigidMesh(mesh);
   made.problem = made.ok() ? "" : path + ": " + made.problem;
   return made;
 }

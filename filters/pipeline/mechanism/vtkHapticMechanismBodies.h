@@ -32,8 +32,8 @@ struct vtkHapticDescribedSoft
 [[nodiscard]] vtkHapticDescribedSoft vtkHapticMakeSoft(
   const vtkHapticSoftDescription& description, const std::string& folder);
 
-/// A surface in the hand, read from a file; a relative one is looked for in `folder`.
+/// A rigid surface, read from a file and put at a place; a relative file is looked for in `folder`.
 [[nodiscard]] palpate::Outcome<std::shared_ptr<const palpate::SidedSurface>> vtkHapticReadRigidMesh(
-  const std::string& file, const std::string& folder);
+  const std::string& file, const std::string& folder, const palpate::Pose& place_W);
 
 #endif

@@ -77,11 +77,10 @@ struct Surroundings
 /// A box that stands: the mesh of its surface, where it stands.
 std::shared_ptr<const palpate::SidedSurface> StandingBox(const Node& node, const palpate::MechanismBody& body)
 {
-  const palpate::Pose pose_W{ node.vector("at", palpate::Vec3::Zero()), body.pose_W.q };
   palpate::TriangleMesh box = palpate::boxOf(body.halfSize_u);
   for (palpate::Vec3& p : box.vertices_W)
   {
-    p = pose_W * p;
+    p = body.pose_W * p;
   }
   const auto made = palpate::makeRigidMesh(box);
   node.accept("half_size", made.problem);
@@ -103,7 +102,9 @@ void ReadMesh(const Node& node, const Surroundings& around, palpate::MechanismBo
   {
     node.fail("density", "this key is missing: a rigid mesh is loose, and needs a density [kg/m^3]");
   }
-  const auto read = vtkHapticReadRigidMesh(node.text("file", ""), around.folder);
+  const bool stands = body.kind == palpate::MechanismBodyKind::World;
+  const auto read =
+    vtkHapticReadRigidMesh(node.text("file", ""), around.folder, stands ? body.pose_W : palpate::Pose());
   const bool loose = body.kind == palpate::MechanismBodyKind::Rigid;
   node.accept("file", read.ok() || !loose ? read.problem : read.problem + ", so that its density gives a mass");
   body.mesh = read.value;
@@ -149,19 +150,22 @@ palpate::MechanismBody BodyOf(const Node& node, const Surroundings& around, palp
   body.halfSize_u = node.vector("half_size", palpate::Vec3::Zero());
   body.load_W = node.vector("load_N", palpate::Vec3::Zero());
   body.pose_W.q = node.turn("turn");
+  if (body.kind == Rigid || body.kind == World)
+  {
+    body.pose_W.p = node.vector("at", palpate::Vec3::Zero());
+  }
   if (body.kind != Soft)
   {
     ReadMesh(node, around, body);
   }
-  if (body.kind == World && node.has("half_size"))
+  if (body.kind == World) // its frame is the scene's
   {
-    body.mesh = StandingBox(node, body);
+    body.mesh = node.has("half_size") ? StandingBox(node, body) : body.mesh;
     body.halfSize_u.setZero();
     body.pose_W = {};
   }
   if (body.kind == Rigid)
   {
-    body.pose_W.p = node.vector("at", palpate::Vec3::Zero());
     centre_u = ReadMass(node, around, body);
   }
   return body;
