@@ -201,6 +201,16 @@ std::string vtkHapticHeldMechanism::TakeAgain()
   return this->Problem;
 }
 
+bool vtkHapticHeldMechanism::BeginAgain()
+{
+  if (this->Inputs)
+  {
+    this->Inputs = std::make_shared<const palpate::MechanismInputs>(*this->Inputs); // other inputs are another order
+    this->Felt = false;
+  }
+  return this->Inputs != nullptr;
+}
+
 /// The last one, as a plan has it; as many as there are bodies: none.
 std::size_t vtkHapticHeldMechanism::HeldBody() const
 {

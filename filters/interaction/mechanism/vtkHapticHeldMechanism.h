@@ -31,6 +31,8 @@ public:
   void Choose(palpate::HapticSession& core) const override;
   /// The same data by other constraints.
   std::string TakeAgain();
+  /// The same bodies and constraints, which begin anew where the scene file has them; false: there are none.
+  bool BeginAgain();
   /// Why a list of constraints would end a mechanism that is held without a fault now; "": it would not.
   std::string RefusalOf(const std::string& laws, const palpate::HapticSession& core);
   /// The list of constraints with another one, as an object of a scene file, or with one less; "" with a problem.

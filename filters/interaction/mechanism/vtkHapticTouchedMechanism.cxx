@@ -48,6 +48,18 @@ std::string vtkHapticTouchedMechanism::GetConstraintsWithout(const char* name)
   return laws;
 }
 
+bool vtkHapticTouchedMechanism::PutBack()
+{
+  vtkHapticHeldMechanism& mechanism = this->Behind().Mechanism;
+  const bool held = mechanism.BeginAgain();
+  this->Behind().Refuse(held ? "" : "no mechanism is held: hold a mechanism before putting its bodies back");
+  if (held)
+  {
+    mechanism.Choose(this->Behind().Core);
+  }
+  return held;
+}
+
 bool vtkHapticTouchedMechanism::BreakConstraint(const char* name)
 {
   const int law = this->Behind().Mechanism.IndexOf(name ? name : "");

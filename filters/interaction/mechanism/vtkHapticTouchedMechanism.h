@@ -28,6 +28,7 @@ public:
   /// with the session's GetProblem().
   std::string GetConstraintsWith(const char* law);
   std::string GetConstraintsWithout(const char* name);
+  bool PutBack(); ///< all bodies begin anew where the scene file has them; false: no mechanism is held
   bool BreakConstraint(const char* name); ///< it holds no more until the mechanism begins anew; false: there is none
 
 private:

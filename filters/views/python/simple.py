@@ -27,7 +27,8 @@ from palpate.vtkHapticViews import vtkHapticTouchAs, vtkHapticViewScene
 __all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "TakeColorRange", "LetGo", "FitHand", "HapticUpdate",
            "HapticState", "Mark", "GetMarks", "Marks", "AddMark", "RemoveMark", "RenameMark", "ClearMarks", "SaveMarks",
            "LoadMarks", "MapContact", "SetSource", "TouchAs", "HoldTool", "PressBody", "SoftText",
-           "HoldMechanism", "Constraints", "AddConstraint", "RemoveConstraint", "BreakConstraint"]
+           "HoldMechanism", "Constraints", "AddConstraint", "RemoveConstraint", "BreakConstraint",
+           "PutBack"]
 
 
 class HapticRefusal(RuntimeError):
@@ -449,3 +450,11 @@ def BreakConstraint(name):
     constraints."""
     with _Refusals() as session:
         session.GetMechanism().BreakConstraint(name)
+
+
+def PutBack():
+    """Puts the bodies of the mechanism back where the scene file has them: loose bodies at rest, needles outside, and
+    broken constraints whole."""
+    with _Refusals() as session:
+        session.GetMechanism().PutBack()
+        HapticUpdate()

@@ -67,6 +67,7 @@ pqHapticMechanismGroup::pqHapticMechanismGroup(QWidget* parent) : Superclass(tr(
   auto* changes = new QHBoxLayout;
   changes->addWidget(this->Remove, 1);
   changes->addWidget(this->Break, 1);
+  changes->addWidget(this->PutBack, 1);
   this->Form->addRow(changes);
   auto* added = new QHBoxLayout;
   added->addWidget(this->Constraint, 1);
@@ -96,6 +97,8 @@ void pqHapticMechanismGroup::makeButtons()
     pqHapticButton(this, "mechanismRemove", tr("Remove"), tr("Remove the chosen constraint from the mechanism"));
   this->Break = pqHapticButton(this, "mechanismBreak", tr("Break"),
     tr("Break the chosen constraint, until the mechanism is held or touched anew or gets other constraints"));
+  this->PutBack = pqHapticButton(this, "mechanismPutBack", tr("Put Back"),
+    tr("Put all bodies back where the scene file has them; broken constraints are whole again"));
   this->Constraint = new QLineEdit(this);
   this->Constraint->setObjectName("mechanismConstraint");
   this->Constraint->setPlaceholderText(tr("{ \"name\": ..., \"kind\": ..., \"a\": ..., \"b\": ... }"));
@@ -106,6 +109,7 @@ void pqHapticMechanismGroup::makeButtons()
   this->connect(this->Constraint, &QLineEdit::returnPressed, this, &pqHapticMechanismGroup::addConstraint);
   this->connect(this->Remove, &QPushButton::clicked, this, &pqHapticMechanismGroup::removeConstraint);
   this->connect(this->Break, &QPushButton::clicked, this, &pqHapticMechanismGroup::breakConstraint);
+  this->connect(this->PutBack, &QPushButton::clicked, this, &pqHapticMechanismGroup::putBack);
 }
 
 QString pqHapticMechanismGroup::selected() const
@@ -135,6 +139,14 @@ void pqHapticMechanismGroup::breakConstraint()
   if (vtkHapticSession* const session = Session())
   {
     session->GetMechanism()->BreakConstraint(this->selected().toUtf8().constData());
+  }
+}
+
+void pqHapticMechanismGroup::putBack()
+{
+  if (vtkHapticSession* const session = Session())
+  {
+    session->GetMechanism()->PutBack();
   }
 }
 
@@ -180,7 +192,7 @@ void pqHapticMechanismGroup::refresh(vtkHapticSession* session)
     this->Chart->clear();
   }
   const bool chosen = held && !this->selected().isEmpty();
-  for (QWidget* const widget : QList<QWidget*>{ this->Table, this->Chart, this->Constraint, this->Add })
+  for (QWidget* const widget : QList<QWidget*>{ this->Table, this->Chart, this->Constraint, this->Add, this->PutBack })
   {
     widget->setVisible(held);
   }
@@ -193,5 +205,6 @@ void pqHapticMechanismGroup::refresh(vtkHapticSession* session)
 
 QList<QWidget*> pqHapticMechanismGroup::fields() const
 {
-  return this->settings() + QList<QWidget*>{ this->Table, this->Remove, this->Break, this->Constraint, this->Add };
+  return this->settings() +
+         QList<QWidget*>{ this->Table, this->Remove, this->Break, this->PutBack, this->Constraint, this->Add };
 }

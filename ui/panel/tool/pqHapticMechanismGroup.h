@@ -27,10 +27,11 @@ private:
   void addConstraint();
   void removeConstraint();
   void breakConstraint();
+  void putBack();
   QString selected() const;
   void fill(vtkHapticSession& session);
 
-  QPushButton *Add, *Remove, *Break;
+  QPushButton *Add, *Remove, *Break, *PutBack;
   QLineEdit* Constraint;
   QLabel* Text;
   QTableWidget* Table;
