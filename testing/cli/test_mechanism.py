@@ -227,6 +227,28 @@ class Mechanism(CommandLineTest):
         said = self.succeed("check", self.spatula(lambda scene: scene["bodies"][1].update(at=[0, -16, 125]), "rib.json")).stdout
         self.assertIn('"liver" and "rib" overlap in the scene file: the contacts push them apart at once', said)
 
+    def test_a_mesh_that_stands_is_met_where_its_pose_puts_it(self):
+        """A cube of 20 mm, turned by 45 degrees and put 30 mm before the hand, comes with an edge towards a cube of 2 mm."""
+
+        def cube(half):
+            corners = [(x, y, z) for x in (-half, half) for y in (-half, half) for z in (-half, half)]
+            quads = ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4))
+            return "".join("v {} {} {}\n".format(*at) for at in corners) + "".join("f {} {} {} {}\n".format(*f) for f in quads)
+
+        for name, half in (("large", 10), ("small", 1)):
+            self.write(f"{name}.obj", cube(half))
+        eighth = math.radians(45) / 2
+        self.write("scene.json", json.dumps({"format": "palpate mechanism", "version": 1, "unit_m": 0.001, "contacts": "found", "bodies": [
+            {"name": "tool", "kind": "held", "file": "small.obj"},
+            {"name": "block", "kind": "world", "file": "large.obj", "at": [0, 0, 30], "turn": [math.cos(eighth), 0, math.sin(eighth), 0]}]}))
+        met, stiffness = 30 - 10 * math.sqrt(2) - 1, 500
+        rows, _ = self.touch("scene.json", [(0, 0, 0.02 * i) for i in range(800)], "--stiffness", stiffness, "--scale", 1000,
+                             "--torque-stiffness", 2)
+        for row in rows:
+            pressed = stiffness * max(0.0, row["device_z"] - met) * 1e-3
+            self.assertAlmostEqual(-row["force_z"], pressed, delta=1e-6, msg=row["device_z"])
+        self.assertGreater(-rows[-1]["force_z"], 0.5)
+
     def test_a_mesh_that_cannot_be_held_is_refused_in_words(self):
         self.write_path([(0, 0, 0, 0)])
         self.write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")

@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(os.environ["PALPATE_SOURCE_DIR"])
-STATES = ("skull", "brain", "soft-brain", "spatula", "flow", "labyrinth")
+STATES = ("skull", "brain", "soft-brain", "spatula", "stone", "flow", "labyrinth")
 
 
 class Pages(unittest.TestCase):

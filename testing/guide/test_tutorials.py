@@ -102,6 +102,17 @@ class Tutorials(unittest.TestCase):
                 self.assertLessEqual(abs(x), 7.5, line)  # below the spatula
                 self.assertLessEqual(abs(y), 20.5, line)
 
+    def test_stone(self):
+        # A box of 32 x 28 x 18 mm that slides without a turn: friction times weight, on the floor as on the table. On
+        # the side it is lifted against both, less where it stands on the floor with its other edge.
+        friction, weight_N = 0.3, 2600 * 0.032 * 0.028 * 0.018 * 9.81
+        floor, side, table = self.play("stone", (-30, 0, 13), (-10, 0, 13))
+        self.assertAlmostEqual(floor, friction * weight_N, delta=0.25 * friction * weight_N)  # on the spring it still swings
+        slope = math.atan(6 / 13) + math.atan(friction)
+        self.assertGreater(side, 1.5 * friction * weight_N)
+        self.assertLess(side, 1.5 * math.tan(slope) * weight_N)
+        self.assertAlmostEqual(table, friction * weight_N, delta=0.05 * friction * weight_N)
+
     if "soft-brain" in tutorials.present():
 
         def test_soft_brain(self):

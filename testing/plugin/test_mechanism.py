@@ -10,7 +10,9 @@ import sys
 import tempfile
 import unittest
 
+import numpy
 from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
@@ -18,7 +20,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
 from palpate.simple import (AddConstraint, BreakConstraint, GetHapticSession, HapticRefusal, HapticState, HoldMechanism, Constraints,  # noqa: E402
-                            LetGo, RemoveConstraint, SetHaptics, Touch)
+                            LetGo, PutBack, RemoveConstraint, SetHaptics, Touch)
 from displays import move
 from says import unsaid
 
@@ -151,6 +153,35 @@ class Mechanism(Held):
                             (lambda: AddConstraint(name="x", kind="weld", a="needle", b="tissue"), "valid kinds: contact")):
             with self.assertRaisesRegex(HapticRefusal, words):
                 call()
+
+    def test_a_stone_that_was_pushed_away_is_put_back(self):
+        def stone():
+            simple.Render(self.view)
+            points = vtk_to_numpy(servermanager.Fetch(source).GetPoints().GetData())
+            bodies = vtk_to_numpy(servermanager.Fetch(source).GetPointData().GetArray("Body"))
+            return points[bodies == 1].mean(axis=0)
+
+        scene = {"format": "palpate mechanism", "version": 1, "unit_m": 0.001, "contacts": "found", "friction": 0.3, "bodies": [
+            {"name": "tool", "kind": "held", "file": "stone.obj"},
+            {"name": "stone", "kind": "rigid", "half_size": [10, 10, 10], "at": [60, 0, 10], "density": 2600},
+            {"name": "table", "kind": "world", "half_size": [200, 200, 10], "at": [0, 0, -10]}]}
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copy(SCENES / "stone.obj", folder)
+            file = pathlib.Path(folder) / "push.json"
+            file.write_text(json.dumps(scene))
+            source = self.hold(file, TIP + 25)
+            first = stone()
+            for step in range(1000):
+                lead(0.04 * step, 0, TIP + 25)
+                GetHapticSession().Step(1)
+            self.assertGreater(stone()[0] - first[0], 5.0)
+            lead(0, 0, TIP + 25)
+            PutBack()
+            GetHapticSession().Step(TICKS_TO_ENGAGE)
+            self.assertLess(numpy.abs(stone() - first).max(), 1e-3)
+            SetHaptics(MechanismSource="")
+            with self.assertRaisesRegex(HapticRefusal, "no mechanism is held"):
+                PutBack()
 
     def test_a_body_that_finds_no_place_to_rest_is_said_in_the_line_of_the_mechanism(self):
         feet = ((10, 0, -10), (-10, 10, -10), (-10, -10, -10))

@@ -26,8 +26,7 @@ constexpr double dampedMore = 10.0; ///< where a step has led further away
 constexpr double dampedMost = 0.1;  ///< then it is gone on from all the same
 constexpr double turnedMost = 0.5;  ///< share of the balance that a step follows by which it may turn round
 constexpr double dampedLeast = 1e-12;
-/// Share of a force, and of a newton, that nobody feels; and share of the balance that a step leaves where it gains
-/// nothing.
+/// Share of a force that nobody feels; and share of the balance that a step leaves where it gains nothing.
 constexpr double unfelt = 1e-7, gainsNothing = 0.5;
 /// From the end of the problem before it is one step or two to balance: with more, the frictional contacts have
 /// changed.
@@ -83,7 +82,7 @@ private:
     for (this->steps_ = 0; this->solveAt(held);)
     {
       const ConstraintProblem::Way open = this->balance();
-      if (this->isBalanced(open) || this->rests(open))
+      if (this->isWithin(rounding, open) || this->rests(open))
       {
         return true;
       }
@@ -176,15 +175,11 @@ private:
   }
 
   /// Where everything hangs loose forces fade without end: below a newton's rounding they are none.
-  [[nodiscard]] bool isBalanced(const ConstraintProblem::Way& open) const noexcept
-  {
-    return this->p_.ways == 0 || this->isWithin(rounding, open);
-  }
-
   [[nodiscard]] bool isWithin(double share, const ConstraintProblem::Way& open) const noexcept
   {
     const double most = this->p_.count > 0 ? this->f_.force_N.lpNorm<Eigen::Infinity>() : 0.0;
-    return open.lpNorm<Eigen::Infinity>() <= share * (1.0 + most + this->p_.load.lpNorm<Eigen::Infinity>());
+    return this->p_.ways == 0 ||
+           open.lpNorm<Eigen::Infinity>() <= share * (1.0 + most + this->p_.load.lpNorm<Eigen::Infinity>());
   }
 
   /// Nothing resists the turn of a ball about the normal of its one contact: steps against the drag would go on without
