@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "haptics/core/InTwo.h"
+#include "haptics/core/LargePages.h"
 
 namespace palpate
 {
@@ -28,13 +29,14 @@ template<class Entry, class ForEach>
   std::array<std::vector<std::uint32_t>, 2> next;
   const auto count = [&](std::size_t part)
   {
+    reserveLarge(next[part], keys);
     next[part].assign(keys, 0);
     forEach(part, [&of = next[part]](std::uint32_t key, const Entry&) { ++of[key]; });
   };
   inTwo(
     threads, [&] { count(0); }, [&] { count(1); });
   Buckets<Entry> buckets;
-  buckets.start.resize(keys + 1);
+  resizeLarge(buckets.start, keys + 1);
   std::uint32_t sum = 0;
   for (std::size_t key = 0; key < keys; ++key)
   {
@@ -47,7 +49,7 @@ template<class Entry, class ForEach>
     }
   }
   buckets.start[keys] = sum;
-  buckets.entries.resize(sum);
+  resizeLarge(buckets.entries, sum);
   const auto fill = [&](std::size_t part)
   {
     forEach(part, [&, &of = next[part]](std::uint32_t key, const Entry& entry) { buckets.entries[of[key]++] = entry; });

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "haptics/core/LargePages.h"
+
 namespace palpate
 {
 namespace
@@ -29,7 +31,7 @@ CleanedVertices::CleanedVertices(std::shared_ptr<const TriangleMesh> raw, const 
   std::vector<std::uint32_t> source, bool droppedByPlace)
   : raw_(std::move(raw)), source_(std::move(source)), droppedByPlace_(droppedByPlace)
 {
-  this->becameOf_.reserve(this->raw_->vertices_W.size());
+  reserveLarge(this->becameOf_, this->raw_->vertices_W.size());
   for (const Vec3& p_W : this->raw_->vertices_W)
   {
     this->becameOf_.push_back(find(clean_W, p_W));
@@ -44,7 +46,7 @@ std::optional<std::vector<Vec3>> CleanedVertices::follow(const TriangleMesh& mov
     return std::nullopt;
   }
   std::vector<Vec3> positions_W;
-  positions_W.reserve(this->source_.size());
+  reserveLarge(positions_W, this->source_.size());
   for (const std::uint32_t source : this->source_)
   {
     positions_W.push_back(moved.vertices_W[source]);

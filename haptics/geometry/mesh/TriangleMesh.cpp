@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "haptics/core/InTwo.h"
+#include "haptics/core/LargePages.h"
 #include "haptics/geometry/mesh/Buckets.h"
 #include "haptics/geometry/mesh/ExactPredicates.h"
 #include "haptics/geometry/mesh/Weld.h"
@@ -134,7 +135,7 @@ struct Sifted
 Sifted sift(std::span<const Triangle> raw, const Weld& welded, bool segments)
 {
   Sifted sifted;
-  sifted.good.reserve(raw.size());
+  reserveLarge(sifted.good, raw.size());
   for (const Triangle& corners : raw)
   {
     Triangle t = { welded.newIndex[corners[0]], welded.newIndex[corners[1]], welded.newIndex[corners[2]] };

@@ -10,6 +10,7 @@
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include "haptics/core/InTwo.h"
+#include "haptics/core/LargePages.h"
 
 namespace palpate
 {
@@ -58,7 +59,7 @@ void orderFrom(Eigen::Index axis, std::span<Placed> placed, const std::vector<Ve
 std::vector<Placed> finiteOf(const std::vector<Vec3>& raw_W)
 {
   std::vector<Placed> finite;
-  finite.reserve(raw_W.size());
+  reserveLarge(finite, raw_W.size());
   for (std::uint32_t i = 0; i < raw_W.size(); ++i)
   {
     if (raw_W[i].allFinite())
@@ -134,9 +135,10 @@ Weld weld(const std::vector<Vec3>& raw_W, unsigned threads)
   inTwo(
     threads, [&] { first.sort(); }, [&] { second.sort(); });
   Weld result;
+  reserveLarge(result.newIndex, raw_W.size());
   result.newIndex.assign(raw_W.size(), Weld::nowhere);
-  result.vertices_W.resize(first.distinct() + second.distinct());
-  result.source.resize(result.vertices_W.size());
+  resizeLarge(result.vertices_W, first.distinct() + second.distinct());
+  resizeLarge(result.source, result.vertices_W.size());
   inTwo(
     threads, [&] { first.write(0, result); }, [&] { second.write(first.distinct(), result); });
   return result;

@@ -10,6 +10,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include "haptics/core/InTwo.h"
+#include "haptics/core/LargePages.h"
 
 namespace palpate
 {
@@ -121,6 +122,7 @@ std::vector<std::uint32_t> hierarchyOrder(const TriangleMesh& mesh, unsigned thr
 {
   const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
   const auto boxes = std::make_unique_for_overwrite<BoxPrimitive[]>(count);
+  askForLargePages(boxes.get(), count * sizeof(BoxPrimitive));
   const auto box = [&](std::uint32_t first, std::uint32_t last)
   {
     for (std::uint32_t i = first; i < last; ++i)
@@ -130,7 +132,8 @@ std::vector<std::uint32_t> hierarchyOrder(const TriangleMesh& mesh, unsigned thr
   };
   inTwo(
     threads, [&] { box(0, count / 2); }, [&] { box(count / 2, count); });
-  std::vector<std::uint32_t> order(count);
+  std::vector<std::uint32_t> order;
+  resizeLarge(order, count);
   orderHalves({ boxes.get(), count }, threads, order.data());
   return order;
 }

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "haptics/core/LargePages.h"
 #include "haptics/geometry/mesh/ExactPredicates.h"
 #include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/geometry/tree/SurfaceRecords.h"
@@ -103,8 +104,8 @@ Box cornersAt(const SurfaceData& data, const Leaf& leaf, const std::vector<Vec3>
 bool refitLeaves(SurfaceData& data, const std::vector<FacePlane>& old,
   const std::vector<const std::vector<Vec3>*>& also, LeafBoxes& boxes)
 {
-  data.faces.resize(old.size());
-  data.discs.resize(2 * data.leaves.size());
+  resizeLarge(data.faces, old.size());
+  resizeLarge(data.discs, 2 * data.leaves.size());
   std::vector<LeafCorners> elsewhere_W(also.size());
   for (std::size_t index = 0; index < data.leaves.size(); ++index)
   {
@@ -140,7 +141,7 @@ void refitNodes(SurfaceData& data, const LeafBoxes& boxes)
   for (std::size_t place = 0; place < data.places.size(); ++place)
   {
     PlaceBounds& bounds = data.places[place];
-    bounds.nodes.resize(data.nodes.size());
+    resizeLarge(bounds.nodes, data.nodes.size());
     bounds.all = layBoxes(data.nodes, boxes[place + 1], bounds.nodes);
   }
 }
@@ -181,9 +182,13 @@ RefitResult SurfaceTree::refitted(
   data->places.resize(also.size());
   for (PlaceBounds& place : data->places)
   {
-    place.balls.resize(2 * data->leaves.size());
+    resizeLarge(place.balls, 2 * data->leaves.size());
   }
-  LeafBoxes boxes(1 + also.size(), std::vector<Box>(data->leaves.size()));
+  LeafBoxes boxes(1 + also.size());
+  for (std::vector<Box>& of : boxes)
+  {
+    resizeLarge(of, data->leaves.size());
+  }
   if (!refitLeaves(*data, old.faces, also, boxes))
   {
     return { nullptr, old.coat_u > 0.0 ? "a segment has lost its length" : "a triangle has become collinear" };

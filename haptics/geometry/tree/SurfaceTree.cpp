@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "haptics/core/InTwo.h"
+#include "haptics/core/LargePages.h"
 #include "haptics/geometry/mesh/Buckets.h"
 #include "haptics/geometry/tree/HierarchyOrder.h"
 #include "haptics/geometry/tree/SurfaceData.h"
@@ -30,9 +31,9 @@ public:
   explicit Shape(SurfaceData& data) : data_(data)
   {
     const std::size_t leaves = leavesOf(data.mesh.triangles.size());
-    data.leaves.reserve(leaves);
-    data.discs.resize(2 * leaves);
-    data.nodes.reserve(leaves - 1);
+    reserveLarge(data.leaves, leaves);
+    resizeLarge(data.discs, 2 * leaves);
+    reserveLarge(data.nodes, leaves - 1);
   }
 
   /// Returns the child index of the subtree with these `count` primitives.
@@ -60,7 +61,8 @@ private:
 void reorder(
   std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<std::uint32_t>& order, unsigned threads)
 {
-  std::vector<std::array<std::uint32_t, 3>> ordered(order.size());
+  std::vector<std::array<std::uint32_t, 3>> ordered;
+  resizeLarge(ordered, order.size());
   const auto put = [&](const Half& half)
   {
     for (std::size_t i = half.first; i < half.last; ++i)
@@ -183,11 +185,14 @@ void layFaces(SurfaceData& data, unsigned threads)
 {
   const std::size_t triangles = data.mesh.triangles.size(), leaves = data.leaves.size();
   inTwo(
-    threads, [&] { data.faces.resize(triangles); },
-    [&] {
+    threads, [&] { resizeLarge(data.faces, triangles); },
+    [&]
+    {
+      reserveLarge(data.across, triangles);
       data.across.assign(triangles, { SurfaceData::none, SurfaceData::none, SurfaceData::none });
     });
-  std::vector<Box> boxes(leaves);
+  std::vector<Box> boxes;
+  resizeLarge(boxes, leaves);
   const auto make = [&](const Half& of)
   {
     if (of.first < of.last)
