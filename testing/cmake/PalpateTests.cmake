@@ -247,9 +247,9 @@ endfunction ()
 # palpate_add_fuzz_target(NAME fuzz-clean SOURCES FuzzClean.cpp ../../haptics/geometry/mesh/TriangleMesh.cpp CORPUS folder
 #   [PARTS parts...] [OPTIONS flags...] [LIBRARIES flags...] [FULL_RUNS count] [VARIANTS VARIABLE=value...])
 # A libFuzzer program built by clang++ with its own instrumented copies of SOURCES (the rest of the build may be GCC),
-# compiled at once as their headers take longest, and a ctest that runs it for 8 s, in ./dev test --full for 120 s or
+# compiled at once as their headers take longest, and a ctest that runs it for 5 s, in ./dev test --full for 120 s or
 # FULL_RUNS inputs, from the seeds in CORPUS, which it does not change. With VARIANTS, one such ctest for each, with that
-# in its environment; in the short form they share the 8 s. Label: fuzz.
+# in its environment; in the short form they share 8 s. Label: fuzz.
 function (palpate_add_fuzz_target)
   _palpate_parse(fuzz "CORPUS;FULL_RUNS" "SOURCES;PARTS;OPTIONS;LIBRARIES;VARIANTS")
   set(arg_GROUP palpate_fuzzers)
@@ -259,7 +259,7 @@ function (palpate_add_fuzz_target)
     return ()
   endif ()
   list(LENGTH arg_VARIANTS variants)
-  set(extent -max_total_time=8)
+  set(extent -max_total_time=5)
   if (variants GREATER 1)
     math(EXPR share "8 / ${variants}")
     set(extent "-max_total_time=${share}")
