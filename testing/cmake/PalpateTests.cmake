@@ -35,7 +35,7 @@ set(PALPATE_MPI_ENVIRONMENT
 
 # Parses ARGN into arg_*; keeps the defaults in one place.
 macro (_palpate_parse default_label one_value multi_value)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL" "NAME;LABEL;TIMEOUT;COST;GROUP;${one_value}" "ENVIRONMENT;${multi_value}")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL;OWN_HEADERS" "NAME;LABEL;TIMEOUT;COST;GROUP;${one_value}" "ENVIRONMENT;${multi_value}")
   if (arg_UNPARSED_ARGUMENTS OR NOT arg_NAME)
     message(FATAL_ERROR "Test '${arg_NAME}': NAME is missing, or these arguments are unknown: ${arg_UNPARSED_ARGUMENTS}")
   endif ()
@@ -89,9 +89,9 @@ function (palpate_build_apart group)
 endfunction ()
 
 # Parsing the headers that every test includes is most of its compile time: one test compiles them, those with the same flags
-# take them over.
+# take them over. CGAL and Qt bring flags of their own, programs of a GROUP are built by whoever tries them, alone.
 set(palpate_test_headers <gmock/gmock.h> <gtest/gtest.h> <Eigen/Core> <Eigen/Geometry> <algorithm> <memory> <string> <vector>)
-function (_palpate_share_headers target)
+function (palpate_share_test_headers target)
   get_property(owner GLOBAL PROPERTY PALPATE_TEST_HEADERS_OWNER)
   if (owner)
     target_precompile_headers("${target}" REUSE_FROM "${owner}")
@@ -101,10 +101,10 @@ function (_palpate_share_headers target)
   set_property(GLOBAL PROPERTY PALPATE_TEST_HEADERS_OWNER "${target}")
 endfunction ()
 
-# palpate_add_unit_test(NAME contact SOURCES TestA.cpp TestB.cpp [LIBRARIES ...] [CGAL] [VTK_MODULES VTK::IOXML ...])
+# palpate_add_unit_test(NAME contact SOURCES TestA.cpp TestB.cpp [LIBRARIES ...] [CGAL] [OWN_HEADERS] [VTK_MODULES VTK::IOXML ...])
 # A GoogleTest program linked to the core and testing/support; each TEST becomes a ctest "name.Suite.Test".
 # Label: unit. CGAL: the sources use CGAL (oracles). Eight sources are compiled at once, so they name things differently.
-# VTK_MODULES: linked and auto-initialised. With GROUP it is one ctest, "name": its tests can be listed only once it is built.
+# OWN_HEADERS: the caller precompiles others. VTK_MODULES: linked and auto-initialised. With GROUP it is one ctest, "name": its tests can be listed only once it is built.
 function (palpate_add_unit_test)
   _palpate_parse(unit "" "SOURCES;LIBRARIES;VTK_MODULES")
   add_executable("${arg_NAME}" ${arg_SOURCES})
@@ -114,8 +114,8 @@ function (palpate_add_unit_test)
   if (arg_CGAL)
     target_link_libraries("${arg_NAME}" PRIVATE CGAL::CGAL)
   endif ()
-  if (NOT arg_CGAL AND NOT arg_LIBRARIES AND NOT arg_VTK_MODULES)
-    _palpate_share_headers("${arg_NAME}")
+  if (NOT arg_CGAL AND NOT arg_GROUP AND NOT "${arg_LIBRARIES}" MATCHES "Qt[0-9]::" AND NOT arg_OWN_HEADERS)
+    palpate_share_test_headers("${arg_NAME}")
   endif ()
   if (arg_VTK_MODULES)
     vtk_module_autoinit(TARGETS "${arg_NAME}" MODULES ${arg_VTK_MODULES})
@@ -247,9 +247,9 @@ endfunction ()
 # palpate_add_fuzz_target(NAME fuzz-clean SOURCES FuzzClean.cpp ../../haptics/geometry/mesh/TriangleMesh.cpp CORPUS folder
 #   [PARTS parts...] [OPTIONS flags...] [LIBRARIES flags...] [FULL_RUNS count] [VARIANTS VARIABLE=value...])
 # A libFuzzer program built by clang++ with its own instrumented copies of SOURCES (the rest of the build may be GCC),
-# compiled at once as their headers take longest, and a ctest that runs it for 8 s, in ./dev test --full for 120 s or
+# compiled at once as their headers take longest, and a ctest that runs it for 5 s, in ./dev test --full for 120 s or
 # FULL_RUNS inputs, from the seeds in CORPUS, which it does not change. With VARIANTS, one such ctest for each, with that
-# in its environment; in the short form they share the 8 s. Label: fuzz.
+# in its environment; in the short form they share 8 s. Label: fuzz.
 function (palpate_add_fuzz_target)
   _palpate_parse(fuzz "CORPUS;FULL_RUNS" "SOURCES;PARTS;OPTIONS;LIBRARIES;VARIANTS")
   set(arg_GROUP palpate_fuzzers)
@@ -259,7 +259,7 @@ function (palpate_add_fuzz_target)
     return ()
   endif ()
   list(LENGTH arg_VARIANTS variants)
-  set(extent -max_total_time=8)
+  set(extent -max_total_time=5)
   if (variants GREATER 1)
     math(EXPR share "8 / ${variants}")
     set(extent "-max_total_time=${share}")

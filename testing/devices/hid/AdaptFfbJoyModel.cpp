@@ -10,7 +10,7 @@ namespace palpate::test
 namespace
 {
 
-ModelWire wire()
+ModelWire adapterWire()
 {
   ModelWire wire;
   wire.turn = 180;
@@ -23,7 +23,9 @@ ModelWire wire()
 
 } // namespace
 
-AdaptFfbJoyModel::AdaptFfbJoyModel(std::span<const std::uint8_t> descriptor) : FirmwareModel(descriptor, wire()) {}
+AdaptFfbJoyModel::AdaptFfbJoyModel(std::span<const std::uint8_t> descriptor) : FirmwareModel(descriptor, adapterWire())
+{
+}
 
 void AdaptFfbJoyModel::tick(Effect& effect)
 {

@@ -16,7 +16,7 @@ bool pushes(const Condition& c)
          (c.negativeCoefficient != 0.0 && c.negativeSaturation != 0.0);
 }
 
-ModelWire wire()
+ModelWire boardWire()
 {
   ModelWire wire{ 0x11, 0x12, 0x13, true, 2, 36000, 32767.0, 32767.0 };
   wire.blocks = 40;
@@ -25,7 +25,7 @@ ModelWire wire()
 
 } // namespace
 
-OpenFFBoardModel::OpenFFBoardModel(std::span<const std::uint8_t> descriptor) : FirmwareModel(descriptor, wire()) {}
+OpenFFBoardModel::OpenFFBoardModel(std::span<const std::uint8_t> descriptor) : FirmwareModel(descriptor, boardWire()) {}
 
 void OpenFFBoardModel::settingsCame(Effect& effect)
 {

@@ -13,7 +13,7 @@ namespace
 constexpr unsigned directed = 4;
 constexpr int noTrigger = 0xFF;
 
-ModelWire wire()
+ModelWire simulatorWire()
 {
   ModelWire wire;
   wire.directionBytes = 2;
@@ -30,7 +30,7 @@ Condition scaled(Condition condition)
 
 } // namespace
 
-SunFfbModel::SunFfbModel(std::span<const std::uint8_t> descriptor) : FirmwareModel(descriptor, wire()) {}
+SunFfbModel::SunFfbModel(std::span<const std::uint8_t> descriptor) : FirmwareModel(descriptor, simulatorWire()) {}
 
 void SunFfbModel::started(Effect& effect)
 {

@@ -13,7 +13,7 @@ namespace
 using Kind = HidReportKind;
 
 constexpr std::uint8_t translationId = 1, rotationId = 2, buttonId = 3, batteryId = 0x17;
-constexpr std::uint8_t value = DescriptorWriter::variable, array = DescriptorWriter::array, relativeFlag = 0x04;
+constexpr std::uint8_t oneValue = DescriptorWriter::variable, keyList = DescriptorWriter::array, relativeFlag = 0x04;
 constexpr int every_ms = 16, batteryEvery_ms = 500;
 constexpr std::size_t keysAtOnce = 4;
 
@@ -25,7 +25,7 @@ void axes(DescriptorWriter& w, const CapLayout& layout, std::uint16_t first, std
   {
     w.usage(usage);
   }
-  w.main(Kind::Input, static_cast<std::uint8_t>(value | (layout.relative ? relativeFlag : 0)));
+  w.main(Kind::Input, static_cast<std::uint8_t>(oneValue | (layout.relative ? relativeFlag : 0)));
 }
 
 void buttons(DescriptorWriter& w, const CapLayout& layout)
@@ -33,10 +33,10 @@ void buttons(DescriptorWriter& w, const CapLayout& layout)
   w.page(9).physical(0, 0);
   if (layout.buttonArray)
   {
-    w.logical(1, 8).size(8, keysAtOnce).usageRange(1, 8).main(Kind::Input, array);
+    w.logical(1, 8).size(8, keysAtOnce).usageRange(1, 8).main(Kind::Input, keyList);
     return;
   }
-  w.logical(0, 1).size(1, 8).usageRange(1, 8).main(Kind::Input, value);
+  w.logical(0, 1).size(1, 8).usageRange(1, 8).main(Kind::Input, oneValue);
 }
 
 } // namespace
@@ -104,7 +104,7 @@ std::vector<std::uint8_t> descriptorOf(const CapLayout& layout)
   w.end();
   if (layout.battery)
   {
-    w.begin().reportId(batteryId).page(6).logical(0, 100).size(8).usage(0x20).main(Kind::Input, value).end();
+    w.begin().reportId(batteryId).page(6).logical(0, 100).size(8).usage(0x20).main(Kind::Input, oneValue).end();
   }
   return w.end().bytes();
 }
