@@ -23,7 +23,7 @@ struct FoundContact
   std::int32_t body = 0;         ///< the other one
   Vec3 point_A = Vec3::Zero();   ///< of the mesh, in its frame
   SurfacePoint place_B;          ///< of the other body
-  Vec3 normal_W = Vec3::UnitZ(); ///< out of the other body
+  Vec3 normal_B = Vec3::UnitZ(); ///< out of the other body, in its frame
   double apart_u = 0.0;          ///< other contacts in this direction are as far away, or further
   double friction = 0.0;         ///< Coulomb's
 
@@ -41,7 +41,7 @@ void membersOf(const Visit& visit, Contact& found) requires std::is_same_v<std::
   visit(found.body);
   visit(found.point_A);
   visit(found.place_B);
-  visit(found.normal_W);
+  visit(found.normal_B);
   visit(found.apart_u);
   visit(found.friction);
 }

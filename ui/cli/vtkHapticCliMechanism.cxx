@@ -7,10 +7,42 @@
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticJson.h"
 #include "vtkHapticMechanismData.h"
+#include "vtkHapticWireFile.h"
+
+namespace
+{
+int CheckWire(const vtkHapticWireResult& read, const vtkHapticCliCheckOptions& options)
+{
+  const palpate::WireCheck check =
+    read.Vessel ? palpate::planWire(read.Description, *read.Vessel, 1).check : palpate::WireCheck{};
+  if (!read.Vessel || !check.faults.empty())
+  {
+    throw vtkHapticCliProblem(read.Vessel ? options.File + ": " + check.faults.front() : read.Problem);
+  }
+  if (options.Json)
+  {
+    const nlohmann::ordered_json described{ { "file", options.File }, { "touchable", true }, { "beams", check.beams },
+      { "most_contacts", check.contacts }, { "tightest_bend", check.tightest_u }, { "clearance", check.clearance_u },
+      { "work", check.work }, { "remarks", check.remarks } };
+    std::cout << described.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+    return 0;
+  }
+  std::cout << options.File << ": it can be felt\n";
+  for (const std::string& line : vtkHapticWireText(check))
+  {
+    std::cout << "  " << line << '\n';
+  }
+  return 0;
+}
+} // namespace
 
 int vtkHapticCliCheckMechanism(const vtkHapticCliCheckOptions& options)
 {
   const std::string& file = options.File;
+  if (const vtkHapticWireResult wire = vtkHapticReadWire(file); wire.IsWire)
+  {
+    return CheckWire(wire, options);
+  }
   const vtkHapticMechanismResult read = vtkHapticReadMechanism(file);
   if (!read.Inputs)
   {

@@ -15,6 +15,7 @@
 #include "vtkHapticMechanismData.h"
 #include "vtkHapticReaders.h"
 #include "vtkHapticSoftBodyData.h"
+#include "vtkHapticWireFile.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -80,13 +81,23 @@ vtkSmartPointer<vtkPolyData> DataOf(const std::vector<palpate::PathSample>& path
 
 void AddMechanism(const std::string& file, vtkTouchAlongPath& filter)
 {
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  if (const vtkHapticWireResult wire = vtkHapticReadWire(file); wire.IsWire)
+  {
+    if (!wire.Vessel)
+    {
+      throw vtkHapticCliProblem(wire.Problem);
+    }
+    filter.AddNamed(0, file, vtkHapticWireShapes(wire, folder));
+    return;
+  }
   const vtkHapticMechanismResult read = vtkHapticReadMechanism(file);
   if (!read.Inputs)
   {
     throw vtkHapticCliProblem(read.Problem);
   }
   const vtkSmartPointer<vtkPolyData> shapes = vtkHapticMechanismShapes(read);
-  vtkHapticDescribeMechanism(*shapes, read.Text, std::filesystem::path(file).parent_path().string());
+  vtkHapticDescribeMechanism(*shapes, read.Text, folder);
   filter.AddNamed(0, file, shapes);
 }
 
@@ -176,6 +187,11 @@ std::vector<std::string> NamesOf(const std::string& array)
   return array == "Turn"                   ? std::vector<std::string>{ "proxy_qw", "proxy_qx", "proxy_qy", "proxy_qz" }
          : array == "Torque"               ? std::vector<std::string>{ "torque_x", "torque_y", "torque_z" }
          : array == "Residual"             ? std::vector<std::string>{ "residual" }
+         : array == "Pushed"               ? std::vector<std::string>{ "pushed" }
+         : array == "Turned"               ? std::vector<std::string>{ "turned" }
+         : array == "Tip Force"            ? std::vector<std::string>{ "tip_force" }
+         : array == "Wall Force"           ? std::vector<std::string>{ "wall_force" }
+         : array == "Wall Place"           ? std::vector<std::string>{ "wall_x", "wall_y", "wall_z" }
          : array.starts_with("Phase of ")  ? std::vector{ of("Phase of ") + "_phase" }
          : array.starts_with("Inside of ") ? std::vector{ of("Inside of ") + "_inside" }
                                            : std::vector<std::string>{};

@@ -23,6 +23,8 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for members
 
+struct vtkHapticWireResult;
+
 class VTKHAPTICPIPELINE_EXPORT vtkHapticMechanism : public vtkPolyDataAlgorithm
 {
 public:
@@ -59,6 +61,8 @@ protected:
 private:
   /// Null with Problem.
   vtkSmartPointer<vtkPolyData> Make();
+  /// Likewise of a file with a wire: its vessel.
+  vtkSmartPointer<vtkPolyData> MakeWire(const vtkHapticWireResult& read, const std::string& folder);
 
   std::string FileName;
   std::string Problem;

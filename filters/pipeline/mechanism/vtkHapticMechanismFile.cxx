@@ -128,6 +128,10 @@ palpate::MechanismBody BodyOf(const Node& node, const Surroundings& around, palp
   using enum palpate::MechanismBodyKind;
   palpate::MechanismBody body;
   body.name = node.name();
+  if (node.text("kind", "") == "wire")
+  {
+    node.fail("kind", "a wire is pushed along a path, alone in its file: use Touch Along Path, or palpate touch");
+  }
   body.kind = KindOf(node, { Held, Rigid, Soft, World });
   switch (body.kind)
   {
@@ -366,18 +370,27 @@ std::string vtkHapticWithoutConstraint(
   return without;
 }
 
-vtkHapticMechanismResult vtkHapticReadMechanism(const std::string& file)
+palpate::Outcome<std::string> vtkHapticSceneText(const std::string& file)
 {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
   std::ifstream stream(file, std::ios::binary);
   if (error || !stream || bytes > MostBytes)
   {
-    return { nullptr, {}, "", file + (error || !stream ? ": cannot be read" : ": a scene file has at most 1 MiB") };
+    return { "", file + (error || !stream ? ": cannot be read" : ": a scene file has at most 1 MiB") };
   }
-  const std::string text{ std::istreambuf_iterator<char>(stream), {} };
+  return { std::string{ std::istreambuf_iterator<char>(stream), {} }, "" };
+}
+
+vtkHapticMechanismResult vtkHapticReadMechanism(const std::string& file)
+{
+  const palpate::Outcome<std::string> text = vtkHapticSceneText(file);
+  if (!text.ok())
+  {
+    return { nullptr, {}, "", text.problem };
+  }
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  vtkHapticMechanismResult result = vtkHapticParseMechanism(text, folder.string());
+  vtkHapticMechanismResult result = vtkHapticParseMechanism(text.value, folder.string());
   result.Problem = result.Problem.empty() ? "" : file + ": " + result.Problem;
   return result;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/core/Outcome.h"
 #include "haptics/session/mechanism/MechanismBodies.h"
 #include "vtkHapticPipelineModule.h" // for the export macro
 #include "vtkSmartPointer.h"
@@ -34,6 +35,9 @@ struct vtkHapticMechanismResult
 /// Likewise without the constraint of that name.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticWithoutConstraint(
   const std::string& text, const std::string& laws, const std::string& name, std::string& problem);
+
+/// The text of a scene file; the problem names it.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT palpate::Outcome<std::string> vtkHapticSceneText(const std::string& file);
 
 /// The same from a file; the problem names it.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticMechanismResult vtkHapticReadMechanism(const std::string& file);

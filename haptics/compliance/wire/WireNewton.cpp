@@ -31,6 +31,7 @@ double shareOf(const Wire& wire, const WireVector& motion) noexcept
 WireLoads::WireLoads() noexcept
 {
   this->force.fill(NodeVector::Zero());
+  this->falls.fill(NodeVector::Zero());
   this->pulledTo_W.fill(Vec3::Zero());
 }
 
@@ -60,8 +61,12 @@ void WireNewton::addLoads(const Wire& wire, const WirePlaces& places_W, const Wi
     this->open_[i] = loads.force[i] - this->inner_[i];
     this->open_[i].head<3>() += loads.spring_N_per_u[i] * (loads.pulledTo_W[i] - places_W[i].p);
     auto own = this->stiffness_.own[i].diagonal();
+    own += loads.falls[i];
     own.head<3>().array() += loads.spring_N_per_u[i] + loads.placeDrag_N_per_u;
     own.tail<3>().array() += loads.turnDrag_Nu_per_rad;
+    const Vec3 along_W = places_W[i].q * Vec3::UnitX();
+    this->stiffness_.own[i].topLeftCorner<3, 3>() +=
+      loads.acrossDrag_N_per_u[i] * (Mat3::Identity() - along_W * along_W.transpose());
   }
 }
 
@@ -106,6 +111,7 @@ bool WireNewton::linearise(const Wire& wire, const WirePlaces& places_W, const W
       this->open_[i].tail<3>().cwiseAbs().maxCoeff() / length_u });
   }
   this->firm_ = this->factor_.factor(this->stiffness_);
+  this->factors_ = 1;
   bool firm = this->firm_;
   double added = 0.0;
   for (int i = 0; i < mostTries && !firm; ++i)
@@ -121,6 +127,7 @@ bool WireNewton::linearise(const Wire& wire, const WirePlaces& places_W, const W
       own.tail<3>().array() += turning_Nu;
     }
     firm = this->factor_.factor(this->stiffness_);
+    ++this->factors_;
   }
   return firm;
 }
@@ -157,7 +164,7 @@ WireRest WireNewton::toRest(
   return rest;
 }
 
-void moveWire(const Wire& wire, const WireVector& motion, WirePlaces& places_W) noexcept
+double moveWire(const Wire& wire, const WireVector& motion, WirePlaces& places_W) noexcept
 {
   const double share = shareOf(wire, motion);
   for (int i = 0; i < wire.nodes(); ++i)
@@ -166,6 +173,7 @@ void moveWire(const Wire& wire, const WireVector& motion, WirePlaces& places_W) 
     places_W[i].q = turnBy(share * motion[i].tail<3>()) * places_W[i].q;
     places_W[i].q.normalize();
   }
+  return share;
 }
 
 } // namespace palpate

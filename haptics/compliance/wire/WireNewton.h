@@ -16,10 +16,14 @@ struct WireLoads
   static constexpr std::uint8_t place = 0b000111, turn = 0b111000, clamped = 0b111111;
 
   WireVector force{}; ///< a force [N] and a moment [N u] at each node, in the world's axes
+  /// How fast those fall as their node goes along: supports that yield [N/u, N u/rad].
+  WireVector falls{};
   std::array<std::uint8_t, Wire::mostNodes> held{};
   /// Drag towards where each step begins: no force at rest.
   double placeDrag_N_per_u = 0.0;
   double turnDrag_Nu_per_rad = 0.0;
+  /// Of places, across the nodes' x axes: a wire that slides along itself feels none.
+  std::array<double, Wire::mostNodes> acrossDrag_N_per_u{};
   /// Springs of each node towards a place, for a hand or a vessel.
   std::array<double, Wire::mostNodes> spring_N_per_u{};
   std::array<Vec3, Wire::mostNodes> pulledTo_W{};
@@ -43,6 +47,8 @@ public:
   /// wire's buckling, drag is added until it is; `firm` says whether none was needed. False: no drag was enough.
   [[nodiscard]] bool linearise(const Wire& wire, const WirePlaces& places_W, const WireLoads& loads) noexcept;
   [[nodiscard]] bool firm() const noexcept { return this->firm_; }
+  /// How many factors that took.
+  [[nodiscard]] int factors() const noexcept { return this->factors_; }
 
   /// Largest force that is out of balance [N]; moments count by the first beam's length.
   [[nodiscard]] double residual_N() const noexcept { return this->residual_N_; }
@@ -68,6 +74,7 @@ private:
   void hold(const WireLoads& loads) noexcept;
 
   bool firm_ = false;
+  int factors_ = 0;
   double residual_N_ = 0.0;
   double energy_Nu_ = 0.0;
   WireVector inner_;
@@ -77,7 +84,8 @@ private:
   WireVector motion_;
 };
 
-/// Moves nodes by a step, shortened where it would turn a node or a chord too far for a step.
-void moveWire(const Wire& wire, const WireVector& motion, WirePlaces& places_W) noexcept;
+/// Moves nodes by a step, shortened where it would turn a node or a chord too far for a step. Gives the share of the
+/// step that was taken.
+double moveWire(const Wire& wire, const WireVector& motion, WirePlaces& places_W) noexcept;
 
 } // namespace palpate

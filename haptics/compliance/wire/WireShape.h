@@ -27,6 +27,8 @@ struct WireShape
   double tip_u = 0.0;    ///< length of the bent end along the wire
   double radius_u = 0.0; ///< of a helix' centre line
   double pitch_u = 0.0;  ///< of a helix, for each turn
+
+  friend bool operator==(const WireShape&, const WireShape&) = default;
 };
 
 /// Where the nodes of a wire at rest are: from the origin along x, its tip bent towards y.

@@ -53,7 +53,7 @@ bool stands(const NearPlace& near, const std::vector<NearPlace>& chosen, double 
     [&](const NearPlace& other)
     {
       const Vec3 way_u = near.contact.place_B.x_W - other.contact.place_B.x_W;
-      return way_u.norm() < apart_u && near.contact.normal_W.dot(other.contact.normal_W) > FoundContact::alike;
+      return way_u.norm() < apart_u && near.contact.normal_B.dot(other.contact.normal_B) > FoundContact::alike;
     });
 }
 
@@ -80,7 +80,7 @@ void turnRound(const Pose& mesh_B, FoundContact& contact)
 {
   std::swap(contact.mesh, contact.body);
   std::swap(contact.point_A, contact.place_B.x_W);
-  contact.normal_W = mesh_B.q.conjugate() * Vec3(-contact.normal_W);
+  contact.normal_B = mesh_B.q.conjugate() * Vec3(-contact.normal_B);
 }
 
 /// Leaves a vertex of the soft body on the plane of the mesh that it had in the last answer while another plane is
@@ -98,15 +98,15 @@ void keepPlanes(const FoundContacts& before, const Quat& turned, const Pose& mes
     {
       continue;
     }
-    const Vec3 normal_W = turned * was->normal_W, on_W = mesh_W * contact.point_A;
-    const double gap_u = normal_W.dot(mesh_W * was->point_A - on_W + place.gap_u * contact.normal_W);
-    if (std::abs(gap_u - place.gap_u) > kept * was->apart_u || normal_W.dot(contact.normal_W) < FoundContact::alike)
+    const Vec3 normal_W = turned * was->normal_B, on_W = mesh_W * contact.point_A;
+    const double gap_u = normal_W.dot(mesh_W * was->point_A - on_W + place.gap_u * contact.normal_B);
+    if (std::abs(gap_u - place.gap_u) > kept * was->apart_u || normal_W.dot(contact.normal_B) < FoundContact::alike)
     {
       continue;
     }
     const Vec3 onPlane_W = on_W + normal_W.dot(mesh_W * was->point_A - on_W) * normal_W;
     contact.point_A = into(mesh_W, onPlane_W);
-    contact.normal_W = normal_W;
+    contact.normal_B = normal_W;
     place.gap_u = gap_u;
     place.free_u = normal_W.dot(onPlane_W - place.without_W);
   }
@@ -136,15 +136,15 @@ Roundness roundness(const std::vector<NearPlace>& near, const Pose& mesh_W, doub
   const NearPlace& first = *std::ranges::min_element(near, {}, &NearPlace::free_u);
   const FoundContact& nearest = first.contact;
   const auto heightOf = [&](const NearPlace& place)
-  { return nearest.normal_W.dot(mesh_W * place.contact.point_A - place.without_W); };
+  { return nearest.normal_B.dot(mesh_W * place.contact.point_A - place.without_W); };
   const double least_u = heightOf(first);
   double rise = 0.0, square = 0.0;
   Roundness round;
   for (const NearPlace& place : near)
   {
     const Vec3 way_W = mesh_W.q * (place.contact.point_A - nearest.point_A);
-    const double away_u = (way_W - nearest.normal_W.dot(way_W) * nearest.normal_W).norm();
-    if (away_u <= within_u && place.contact.normal_W.dot(nearest.normal_W) > FoundContact::alike)
+    const double away_u = (way_W - nearest.normal_B.dot(way_W) * nearest.normal_B).norm();
+    if (away_u <= within_u && place.contact.normal_B.dot(nearest.normal_B) > FoundContact::alike)
     {
       const double above_u = heightOf(place) - least_u;
       const double chord2_u2 = away_u * away_u + above_u * above_u;

@@ -163,7 +163,7 @@ private:
     near.contact.name = name;
     near.contact.point_A = into(this->view_.mesh_W, onMesh_W);
     near.contact.place_B = place;
-    near.contact.normal_W = normal_W;
+    near.contact.normal_B = normal_W;
     near.gap_u = gap_u;
     for (std::size_t c = 0; c < 3; ++c)
     {

@@ -25,7 +25,7 @@ Vec3 apartOf(const FoundContact& contact, const PosesOfBodies& pose_W) noexcept
 
 Vec3 normalOf_W(const FoundContact& contact, const PosesOfBodies& pose_W) noexcept
 {
-  return pose_W[static_cast<std::size_t>(contact.body)].q * contact.normal_W;
+  return pose_W[static_cast<std::size_t>(contact.body)].q * contact.normal_B;
 }
 
 Vec3 across(const Vec3& way, const Vec3& normal) noexcept
@@ -47,7 +47,7 @@ int sameAs(const FoundContact& contact, const FoundContacts& before, int count) 
     }
     const double away_u = (other.place_B.x_W - contact.place_B.x_W).norm();
     const bool alike = other.mesh == contact.mesh && other.body == contact.body &&
-                       other.normal_W.dot(contact.normal_W) > FoundContact::alike;
+                       other.normal_B.dot(contact.normal_B) > FoundContact::alike;
     if (alike && away_u <= other.apart_u && away_u < least_u)
     {
       best = i;
@@ -93,7 +93,7 @@ void joinFound(
     law.b = contact.body;
     law.point_A = contact.point_A;
     law.point_B = contact.place_B.x_W; // of a rigid body; on a soft one place_B is
-    law.axis_B = turnsWithMesh(plan, contact) ? Vec3(turned * contact.normal_W) : contact.normal_W;
+    law.axis_B = turnsWithMesh(plan, contact) ? Vec3(turned * contact.normal_B) : contact.normal_B;
     law.friction = contact.friction;
     law.place_B = contact.place_B;
   }

@@ -148,7 +148,7 @@ bool isUsable(const FoundContacts& found)
          std::ranges::all_of(found.contacts,
            [](const FoundContact& contact)
            {
-             const double length = contact.normal_W.norm();
+             const double length = contact.normal_B.norm();
              return contact.point_A.allFinite() && isPlace(contact.place_B) &&
                     std::abs(length - 1.0) <= offUnitLength && std::isfinite(contact.apart_u) &&
                     std::isfinite(contact.friction) && contact.friction >= 0.0;

@@ -28,6 +28,7 @@ public:
 [[nodiscard]] std::unique_ptr<PathKind> ballAlongPath(const PathInputs& inputs, PathReport& report);
 [[nodiscard]] std::unique_ptr<PathKind> toolAlongPath(const PathInputs& inputs, PathReport& report);
 [[nodiscard]] std::unique_ptr<PathKind> toolOnBodyAlongPath(const PathInputs& inputs, PathReport& report);
+[[nodiscard]] std::unique_ptr<PathKind> wireAlongPath(const PathInputs& inputs, PathReport& report);
 [[nodiscard]] std::unique_ptr<PathKind> mechanismAlongPath(const PathInputs& inputs, PathReport& report);
 
 /// The surfaces and curves as one scene, with the parts that cleaning left out in the notes; null with a refusal.

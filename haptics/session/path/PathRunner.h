@@ -15,7 +15,7 @@ namespace palpate
 /// One tick of a path.
 struct PathTick
 {
-  Pose proxy_W;             ///< of the ball, the tool's handle or the held body of a mechanism [u]
+  Pose proxy_W;             ///< of the ball, the tool's handle, the held body of a mechanism, a wire's tip [u]
   Wrench wrench_W;          ///< on the hand [N], [N m]
   int contacts = 0;         ///< planes, contacts or constraints that push
   std::vector<double> more; ///< the values of the columns that the kind adds
@@ -26,7 +26,8 @@ struct PathTick
 struct PathColumn
 {
   std::string
-    name; ///< Turn (w x y z), Torque [N m], Angle [degrees], Residual [u], Force of, Phase of, Inside of a constraint
+    name; ///< Turn (w x y z), Torque [N m], Angle [degrees], Residual [u], Force of, Phase of, Inside of a constraint;
+          ///< of a wire Pushed [u], Turned [rad], Tip Force, Wall Force [N], Wall Place [u]
   int components = 1;
 };
 

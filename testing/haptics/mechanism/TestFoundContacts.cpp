@@ -166,9 +166,9 @@ public:
       const FoundContact& contact = found.contacts[static_cast<std::size_t>(i)];
       points.push_back(compliantPoint(*body.snapshot, contact.place_B));
       const Vec3 arm_W = at_W.q * contact.point_A;
-      jacobian.row(i) << contact.normal_W.transpose(), arm_W.cross(contact.normal_W).transpose();
+      jacobian.row(i) << contact.normal_B.transpose(), arm_W.cross(contact.normal_B).transpose();
       const Vec3 back_W = hand_W.p - at_W.p + turnFromTo(at_W.q, hand_W.q).cross(arm_W);
-      this->gap_[i] = contact.normal_W.dot(at_W * contact.point_A + back_W - contact.place_B.x_W);
+      this->gap_[i] = contact.normal_B.dot(at_W * contact.point_A + back_W - contact.place_B.x_W);
     }
     Eigen::VectorXd springs(6);
     springs << Vec3::Constant(1.0 / grip.coupling_N_per_u), Vec3::Constant(1.0 / grip.turning_Nu_per_rad);
@@ -176,8 +176,8 @@ public:
     {
       for (int j = 0; j < n; ++j)
       {
-        const Vec3 &a = found.contacts[static_cast<std::size_t>(i)].normal_W,
-                   &b = found.contacts[static_cast<std::size_t>(j)].normal_W;
+        const Vec3 &a = found.contacts[static_cast<std::size_t>(i)].normal_B,
+                   &b = found.contacts[static_cast<std::size_t>(j)].normal_B;
         this->compliance_(i, j) = a.dot(
           complianceBetween(*body.snapshot, points[static_cast<std::size_t>(i)], points[static_cast<std::size_t>(j)]) *
           b);
@@ -241,7 +241,7 @@ TEST(FoundContacts, OfAFlatPunchEachForceIsThatOfADenseSolveWrittenApart)
   double total = 0.0;
   for (int i = 0; i < r.found; ++i)
   {
-    const Vec3& n = touch.touch().bodies().found().contacts[static_cast<std::size_t>(i)].normal_W;
+    const Vec3& n = touch.touch().bodies().found().contacts[static_cast<std::size_t>(i)].normal_B;
     EXPECT_NEAR(r.laws[static_cast<std::size_t>(i)].force_W.dot(n), expected[i], 1e-9) << i;
     total += expected[i] * n.z();
   }

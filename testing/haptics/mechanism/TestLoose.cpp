@@ -74,7 +74,7 @@ TEST(Loose, APlaneTurnsWithTheBodyWhoseFaceItIs)
     if (contact.mesh == box + 1 && contact.body == box)
     {
       EXPECT_LE((contact.point_A.cwiseAbs() - post).norm(), 1e-12) << "a corner of the post, in its frame";
-      EXPECT_LE((contact.normal_W + Vec3::UnitZ()).norm(), 1e-12) << "the plate's lower face, in its frame";
+      EXPECT_LE((contact.normal_B + Vec3::UnitZ()).norm(), 1e-12) << "the plate's lower face, in its frame";
       EXPECT_LE(
         (askew * contact.place_B.x_W - Vec3(contact.point_A.x(), contact.point_A.y(), -plate.z())).norm(), 1e-12);
       ++met;

@@ -118,7 +118,7 @@ TEST(FoundInTick, ContactsThatATickCannotComputeWithAreRefusedInARecording)
   EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[1].mesh = 2; }));
   EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[1].mesh = -1; }));
   EXPECT_TRUE(refused([](FoundContacts& f) { f.reach_u = std::nan(""); }));
-  EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[0].normal_W *= 2.0; }));
+  EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[0].normal_B *= 2.0; }));
   EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[0].place_B.vertices[1] = 1u << 20; }));
   EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[0].friction = -1.0; }));
   EXPECT_TRUE(refused([](FoundContacts& f) { f.held_W.q.coeffs().setZero(); }));

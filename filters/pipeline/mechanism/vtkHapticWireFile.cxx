@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticWireFile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <utility>
+
+#include "haptics/core/JsonNode.h"
+#include "vtkHapticConversion.h"
+#include "vtkHapticJson.h"
+#include "vtkHapticMechanismData.h"
+#include "vtkHapticReaders.h"
+
+namespace
+{
+using Json = nlohmann::json;
+using Node = palpate::JsonNode<Json>;
+
+constexpr double UsualBeam_diameters = 8.0;
+
+bool HasWire(const Json& json)
+{
+  if (!json.is_object() || !json.contains("bodies") || !json["bodies"].is_array())
+  {
+    return false;
+  }
+  for (const Json& body : json["bodies"])
+  {
+    if (body.is_object() && body.value("kind", Json()) == "wire")
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+palpate::WireTip TipOf(const Node& node)
+{
+  constexpr std::array names{ "straight", "angled", "hook", "helix" };
+  const std::string name = node.text("tip", names[0]);
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    if (name == names[i])
+    {
+      return static_cast<palpate::WireTip>(i);
+    }
+  }
+  node.fail("tip", "unknown tip \"" + name + "\"; valid tips: straight, angled, hook, helix");
+}
+
+palpate::WireShape ShapeOf(const Node& node, double diameter_u)
+{
+  palpate::WireShape shape;
+  shape.length_u = node.needsNumber("length");
+  shape.tip = TipOf(node);
+  shape.tip_u = node.size("tip_length");
+  shape.radius_u = node.size("tip_radius");
+  shape.pitch_u = node.number("tip_pitch", 0.0);
+  const double usual = std::clamp(
+    std::ceil(shape.length_u / (UsualBeam_diameters * diameter_u)), 1.0, static_cast<double>(palpate::Wire::mostBeams));
+  const double beams = node.number("beams", std::isfinite(usual) ? usual : 1.0);
+  if (!(beams >= 1.0 && beams <= palpate::Wire::mostBeams) || beams != std::floor(beams))
+  {
+    std::ostringstream text;
+    text << "must be a whole number from 1 to " << palpate::Wire::mostBeams << ": beams of "
+         << shape.length_u / palpate::Wire::mostBeams << " would do";
+    node.fail("beams", text.str());
+  }
+  shape.beams = static_cast<int>(beams);
+  return shape;
+}
+
+palpate::WireDescription WireOf(const Node& node, double unit_m)
+{
+  node.knows({ "name", "kind", "vessel", "diameter", "length", "young_Pa", "tip_young_Pa", "poisson", "friction",
+    "mouth", "direction", "beams", "tip", "tip_length", "tip_radius", "tip_pitch" });
+  palpate::WireDescription wire;
+  const double perUnit2 = unit_m * unit_m;
+  wire.diameter_u = node.needsNumber("diameter");
+  wire.shape = ShapeOf(node, wire.diameter_u);
+  wire.young_N_per_u2 = perUnit2 * node.needsNumber("young_Pa");
+  wire.tipYoung_N_per_u2 = perUnit2 * node.size("tip_young_Pa");
+  wire.poisson = node.number("poisson", wire.poisson);
+  wire.friction = node.size("friction");
+  wire.mouth_W = node.vector("mouth", wire.mouth_W);
+  wire.direction_W = node.vector("direction", wire.direction_W);
+  return wire;
+}
+
+std::shared_ptr<const palpate::TriangleMesh> VesselOf(const Node& node, const std::string& folder)
+{
+  const std::string path = (std::filesystem::path(folder) / node.needed("vessel")).string();
+  const vtkHapticReadResult read = vtkHapticReadSurface(path, {});
+  node.accept("vessel", read.Surface ? "" : read.Problem);
+  const vtkHapticConversionResult converted = vtkHapticToMesh(read.Surface);
+  node.accept("vessel", converted.Mesh ? "" : path + ": " + converted.Problem);
+  return converted.Mesh;
+}
+
+void Build(const Node& root, const std::string& folder, vtkHapticWireResult& result)
+{
+  root.knows({ "format", "version", "unit_m", "bodies" });
+  palpate::checkHead(root, "palpate mechanism", 1);
+  const double unit_m = root.number("unit_m", 1.0);
+  if (!(unit_m >= 1e-12 && unit_m <= 1e6))
+  {
+    root.fail("unit_m", "must be a number of metres from 1e-12 to 1e6");
+  }
+  const std::vector<Node> bodies = root.list("bodies");
+  if (bodies.size() != 1)
+  {
+    root.fail("bodies", "a wire is the only body of its file: its vessel is a key of the wire");
+  }
+  result.Description = WireOf(bodies.front(), unit_m);
+  result.Vessel = VesselOf(bodies.front(), folder);
+}
+} // namespace
+
+vtkHapticWireResult vtkHapticParseWire(const std::string& text, const std::string& folder)
+{
+  vtkHapticWireResult result;
+  result.Text = text;
+  result.Problem = palpate::jsonProblemOf<Json>(
+    [&]
+    {
+      const Json json = Json::parse(text);
+      result.IsWire = HasWire(json);
+      if (result.IsWire)
+      {
+        Build(Node(json, ""), folder, result);
+      }
+    });
+  result.Problem = result.IsWire ? result.Problem : "";
+  result.Vessel = result.Problem.empty() ? result.Vessel : nullptr;
+  return result;
+}
+
+vtkHapticWireResult vtkHapticToWire(vtkDataObject& data)
+{
+  return vtkHapticIsMechanism(&data)
+           ? vtkHapticParseWire(vtkHapticMechanismFileOf(data), vtkHapticMechanismFolderOf(data))
+           : vtkHapticWireResult{};
+}
+
+vtkHapticWireResult vtkHapticReadWire(const std::string& file)
+{
+  const palpate::Outcome<std::string> text = vtkHapticSceneText(file);
+  vtkHapticWireResult result = text.ok()
+                                 ? vtkHapticParseWire(text.value, std::filesystem::path(file).parent_path().string())
+                                 : vtkHapticWireResult{};
+  result.Problem = result.Problem.empty() ? "" : file + ": " + result.Problem;
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> vtkHapticWireShapes(const vtkHapticWireResult& read, const std::string& folder)
+{
+  const vtkSmartPointer<vtkPolyData> shapes = vtkHapticToPolyData(*read.Vessel);
+  vtkHapticDescribeMechanism(*shapes, read.Text, folder);
+  return shapes;
+}
+
+std::vector<std::string> vtkHapticWireText(const palpate::WireCheck& check)
+{
+  std::ostringstream beams, bends, mouth, cost;
+  beams << check.beams << " beams, at most " << check.contacts << " contacts at once";
+  bends << "it follows bends of a radius of " << check.tightest_u << " and more: of three beams";
+  mouth << "at the mouth " << check.clearance_u << " are free around it";
+  cost << "a tick takes two steps of " << check.work << " units of work without contacts, at most";
+  std::vector<std::string> lines{ beams.str(), bends.str(), mouth.str(), cost.str() };
+  lines.insert(lines.end(), check.remarks.begin(), check.remarks.end());
+  return lines;
+}

@@ -1,0 +1,470 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/mechanism/wire/WireTick.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/core/Across.h"
+#include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/wire/WireSheath.h"
+#include "haptics/mechanism/wire/WireVessel.h"
+#include "haptics/tool/motion/Turn.h"
+
+namespace palpate
+{
+
+/// Workspace of a tick, and what it ends with. Some 700 kB.
+struct WireScratch
+{
+  WireState state;
+  WireResult result;
+  WireLoads loads;
+  WireNewton newton;
+  WireVessel vessel;
+  std::uint64_t vesselHash = 0; ///< of the surface that its lists are of
+  WireContacts near;
+  ContactProblem problem;
+  FrictionScratch friction;
+  ContactForces forces;
+  std::array<bool, WireContacts::mostFound> isChosen{};
+  std::array<const WireContact*, WireTouch::most> chosen{};
+  std::array<WireTouch, WireTouch::most> touches;
+  WireVector free;
+  WireVector motion;
+  WireVector since; ///< motion of this tick so far
+  WireVector pressed;
+};
+
+namespace
+{
+
+constexpr int stepsATick = 2;
+/// Of the distance from the wall: so far the axis of a beam goes in a step.
+constexpr double proven = 0.9;
+/// Wire radii around the wire in which contacts are looked for, at least and at most.
+constexpr double leastReach = 0.4, mostReach = 8.0;
+/// Of the way that the hand goes in a tick.
+constexpr double reachOfWay = 1.5;
+/// Of the compliance of a beam that is clamped at both ends, in its middle: so much each contact has of its own, so
+/// that two at one node have one answer.
+constexpr double evenly = 1e-3;
+/// Of a beam's stiffness across itself: drag of the nodes near a wall across the wire, towards where a step begins.
+/// Planes know nothing of a wall that is hollow, and on them a bent wire rolls over.
+constexpr double dragged = 1e-2;
+/// Of the radius: contacts that are no further apart are solved from the beginning.
+constexpr double metAt = 0.01;
+/// Likewise those of beams that pressed before.
+constexpr double pressedAt = 0.1;
+constexpr std::uint8_t aboutX = 0b001000;
+/// Of the radius: contacts that miss their laws by no more are met.
+constexpr double metWithin = 1e-6;
+
+/// One tick.
+class WireStep
+{
+public:
+  WireStep(const WireInput& input, WireScratch& room) noexcept
+    : input_(input), plan_(*input.plan), room_(room), state_(room.state), result_(room.result)
+  {
+  }
+
+  void run() noexcept
+  {
+    this->result_ = {};
+    if (this->state_.revision != this->plan_.revision || !this->state_.placed)
+    {
+      this->begin();
+    }
+    if (this->room_.vesselHash != this->plan_.vessel->contentHash())
+    {
+      this->room_.vessel.forget();
+      this->room_.vesselHash = this->plan_.vessel->contentHash();
+    }
+    this->takeHand();
+    this->room_.since.fill(NodeVector::Zero());
+    for (int i = 0; i < stepsATick && this->mayGoOn(); ++i)
+    {
+      this->goOn(i == 0);
+    }
+    this->tell();
+  }
+
+private:
+  [[nodiscard]] double handAlong_u() const noexcept { return into(this->plan_.mouth_W, this->input_.hand_W.p).x(); }
+
+  void begin() noexcept
+  {
+    this->state_ = {};
+    this->state_.revision = this->plan_.revision;
+    this->state_.placed = true;
+    this->state_.places_M = placesInSheath(this->plan_);
+    this->state_.grip_u = this->handAlong_u();
+    this->state_.hand_W = this->input_.hand_W.q;
+  }
+
+  void takeHand() noexcept
+  {
+    const double before_u = this->state_.led_u;
+    double& led_u = this->state_.led_u;
+    led_u = this->handAlong_u() - this->state_.grip_u;
+    const double out_u = -this->plan_.wire.beams[0].length_u;
+    if (led_u < out_u) // pulled out: the hand slides along the wire, which stays in the sheath
+    {
+      this->state_.grip_u = this->handAlong_u() - out_u;
+      led_u = out_u;
+    }
+    const Quat& m = this->plan_.mouth_W.q;
+    const Quat turn_M = m.conjugate() * (this->input_.hand_W.q * this->state_.hand_W.conjugate()) * m;
+    this->state_.handTurn_rad += rotationVector(turn_M).x();
+    this->state_.hand_W = this->input_.hand_W.q;
+    const double r = this->plan_.radius_u;
+    this->reach_u_ = std::clamp(reachOfWay * std::abs(led_u - before_u), leastReach * r, mostReach * r);
+  }
+
+  /// Where the hand leads the outer end. It does not come out of the sheath: there the handle meets it.
+  [[nodiscard]] double ledTo_u() const noexcept
+  {
+    constexpr double beamsInSheath = 1.5;
+    return std::min(this->state_.led_u - this->plan_.length_u(), -beamsInSheath * this->plan_.wire.beams[0].length_u);
+  }
+
+  [[nodiscard]] bool mayGoOn() noexcept
+  {
+    const bool more = this->result_.work < this->input_.budget && !this->stuck_;
+    this->result_.capped = this->result_.capped || !more;
+    return more;
+  }
+
+  /// The places of the sheath are those that contacts were looked for at, but for rounding onto its axis.
+  void hold() noexcept
+  {
+    WireLoads& loads = this->room_.loads;
+    holdInSheath(this->plan_.wire, this->state_.places_M, loads);
+    loads.force[0][0] = this->input_.coupling_N_per_u * (this->ledTo_u() - this->state_.places_M[0].p.x());
+    loads.falls[0][0] = this->input_.coupling_N_per_u;
+    loads.acrossDrag_N_per_u.fill(0.0);
+    for (int i = 0; i < this->room_.near.count; ++i)
+    {
+      const int b = this->room_.near.all[i].beam;
+      const WireBeam& beam = this->plan_.wire.beams[b];
+      const double drag_N_per_u =
+        dragged * 12.0 * beam.section.bend_Nu2 / (beam.length_u * beam.length_u * beam.length_u);
+      loads.acrossDrag_N_per_u[b] = loads.acrossDrag_N_per_u[b + 1] = drag_N_per_u;
+    }
+    if (this->input_.turning_Nu_per_rad > 0.0)
+    {
+      loads.force[0][3] = this->input_.turning_Nu_per_rad * (this->state_.handTurn_rad - this->state_.turned_rad);
+      loads.falls[0][3] = this->input_.turning_Nu_per_rad;
+      return;
+    }
+    loads.held[0] |= aboutX;
+  }
+
+  /// One Newton step with its contacts.
+  void goOn(bool first) noexcept
+  {
+    WireNewton& newton = this->room_.newton;
+    this->room_.vessel.find(this->plan_, this->state_.places_M, this->reach_u_, this->room_.near);
+    this->hold();
+    this->stuck_ = !newton.linearise(this->plan_.wire, this->state_.places_M, this->room_.loads);
+    if (this->stuck_)
+    {
+      this->result_.capped = true;
+      return;
+    }
+    newton.factor().invert();
+    newton.step(this->room_.free);
+    this->count(first);
+    this->press();
+    this->result_.leftOut = std::max(this->result_.leftOut, this->leftOut_);
+    this->move();
+  }
+
+  void count(bool first) noexcept
+  {
+    const WireContacts& near = this->room_.near;
+    this->result_.queries += near.queries;
+    this->result_.crowded = std::max(this->result_.crowded, near.crowded);
+    for (int b = 0; b < this->plan_.wire.count && first; ++b)
+    {
+      this->result_.deepest_u = std::max(this->result_.deepest_u, this->plan_.radius_u - near.away_u[b]);
+    }
+  }
+
+  /// Contacts that press: those of beams that pressed before and those that are met, then, as the wire goes, others
+  /// that it would go through.
+  void press() noexcept
+  {
+    constexpr int mostRounds = 3;
+    this->chooseFirst();
+    this->solve();
+    for (int i = 1; i < mostRounds && this->chooseMore(); ++i)
+    {
+      this->solve();
+    }
+  }
+
+  [[nodiscard]] bool pressedBefore(int beam) const noexcept
+  {
+    const auto end = this->state_.presses.begin() + this->state_.pressCount;
+    return std::any_of(this->state_.presses.begin(), end, [beam](const WirePress& p) { return p.beam == beam; });
+  }
+
+  void chooseFirst() noexcept
+  {
+    const WireContacts& near = this->room_.near;
+    this->contacts_ = 0;
+    for (const double within_u : { metAt * this->plan_.radius_u, -std::numeric_limits<double>::infinity() })
+    {
+      for (int i = 0; i < near.count; ++i)
+      {
+        const bool first = near.all[i].gap_u <= within_u;
+        const bool again = std::isinf(within_u) && !this->room_.isChosen[i] &&
+                           near.all[i].gap_u <= pressedAt * this->plan_.radius_u &&
+                           this->pressedBefore(near.all[i].beam);
+        this->room_.isChosen[i] = std::isinf(within_u) ? this->room_.isChosen[i] : false;
+        this->choose(i, first || again);
+      }
+    }
+  }
+
+  void choose(int contact, bool wanted) noexcept
+  {
+    if (wanted && this->contacts_ < WireTouch::most)
+    {
+      this->room_.isChosen[contact] = true;
+      ++this->contacts_;
+    }
+  }
+
+  /// How far the wire's skin is from the wall of a contact after the step.
+  [[nodiscard]] double gapAfter_u(const WireContact& contact) const noexcept
+  {
+    return contact.gap_u + motionAt(this->touchOf(contact), this->room_.motion).x();
+  }
+
+  /// Whether there are any; those for which there is no room are counted.
+  [[nodiscard]] bool chooseMore() noexcept
+  {
+    const WireContacts& near = this->room_.near;
+    const int before = this->contacts_;
+    this->leftOut_ = 0;
+    for (int i = 0; i < near.count; ++i)
+    {
+      const bool through =
+        !this->room_.isChosen[i] && this->gapAfter_u(near.all[i]) < -metWithin * this->plan_.radius_u;
+      this->choose(i, through);
+      this->leftOut_ += through && !this->room_.isChosen[i] ? 1 : 0;
+    }
+    return this->contacts_ > before;
+  }
+
+  /// The first tangent runs along the beam.
+  [[nodiscard]] WireTouch touchOf(const WireContact& contact) const noexcept
+  {
+    constexpr double leastAcross = 1e-3; // of a direction along the wire, across a normal
+    const Vec3& n = contact.normal_M;
+    const Vec3 beam_M =
+      (this->state_.places_M[contact.beam + 1].p - this->state_.places_M[contact.beam].p).normalized();
+    const Vec3 across_M = beam_M - n.dot(beam_M) * n;
+    const Vec3 t = across_M.norm() > leastAcross ? Vec3(across_M.normalized()) : acrossOf(n);
+    return { contact.beam, contact.share, -this->plan_.radius_u * n, (Mat3() << n, t, n.cross(t)).finished() };
+  }
+
+  /// The chosen contacts on the linear wire, and its motion with their forces.
+  void solve() noexcept
+  {
+    ContactProblem& problem = this->room_.problem;
+    ContactForces& forces = this->room_.forces;
+    int n = 0;
+    for (int i = 0; i < this->room_.near.count; ++i)
+    {
+      if (this->room_.isChosen[i])
+      {
+        this->room_.chosen[n] = &this->room_.near.all[i];
+        this->room_.touches[n++] = this->touchOf(this->room_.near.all[i]);
+      }
+    }
+    const std::span touches(this->room_.touches.data(), static_cast<std::size_t>(n));
+    problem.resize(n);
+    problem.friction = this->plan_.friction;
+    problem.compliance.setZero();
+    addWireCompliance(this->room_.newton.factor(), touches, problem.compliance);
+    forces.force_N.setZero(3 * n);
+    for (int i = 0; i < n; ++i)
+    {
+      const Vec3 since = motionAt(touches[i], this->room_.since);
+      problem.free.segment<3>(3 * i) = motionAt(touches[i], this->room_.free) + Vec3(0.0, since.y(), since.z());
+      problem.free[3 * i] += this->room_.chosen[i]->gap_u;
+      problem.compliance.diagonal().segment<3>(3 * i).array() += this->own_u_per_N(touches[i].beam);
+      forces.force_N.segment<3>(3 * i) = this->before_N(i);
+    }
+    this->result_.work += newtonWork(this->plan_.wire.nodes(), this->room_.newton.factors(), n);
+    if (this->plan_.friction > 0.0)
+    {
+      const std::uint32_t left = this->input_.budget - std::min(this->input_.budget, this->result_.work);
+      solveFriction(problem, this->room_.friction, forces, left);
+    }
+    else
+    {
+      solveGaps(problem, forces);
+    }
+    this->result_.work += forces.work;
+    this->result_.residual_u = forces.residual_u;
+    this->room_.pressed.fill(NodeVector::Zero());
+    for (int i = 0; i < n; ++i)
+    {
+      pressAt(touches[i], forces.force_N.segment<3>(3 * i), this->room_.pressed);
+    }
+    this->room_.newton.step(this->room_.pressed, this->room_.motion);
+  }
+
+  [[nodiscard]] double own_u_per_N(int beam) const noexcept
+  {
+    const WireBeam& b = this->plan_.wire.beams[beam];
+    return evenly * b.length_u * b.length_u * b.length_u / (192.0 * b.section.bend_Nu2);
+  }
+
+  /// The force of the same place among those of its beam in the step before.
+  [[nodiscard]] Vec3 before_N(int touch) const noexcept
+  {
+    const auto& touches = this->room_.touches;
+    int place = 0;
+    for (int i = touch - 1; i >= 0 && touches[i].beam == touches[touch].beam; --i)
+    {
+      ++place;
+    }
+    for (int i = 0; i < this->state_.pressCount; ++i)
+    {
+      if (this->state_.presses[i].beam == touches[touch].beam && place-- == 0)
+      {
+        return this->state_.presses[i].axes_N;
+      }
+    }
+    return Vec3::Zero();
+  }
+
+  void move() noexcept
+  {
+    this->state_.pressCount = 0;
+    for (int i = 0; i < this->contacts_; ++i)
+    {
+      const Vec3 force_N = this->room_.forces.force_N.segment<3>(3 * i);
+      if (force_N.x() > 0.0)
+      {
+        const WireTouch& touch = this->room_.touches[i];
+        this->state_.presses[this->state_.pressCount++] = { touch.beam, this->room_.chosen[i]->at_M, force_N,
+          touch.axes_W * force_N };
+      }
+    }
+    WireVector& motion = this->room_.motion;
+    const double share = this->provenShare(motion);
+    for (int i = 0; i < this->plan_.wire.nodes(); ++i)
+    {
+      motion[i] *= share;
+    }
+    const double taken = moveWire(this->plan_.wire, motion, this->state_.places_M);
+    for (int i = 0; i < this->plan_.wire.nodes(); ++i)
+    {
+      this->room_.since[i] += taken * motion[i];
+    }
+    this->state_.turned_rad += taken * motion[0][3];
+    this->result_.share = std::min(this->result_.share, share * taken);
+  }
+
+  /// Of a step, so that no axis of a beam reaches the wall and no skin goes through a wall that is not looked at: all
+  /// places of a beam move along straight lines, and no further than one of its nodes.
+  [[nodiscard]] double provenShare(const WireVector& motion) const noexcept
+  {
+    double share = 1.0;
+    for (int b = 0; b < this->plan_.wire.count; ++b)
+    {
+      const double goes_u = std::max(motion[b].head<3>().norm(), motion[b + 1].head<3>().norm());
+      const double away_u = std::min(this->room_.near.away_u[b], this->plan_.mouthAway_u);
+      const double most_u = std::min(proven * away_u, this->reach_u_);
+      share = goes_u * share > most_u ? most_u / goes_u : share;
+    }
+    return share;
+  }
+
+  void tell() noexcept
+  {
+    const WirePlaces& places_M = this->state_.places_M;
+    const Pose& mouth_W = this->plan_.mouth_W;
+    const int last = this->plan_.wire.count;
+    const double pulled_N =
+      this->input_.coupling_N_per_u * (places_M[0].p.x() + this->plan_.length_u() - this->state_.led_u);
+    const double turning_Nu = this->input_.turning_Nu_per_rad * (this->state_.turned_rad - this->state_.handTurn_rad);
+    WireResult& result = this->result_;
+    result.wrench_W.force = pulled_N * (mouth_W.q * Vec3::UnitX());
+    result.wrench_W.torque = turning_Nu * (mouth_W.q * Vec3::UnitX());
+    result.pushed_u = places_M[0].p.x() + this->plan_.length_u();
+    result.turned_rad = this->state_.turned_rad;
+    result.tip_W = mouth_W * places_M[last].p;
+    result.pressCount = this->state_.pressCount;
+    result.presses = this->state_.presses;
+    Vec3 tip_N = Vec3::Zero();
+    for (int i = 0; i < result.pressCount; ++i)
+    {
+      const WirePress& press = result.presses[i];
+      tip_N += press.beam == last - 1 ? press.force_M : Vec3(Vec3::Zero());
+      const double force_N = press.force_M.norm();
+      if (force_N > result.wall_N)
+      {
+        result.wall_N = force_N;
+        result.wall_W = mouth_W * press.at_M;
+      }
+    }
+    result.tip_N = tip_N.norm();
+    result.stored_Nu = this->room_.newton.energy_Nu();
+    result.stored_Nu +=
+      this->input_.coupling_N_per_u > 0.0 ? 0.5 * pulled_N * pulled_N / this->input_.coupling_N_per_u : 0.0;
+    result.capped = result.capped || result.share < 1.0 || result.residual_u > metWithin * this->plan_.radius_u;
+  }
+
+  const WireInput& input_;
+  const WirePlan& plan_;
+  WireScratch& room_;
+  WireState& state_;
+  WireResult& result_;
+  double reach_u_ = 0.0; ///< contacts are looked for so far from the skin
+  int contacts_ = 0;     ///< chosen
+  int leftOut_ = 0;
+  bool stuck_ = false; ///< no step could be made
+};
+
+bool isUsable(const WireInput& input) noexcept
+{
+  return input.plan && input.hand_W.p.allFinite() && std::abs(input.hand_W.q.squaredNorm() - 1.0) < 1e-6 &&
+         input.coupling_N_per_u > 0.0;
+}
+
+} // namespace
+
+WireTick::WireTick() : room_(std::make_unique<WireScratch>()) {}
+WireTick::~WireTick() = default;
+WireTick::WireTick(WireTick&&) noexcept = default;
+WireTick& WireTick::operator=(WireTick&&) noexcept = default;
+
+const WireResult& WireTick::step(const WireInput& input) noexcept
+{
+  if (!isUsable(input))
+  {
+    this->room_->result = {};
+    return this->room_->result;
+  }
+  WireStep(input, *this->room_).run();
+  return this->room_->result;
+}
+
+const WireState& WireTick::state() const noexcept
+{
+  return this->room_->state;
+}
+
+void WireTick::restore(const WireState& state) noexcept
+{
+  this->room_->state = state;
+}
+
+} // namespace palpate

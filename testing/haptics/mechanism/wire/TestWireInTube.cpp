@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/oracles/tube/RodInChannel.h"
+#include "testing/support/WireTube.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr double way_mm = 0.1; // a tick: .1 m/s
+constexpr double length_mm = 250.0, angle_rad = 0.75 * std::numbers::pi, straight_mm = 40.0, pushed_mm = 150.0;
+
+Tube bentTube()
+{
+  return { .first_mm = straight_mm, .angle_rad = angle_rad, .last_mm = 60.0, .around = 24, .ring_mm = 0.5 };
+}
+
+RodInChannel oracle(double friction)
+{
+  const BeamSection section = roundSection(0.25, 60e3, 0.3);
+  RodInChannel::Form form;
+  form.length_mm = length_mm;
+  form.pieces = 640;
+  form.stretch_N = section.stretch_N;
+  form.bend_Nmm2 = section.bend_Nu2;
+  form.angle_rad = angle_rad;
+  form.friction = friction;
+  return RodInChannel(form);
+}
+
+/// The hand's force at each step of the way, .5 mm each; that of the wire is the mean of the ticks around.
+struct Ways
+{
+  std::vector<double> wire_N;
+  std::vector<double> truth_N;
+  std::vector<bool> rests; ///< the truth
+  int leftOut = 0;         ///< ticks
+
+  [[nodiscard]] double rms() const
+  {
+    double off = 0.0, whole = 0.0;
+    for (std::size_t i = 0; i < this->wire_N.size(); ++i)
+    {
+      if (!this->rests[i])
+      {
+        continue;
+      }
+      off += std::pow(this->wire_N[i] - this->truth_N[i], 2);
+      whole += std::pow(this->truth_N[i], 2);
+    }
+    return std::sqrt(off / whole);
+  }
+};
+
+Ways push(double friction)
+{
+  constexpr int ticks = 5;
+  PushedWire wire(nitinolWire(length_mm, 64, friction), bentTube().mesh());
+  RodInChannel truth = oracle(friction);
+  Ways ways;
+  double deepest_mm = 0.0;
+  for (int i = 0; i < pushed_mm / way_mm / ticks; ++i)
+  {
+    double sum_N = 0.0;
+    for (int k = 0; k < ticks; ++k)
+    {
+      const WireResult& result = wire.tick(way_mm * (ticks * i + k));
+      sum_N -= result.wrench_W.force.x();
+      deepest_mm = std::max(deepest_mm, result.deepest_u);
+      EXPECT_EQ(result.crowded, 0);
+      ways.leftOut += result.leftOut > 0 ? 1 : 0;
+    }
+    const double truth_N = truth.push(way_mm * ticks * (i + 0.4));
+    ways.wire_N.push_back(sum_N / ticks);
+    ways.truth_N.push_back(truth_N);
+    ways.rests.push_back(truth.rests());
+  }
+  EXPECT_LE(deepest_mm, 0.03);
+  EXPECT_GT(deepest_mm, 0.0);
+  EXPECT_LE(ways.leftOut, pushed_mm / way_mm / 10); // in a straight part it lies on the wall everywhere
+  EXPECT_GT(std::ranges::count(ways.rests, true), 0.9 * static_cast<double>(ways.rests.size()));
+  return ways;
+}
+
+TEST(WireInTube, WithFrictionItsForceIsThatOfTenTimesThePiecesSolvedToRest)
+{
+  const double off = push(0.1).rms();
+  RecordProperty("rms", std::to_string(off));
+  EXPECT_LE(off, 0.07);
+}
+
+TEST(WireInTube, WithoutFrictionItsMeanForceInTheBendIsThatOfTenTimesThePieces)
+{
+  const Ways ways = push(0.0);
+  double wire_N = 0.0, truth_N = 0.0;
+  for (int i = 130; i < 190; ++i) // 65 to 95 mm: the tip is in the bend
+  {
+    ASSERT_TRUE(ways.rests[i]);
+    wire_N += ways.wire_N[i];
+    truth_N += ways.truth_N[i];
+  }
+  RecordProperty("rms", std::to_string(ways.rms()));
+  RecordProperty("mean", std::to_string(wire_N / truth_N));
+  EXPECT_NEAR(wire_N / truth_N, 1.0, 0.02);
+  EXPECT_LE(ways.rms(), 0.05);
+}
+
+WireResult atRest(PushedWire& wire)
+{
+  for (int i = 0; i <= 900; ++i)
+  {
+    static_cast<void>(wire.tick(way_mm * i));
+  }
+  WireResult result;
+  for (int i = 0; i < 400; ++i)
+  {
+    result = wire.tick(way_mm * 900);
+  }
+  return result;
+}
+
+Vec3 wallOf_N(const WireResult& result)
+{
+  Vec3 wall_N = Vec3::Zero();
+  for (int i = 0; i < result.pressCount; ++i)
+  {
+    wall_N += result.presses[i].force_M;
+  }
+  return wall_N;
+}
+
+TEST(WireInTube, WithFrictionForcesLieInTheirConesAndTheHandFeelsTheirSum)
+{
+  PushedWire wire(nitinolWire(length_mm, 64, 0.1), bentTube().mesh());
+  const WireResult result = atRest(wire);
+  for (int i = 0; i < result.pressCount; ++i)
+  {
+    const WirePress& press = result.presses[i];
+    EXPECT_LE(press.axes_N.tail<2>().norm(), 0.1 * press.axes_N.x() * (1.0 + 1e-9));
+    EXPECT_NEAR(press.axes_N.norm(), press.force_M.norm(), 1e-12);
+  }
+  EXPECT_NEAR(result.wrench_W.force.x(), wallOf_N(result).x(), 1e-5);
+  EXPECT_LE(result.deepest_u, 1e-5);
+}
+
+TEST(WireInTube, AtRestItIsNotInTheWallAndTheHandFeelsWhatTheWallPresses)
+{
+  PushedWire wire(nitinolWire(length_mm, 64, 0.0), bentTube().mesh());
+  const WireResult result = atRest(wire);
+  const Vec3 wall_N = wallOf_N(result);
+  EXPECT_GT(result.pressCount, 3);
+  EXPECT_LT(wall_N.x(), -0.05);
+  EXPECT_NEAR(result.wrench_W.force.x(), wall_N.x(), 1e-5 * std::abs(wall_N.x()));
+  EXPECT_EQ(result.wrench_W.force.tail<2>().norm(), 0.0);
+  EXPECT_LE(result.deepest_u, 1e-6);
+  EXPECT_GE(nearestWall_mm(*wire.planned.plan, wire.ticks.state()), 0.25 - 1e-6);
+}
+
+TEST(WireInTube, NoJerkOfTheHandBringsItsAxisThroughTheWall)
+{
+  PushedWire wire(nitinolWire(100.0, 32, 0.1), bentTube().mesh());
+  for (int i = 0; i < 100; ++i)
+  {
+    const double hand_mm = 40.0 + 40.0 * std::sin(0.9 * i) + 20.0 * std::sin(0.31 * i);
+    const WireResult& result = wire.tick(hand_mm);
+    ASSERT_TRUE(result.wrench_W.force.allFinite());
+    const Vec3 tip_mm = result.tip_W;
+    ASSERT_GT(nearestWall_mm(*wire.planned.plan, wire.ticks.state()), 0.0) << i;
+    ASSERT_LT(std::abs(tip_mm.z()), 1.0) << i; // in the tube
+  }
+}
+
+/// The bend begins before the first beam is out of the sheath.
+TEST(WireInTube, ItComesOutOfTheSheathBeamByBeamWithoutAStep)
+{
+  const Tube tube{ .first_mm = 2.0, .angle_rad = 0.5 * std::numbers::pi, .last_mm = 5.0, .around = 24, .ring_mm = 0.5 };
+  PushedWire wire(nitinolWire(60.0, 20, 0.0), tube.mesh());
+  constexpr double small_mm = 0.01;
+  double before_N = 0.0, most_N = 0.0, largest_N = 0.0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    const double force_N = wire.tick(small_mm * i).wrench_W.force.x();
+    most_N = std::max(most_N, std::abs(force_N - before_N));
+    largest_N = std::max(largest_N, std::abs(force_N));
+    before_N = force_N;
+  }
+  EXPECT_GT(largest_N, 0.1);
+  EXPECT_LE(most_N, 2.0 * small_mm * wire.coupling_N_per_mm); // twice that of a wall
+}
+
+TEST(WireInTube, AHookThatIsStraightInTheSheathTakesItsShapeOutside)
+{
+  WireDescription hook = nitinolWire(60.0, 20, 0.0);
+  hook.shape.tip = WireTip::Hook;
+  hook.shape.tip_u = 30.0;
+  PushedWire wire(hook, Tube{ .radius_mm = 60.0, .before_mm = 60.0, .first_mm = 80.0, .ring_mm = 10.0 }.mesh());
+  for (int i = 0; i <= 500; ++i)
+  {
+    static_cast<void>(wire.tick(std::min(way_mm * i, 45.0)));
+  }
+  const std::vector<Vec3> rest = pointsOf(hook.shape).value;
+  const WirePlaces& places_M = wire.ticks.state().places_M;
+  EXPECT_NEAR((places_M[20].p - places_M[10].p).norm(), (rest[20] - rest[10]).norm(), 1e-6);
+  EXPECT_NEAR((places_M[20].p - places_M[10].p).norm(), 60.0 / std::numbers::pi, 0.05); // the hook's two radii
+}
+
+TEST(WireInTube, ABlindEndIsAsStiffAsHandAndWireInARow)
+{
+  const Tube tube{ .first_mm = 30.0, .blind = true };
+  PushedWire wire(nitinolWire(100.0, 32, 0.2), tube.mesh());
+  wire.coupling_N_per_mm = 10.0;
+  double force_N = 0.0;
+  constexpr double beyond_mm = 0.05;
+  const double end_mm = 30.0 - 0.25; // its round tip touches
+  for (int i = 0; i <= 400; ++i)
+  {
+    force_N = -wire.tick(std::min(way_mm * i, end_mm + beyond_mm)).wrench_W.force.x();
+  }
+  const double stretch_N = wire.planned.plan->wire.beams[0].section.stretch_N;
+  EXPECT_NEAR(force_N, beyond_mm / (1.0 / 10.0 + 100.0 / stretch_N), 1e-4 * force_N);
+}
+
+TEST(WireInTube, ItsBentTipGoesAroundWithTheHand)
+{
+  WireDescription bent = nitinolWire(60.0, 20, 0.0);
+  bent.shape.tip = WireTip::Angled;
+  bent.shape.tip_u = 6.0;
+  PushedWire wire(bent, Tube{ .radius_mm = 20.0, .before_mm = 30.0, .first_mm = 60.0, .ring_mm = 5.0 }.mesh());
+  wire.turning_Nmm_per_rad = 100.0;
+  for (int i = 0; i <= 300; ++i)
+  {
+    static_cast<void>(wire.tick(way_mm * i));
+  }
+  const Vec3 before = wire.ticks.state().places_M[20].p;
+  for (int i = 0; i <= 300; ++i)
+  {
+    static_cast<void>(wire.tick(way_mm * 300, 4.0 * i / 300)); // more than half a turn
+  }
+  for (int i = 0; i < 100; ++i)
+  {
+    static_cast<void>(wire.tick(way_mm * 300, 4.0));
+  }
+  const Vec3 after = wire.ticks.state().places_M[20].p;
+  const Vec3 turned = Eigen::AngleAxisd(4.0, Vec3::UnitX()) * before;
+  EXPECT_GT(before.tail<2>().norm(), 3.0);
+  EXPECT_LE((after - turned).norm(), 1e-3);
+}
+
+TEST(WireInTube, PulledOutItIsLetGo)
+{
+  PushedWire wire(nitinolWire(60.0, 20, 0.1), Tube{}.mesh());
+  static_cast<void>(wire.tick(0.0));
+  for (int i = 0; i <= 500; ++i)
+  {
+    EXPECT_NEAR(wire.tick(-way_mm * i).wrench_W.force.x(), 0.0, 1e-9);
+  }
+  EXPECT_NEAR(wire.ticks.state().places_M[20].p.x(), -3.0, 1e-9); // a beam behind the mouth
+}
+
+TEST(WireInTube, FromAStateItGoesOnBitForBit)
+{
+  const TriangleMesh vessel = bentTube().mesh();
+  PushedWire first(nitinolWire(length_mm, 40, 0.1), vessel), again(nitinolWire(length_mm, 40, 0.1), vessel);
+  for (int i = 0; i <= 700; ++i)
+  {
+    static_cast<void>(first.tick(way_mm * i));
+  }
+  again.ticks.restore(first.ticks.state());
+  for (int i = 0; i < 100; ++i)
+  {
+    const WireResult one = first.tick(70.0 - way_mm * i), other = again.tick(70.0 - way_mm * i);
+    ASSERT_EQ(one.wrench_W.force, other.wrench_W.force);
+    ASSERT_EQ(one.tip_W, other.tip_W);
+    ASSERT_EQ(one.pressCount, other.pressCount);
+    ASSERT_EQ(one.wall_N, other.wall_N);
+  }
+}
+
+TEST(WireInTube, AUsedUpBudgetIsTold)
+{
+  PushedWire wire(nitinolWire(100.0, 32, 0.1), bentTube().mesh());
+  WireInput input;
+  input.plan = wire.planned.plan.get();
+  input.coupling_N_per_u = 1.0;
+  EXPECT_FALSE(wire.ticks.step(input).capped);
+  input.budget = 1;
+  EXPECT_TRUE(wire.ticks.step(input).capped);
+  input.hand_W.p.x() = std::nan("");
+  EXPECT_EQ(wire.ticks.step(input).wrench_W.force, Vec3(Vec3::Zero()));
+}
+
+std::string faultOf(const WireDescription& description, const TriangleMesh& vessel)
+{
+  const PlannedWire planned = planWire(description, vessel, 1);
+  EXPECT_EQ(planned.plan, nullptr);
+  return planned.check.faults.empty() ? "" : planned.check.faults.front();
+}
+
+TEST(WireInTube, WhatCannotBeIsOneSentence)
+{
+  using testing::HasSubstr;
+  const TriangleMesh tube = Tube{}.mesh();
+  const auto with = [&tube](auto change)
+  {
+    WireDescription wire = nitinolWire(60.0, 20, 0.1);
+    change(wire);
+    return faultOf(wire, tube);
+  };
+  EXPECT_THAT(with([](auto& w) { w.shape.length_u = 0.0; }), HasSubstr("length"));
+  EXPECT_THAT(with([](auto& w) { w.shape.beams = 65; }), HasSubstr("1 to 64 beams, not 65"));
+  EXPECT_THAT(with([](auto& w) { w.diameter_u = 0.0; }), HasSubstr("diameter"));
+  EXPECT_THAT(with([](auto& w) { w.diameter_u = 2.5; }), HasSubstr("thicker than the vessel at the mouth"));
+  EXPECT_THAT(with([](auto& w) { w.young_N_per_u2 = std::nan(""); }), HasSubstr("stiffness"));
+  EXPECT_THAT(with([](auto& w) { w.friction = -0.1; }), HasSubstr("friction"));
+  EXPECT_THAT(with([](auto& w) { w.direction_W.setZero(); }), HasSubstr("direction"));
+  EXPECT_THAT(with(
+                [](auto& w)
+                {
+                  w.shape.tip = WireTip::Hook;
+                  w.shape.tip_u = 70.0;
+                }),
+    HasSubstr("tip"));
+  EXPECT_THAT(faultOf(nitinolWire(60.0, 20, 0.1), TriangleMesh{}), HasSubstr("vessel"));
+  const PlannedWire open = planWire(nitinolWire(60.0, 20, 0.1), tube, 1);
+  ASSERT_NE(open.plan, nullptr);
+  EXPECT_THAT(open.check.remarks.front(), HasSubstr("The vessel is open"));
+  EXPECT_NEAR(open.check.clearance_u, std::cos(std::numbers::pi / 32.0) - 0.25, 1e-3);
+}
+
+} // namespace
+} // namespace palpate::test
