@@ -85,8 +85,8 @@ void expectConsistent(const std::vector<NearPlace>& near, const Pose& held_W)
   for (const NearPlace& place : near)
   {
     const FoundContact& contact = place.contact;
-    const double gap = contact.normal_W.dot(held_W * contact.point_A - contact.place_B.x_W);
-    EXPECT_NEAR(contact.normal_W.norm(), 1.0, 1e-12);
+    const double gap = contact.normal_B.dot(held_W * contact.point_A - contact.place_B.x_W);
+    EXPECT_NEAR(contact.normal_B.norm(), 1.0, 1e-12);
     EXPECT_NEAR(gap, place.gap_u, 1e-12);
     EXPECT_NEAR(contact.place_B.weights.sum(), 1.0, 1e-12);
   }
@@ -106,7 +106,7 @@ TEST(NearPlaces, OfAVertexAboveAFaceAndAFaceAboveAVertexAreAsFarAsTheyAre)
     expectConsistent(near, at);
     ASSERT_EQ(near.size(), 1u) << "no other part of it is within reach, height " << height;
     EXPECT_NEAR(near[0].gap_u, height, 1e-12);
-    EXPECT_LT((near[0].contact.normal_W - Vec3::UnitZ()).norm(), 1e-6);
+    EXPECT_LT((near[0].contact.normal_B - Vec3::UnitZ()).norm(), 1e-6);
   }
   const Rigid peak(shifted(test::rotated(spike, Quat(0, 1, 0, 0)), Vec3(0.1, 0.2, 0))); // its tip up
   const auto plate = heldMesh(makeBox(Vec3(-1, -1, 0), Vec3(1, 1, 0.05)));
@@ -117,7 +117,7 @@ TEST(NearPlaces, OfAVertexAboveAFaceAndAFaceAboveAVertexAreAsFarAsTheyAre)
     expectConsistent(near, at);
     ASSERT_EQ(near.size(), 1u) << height;
     EXPECT_NEAR(near[0].gap_u, height, 1e-12);
-    EXPECT_LT((near[0].contact.normal_W - Vec3::UnitZ()).norm(), 1e-6);
+    EXPECT_LT((near[0].contact.normal_B - Vec3::UnitZ()).norm(), 1e-6);
   }
 }
 
@@ -142,7 +142,7 @@ TEST(NearPlaces, OfEdgesThatCrossAreWhereBothAreNearest)
     expectConsistent(near, at);
     ASSERT_EQ(near.size(), 1u);
     EXPECT_NEAR(near[0].gap_u, height, 1e-12);
-    EXPECT_LT((near[0].contact.normal_W - Vec3::UnitZ()).norm(), 1e-12);
+    EXPECT_LT((near[0].contact.normal_B - Vec3::UnitZ()).norm(), 1e-12);
     const Vec3 along(std::cos(1.2), std::sin(1.2), 0.0); // the upper ridge, through (.013, .021): at y = 0
     EXPECT_NEAR(near[0].contact.place_B.x_W.x(), 0.013 - 0.021 * along.x() / along.y(), 1e-12);
   }
@@ -213,7 +213,7 @@ TEST(ChosenPlaces, AreApartAndTheNearestAndThoseWithoutRoomAreCounted)
   {
     NearPlace place;
     const double z = 1.0 - (2.0 * i + 1.0) / 20.0, turn = 2.4 * i;
-    place.contact.normal_W = Vec3(std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z);
+    place.contact.normal_B = Vec3(std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z);
     place.contact.name = static_cast<std::uint64_t>(i + 1);
     place.gap_u = place.free_u = 1e-3 * i;
     star.push_back(place);
