@@ -25,9 +25,8 @@ struct PathTick
 /// Values that a tool or a mechanism adds to each tick.
 struct PathColumn
 {
-  std::string
-    name; ///< Turn (w x y z), Torque [N m], Angle [degrees], Residual [u], Force of, Phase of, Inside of a constraint;
-          ///< of a wire Pushed [u], Turned [rad], Tip Force, Wall Force [N], Wall Place [u]
+  std::string name; ///< Turn (w x y z), Torque [N m], Angle [degrees], Residual [u], Force of, Phase of, Inside of a
+                    ///< constraint; of a wire Pushed [u], Turned [rad], Tip Force, Wall Force [N], Wall Place [u]
   int components = 1;
 };
 
