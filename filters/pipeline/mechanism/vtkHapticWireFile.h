@@ -34,7 +34,7 @@ struct vtkHapticWireResult
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkPolyData> vtkHapticWireShapes(
   const vtkHapticWireResult& read, const std::string& folder);
 
-/// What a check says, a line each.
+/// The lines of a check for a person.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<std::string> vtkHapticWireText(const palpate::WireCheck& check);
 
 #endif

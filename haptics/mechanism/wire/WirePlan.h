@@ -44,7 +44,7 @@ struct WirePlan
   [[nodiscard]] double length_u() const noexcept;
 };
 
-/// What a check says of a wire.
+/// The answer of a check of a wire.
 struct WireCheck
 {
   std::vector<std::string> faults;  ///< sentences: the wire cannot be felt

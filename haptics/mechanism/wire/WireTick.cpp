@@ -6,34 +6,12 @@
 
 #include "haptics/core/Across.h"
 #include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/wire/WireScratch.h"
 #include "haptics/mechanism/wire/WireSheath.h"
-#include "haptics/mechanism/wire/WireVessel.h"
 #include "haptics/tool/motion/Turn.h"
 
 namespace palpate
 {
-
-/// Workspace of a tick, and what it ends with. Some 700 kB.
-struct WireScratch
-{
-  WireState state;
-  WireResult result;
-  WireLoads loads;
-  WireNewton newton;
-  WireVessel vessel;
-  std::uint64_t vesselHash = 0; ///< of the surface that its lists are of
-  WireContacts near;
-  ContactProblem problem;
-  FrictionScratch friction;
-  ContactForces forces;
-  std::array<bool, WireContacts::mostFound> isChosen{};
-  std::array<const WireContact*, WireTouch::most> chosen{};
-  std::array<WireTouch, WireTouch::most> touches;
-  WireVector free;
-  WireVector motion;
-  WireVector since; ///< motion of this tick so far
-  WireVector pressed;
-};
 
 namespace
 {
@@ -121,7 +99,7 @@ private:
     this->reach_u_ = std::clamp(reachOfWay * std::abs(led_u - before_u), leastReach * r, mostReach * r);
   }
 
-  /// Where the hand leads the outer end. It does not come out of the sheath: there the handle meets it.
+  /// Where the hand leads the outer end. The outer end stays in the sheath, where the handle meets the mouth.
   [[nodiscard]] double ledTo_u() const noexcept
   {
     constexpr double beamsInSheath = 1.5;

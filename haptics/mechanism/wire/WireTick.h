@@ -73,7 +73,7 @@ struct WireResult
 struct WireScratch;
 
 /// A wire in a rigid vessel, at rest in each tick: two Newton steps, each with all contacts as cones of one problem. No
-/// axis of a beam goes through the wall: a step is shortened to what the distance from the wall proves. Deterministic,
+/// axis of a beam goes through the wall: the distance from the wall limits each step. Deterministic,
 /// bounded, real-time safe but for making and ending it.
 class WireTick
 {
