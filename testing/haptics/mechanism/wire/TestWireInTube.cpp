@@ -6,7 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "haptics/tool/motion/Turn.h"
 #include "testing/oracles/tube/RodInChannel.h"
+#include "testing/support/AllocationGuard.h"
 #include "testing/support/WireTube.h"
 
 namespace palpate::test
@@ -251,6 +253,39 @@ TEST(WireInTube, ItsBentTipGoesAroundWithTheHand)
   const Vec3 turned = Eigen::AngleAxisd(4.0, Vec3::UnitX()) * before;
   EXPECT_GT(before.tail<2>().norm(), 3.0);
   EXPECT_LE((after - turned).norm(), 1e-3);
+}
+
+/// The bend's friction holds the wire, so that the hand's turn twists the first beam.
+TEST(WireInTube, TheHandsTurningSpringIsInBalanceWithTheTwistOfTheFirstBeam)
+{
+  PushedWire wire(nitinolWire(length_mm, 64, 0.3), bentTube().mesh());
+  wire.turning_Nmm_per_rad = 0.5;
+  WireResult result;
+  for (int i = 0; i <= 1600; ++i)
+  {
+    const double turn_rad = std::clamp((i - 900) / 400.0, 0.0, 1.0);
+    result = wire.tick(std::min(way_mm * i, way_mm * 900), turn_rad);
+  }
+  const WirePlaces& places_M = wire.ticks.state().places_M;
+  const WireBeam& beam = wire.planned.plan->wire.beams[0];
+  const double twist_rad = rotationVector(places_M[0].q.conjugate() * places_M[1].q).x();
+  EXPECT_LT(result.wrench_W.torque.x(), -1e-3);
+  EXPECT_NEAR(result.wrench_W.torque.x(), beam.section.twist_Nu2 / beam.length_u * twist_rad,
+    1e-3 * std::abs(result.wrench_W.torque.x()));
+}
+
+TEST(WireInTube, ATickNeitherAllocatesNorLocks)
+{
+  PushedWire wire(nitinolWire(length_mm, 64, 0.1), bentTube().mesh());
+  static_cast<void>(wire.tick(0.0));
+  int pressed = 0;
+  const AllocationGuard guard;
+  for (int i = 1; i <= 700; ++i)
+  {
+    pressed = std::max(pressed, wire.tick(way_mm * i).pressCount);
+  }
+  EXPECT_EQ(guard.allocations() + guard.frees() + guard.locks(), 0u);
+  EXPECT_GT(pressed, 3);
 }
 
 TEST(WireInTube, PulledOutItIsLetGo)
