@@ -123,8 +123,9 @@ RadiusLimit radiusLimit(const Scene& scene, const ContactPlan& plan)
   }
   const Box& bounds = scene.surfaceTree().bounds;
   const double size_u = (bounds.high_W - bounds.low_W).norm();
-  const double rests = RadiusLimit::restsPerPass * std::max(plan.passCap, std::uint32_t{ 1 });
-  const Reachable reachable(scene, static_cast<std::uint32_t>(plan.workBudget / rests));
+  const std::uint64_t sweeps =
+    static_cast<std::uint64_t>(RadiusLimit::sweepsPerPass) * std::max(plan.passCap, std::uint32_t{ 1 });
+  const Reachable reachable(scene, static_cast<std::uint32_t>(plan.workBudget / sweeps));
   const double most_u = flat * size_u, least_u = pointlike * size_u;
   double largest_u = most_u;
   for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)

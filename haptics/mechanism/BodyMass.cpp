@@ -5,7 +5,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "haptics/geometry/measure/Moments.h"
+#include "haptics/geometry/measure/MassMoments.h"
 
 namespace palpate
 {
@@ -17,7 +17,7 @@ EnclosedVolume enclosedBy(const TriangleMesh& mesh)
     return {};
   }
   const Vec3 from = mesh.vertices_W[mesh.triangles.front()[0]];
-  const Moments<Mat3> moments = momentsOf<Mat3>(mesh, from, addSolid);
+  const MassMoments<Mat3> moments = momentsOf<Mat3>(mesh, from, addSolid);
   const Vec3 centre = moments.weight != 0.0 ? Vec3(moments.first / moments.weight) : Vec3(Vec3::Zero());
   return { moments.weight, from + centre, moments.second - moments.weight * centre * centre.transpose() };
 }

@@ -40,7 +40,6 @@ ContactResult moveOnBody(
   SoftScratch& room = *tick.input.softScratch;
   ContactPlan inUnits = plan;
   inUnits.coupling_N_per_m /= state.map.scale_u_per_m;
-  inUnits.workBudget = std::max(plan.workBudget, leastSoftWork);
   state.soft.core = state.contact;
   SoftResult moved = body.scene->moves()
                        ? moveOnSoft(MovingScene(*body.scene, share), inUnits, touch, p_W, state.soft, room)

@@ -240,7 +240,8 @@ class Mechanism(CommandLineTest):
         eighth = math.radians(45) / 2
         self.write("scene.json", json.dumps({"format": "palpate mechanism", "version": 1, "unit_m": 0.001, "contacts": "found", "bodies": [
             {"name": "tool", "kind": "held", "file": "small.obj"},
-            {"name": "block", "kind": "world", "file": "large.obj", "at": [0, 0, 30], "turn": [math.cos(eighth), 0, math.sin(eighth), 0]}]}))
+            {"name": "block", "kind": "world", "file": "large.obj", "at": [0, 0, 30], "turn": [math.cos(eighth), 0, math.sin(eighth), 0]},
+            {"name": "far", "kind": "rigid", "half_size": [1, 1, 1], "at": [0, 500, 0], "density": 1000}]}))
         met, stiffness = 30 - 10 * math.sqrt(2) - 1, 500
         rows, _ = self.touch("scene.json", [(0, 0, 0.02 * i) for i in range(800)], "--stiffness", stiffness, "--scale", 1000,
                              "--torque-stiffness", 2)

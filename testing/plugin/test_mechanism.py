@@ -156,6 +156,7 @@ class Mechanism(Held):
 
     def test_a_stone_that_was_pushed_away_is_put_back(self):
         def stone():
+            HapticState()  # the picture follows the session
             simple.Render(self.view)
             points = vtk_to_numpy(servermanager.Fetch(source).GetPoints().GetData())
             bodies = vtk_to_numpy(servermanager.Fetch(source).GetPointData().GetArray("Body"))

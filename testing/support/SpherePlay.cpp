@@ -43,7 +43,7 @@ ContactPlan fewPasses()
 
 double radiusOfOneSweep_u(const Scene& scene, ContactPlan plan)
 {
-  plan.workBudget = static_cast<std::uint32_t>(plan.workBudget * RadiusLimit::restsPerPass * plan.passCap);
+  plan.workBudget *= RadiusLimit::sweepsPerPass * plan.passCap;
   return radiusLimit(scene, plan).largest_u;
 }
 

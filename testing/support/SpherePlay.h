@@ -30,8 +30,8 @@ struct SpherePlay
 
 [[nodiscard]] SpherePlay playOn(const NoisySphere& sphere, const SphereGame& game);
 
-/// A tick of a sixteenth of the passes and of the work, so with the same limit as by default: a sweep at rest may
-/// take a third of all its work, not a 51st.
+/// A tick of a sixteenth of the passes and of the work, so with the same limit as by default: a sweep may take a
+/// sixteenth of all its work, not a 256th.
 [[nodiscard]] ContactPlan fewPasses();
 
 /// Above this radius a single sweep of a ball at rest takes more than all the work of a tick, at least where the

@@ -7,11 +7,6 @@
 namespace palpate
 {
 
-/// Work limit of a tick on a soft body (ContactPlan::workBudget), unless the plan allows more. Such a tick moves the
-/// ball several times, as the surface yields. Over bumps it takes up to 30,000 units, and one that ends early gives
-/// another force.
-inline constexpr std::uint32_t leastSoftWork = 60000;
-
 /// A god-object in material space: moves the ball towards the device point p_W [u] in a scene with soft
 /// surfaces.
 ///

@@ -4,8 +4,7 @@
 #include <cstdint>
 
 /// Work of the steps of a tick, in units of about one visited node of a tree.
-/// Measured, not proven: a unit takes 17 ns on fans, 29 ns on noise, up to 35 ns under the largest ball of a scene. So
-/// a tick near the budget of 12,000 takes 0.25 to 0.45 ms.
+/// Measured on fans and noise, not proven: a tick near the budget of 60,000 takes 1.2 to 1.3 ms, 20 ns a unit.
 namespace palpate::work
 {
 

@@ -28,9 +28,9 @@ struct ContactPlan
   /// Passes of the god-object loop per tick. Settled contact takes 2 or 3. Of 30,000 ticks over a noisy sphere up to 32
   /// met a cap of 32; twice that is allowed.
   std::uint32_t passCap = 64;
-  /// Work of a tick (contact/sweep/Work.h), in units of one visited tree node of 17 to 35 ns: half a millisecond.
-  /// Beyond it the ball moves only as far as is proven free. Recordings of before have 60,000.
-  std::uint32_t workBudget = 12000;
+  /// Work of a tick (contact/sweep/Work.h), in units of one visited tree node of some 20 ns: 1.2 ms. Beyond it the ball
+  /// moves only as far as is proven free.
+  std::uint32_t workBudget = 60000;
 };
 
 } // namespace palpate

@@ -12,7 +12,7 @@ namespace palpate
 {
 
 /// Nearest places of two segments: how far along the first, from 0 to 1, and the place on the second.
-struct NearestPair
+struct SegmentPair
 {
   double along = 0.0;
   Vec3 on = Vec3::Zero();
@@ -20,7 +20,7 @@ struct NearestPair
 };
 
 /// Of the segments from a to b and from c to d, which have a length each (Ericson 2005, section 5.1.9).
-[[nodiscard]] inline NearestPair nearestOfSegments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcept
+[[nodiscard]] inline SegmentPair nearestOfSegments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcept
 {
   const Vec3 first = b - a, second = d - c, between = a - c;
   const double aa = first.squaredNorm(), ee = second.squaredNorm(), f = second.dot(between);

@@ -202,7 +202,7 @@ void WireVessel::findOf(
   };
   const auto endAt = [&](const std::array<Vec3, 3>& c)
   { return contactAt(beam, 1.0, axis.second_M, nearestOnTriangle(axis.second_M, c[0], c[1], c[2]), r); };
-  const auto betweenAt = [&](const NearestPair& pair)
+  const auto betweenAt = [&](const SegmentPair& pair)
   {
     return contactAt(beam, axis.from + pair.along * (1.0 - axis.from),
       axis.first_M + pair.along * (axis.second_M - axis.first_M), pair.on, r);
@@ -214,7 +214,7 @@ void WireVessel::findOf(
       nearest.end[0] = isNearer(end, nearest.end[0]) ? end : nearest.end[0];
       for (int k = 0; k < 3; ++k)
       {
-        const NearestPair pair = nearestOfSegments(axis.first_M, axis.second_M, c[k], c[(k + 1) % 3]);
+        const SegmentPair pair = nearestOfSegments(axis.first_M, axis.second_M, c[k], c[(k + 1) % 3]);
         contacts.away_u[beam] = std::min(contacts.away_u[beam], pair.away_u);
         if (pair.along > inside && pair.along < 1.0 - inside)
         {
@@ -241,7 +241,7 @@ void WireVessel::findOf(
       {
         for (int k = 0; k < 3; ++k)
         {
-          const NearestPair pair = nearestOfSegments(axis.first_M, axis.second_M, c[k], c[(k + 1) % 3]);
+          const SegmentPair pair = nearestOfSegments(axis.first_M, axis.second_M, c[k], c[(k + 1) % 3]);
           const WireContact other = betweenAt(pair);
           const bool counts = pair.along > inside && pair.along < 1.0 - inside && isOther(other, nearest.between, 1);
           nearest.between[1] = counts && isNearer(other, nearest.between[1]) ? other : nearest.between[1];

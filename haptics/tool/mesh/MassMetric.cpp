@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "haptics/geometry/measure/Moments.h"
+#include "haptics/geometry/measure/MassMoments.h"
 
 namespace palpate
 {
@@ -58,7 +58,7 @@ MassMetric massMetric(const TriangleMesh& raw, const CleanResult& clean)
   const bool closed = clean.report.boundaryEdges == 0 && clean.report.nonManifoldEdges == 0 &&
                       clean.report.trianglesOut == clean.report.trianglesIn;
   MassMetric metric;
-  Moments<double> moments;
+  MassMoments<double> moments;
   if (closed && turnedAlike(raw, clean.mesh))
   {
     moments = momentsOf<double>(raw, about_W, addSolid);
@@ -76,7 +76,7 @@ MassMetric massMetric(const TriangleMesh& raw, const CleanResult& clean)
 
 MassMetric metricAbout(const TriangleMesh& clean, const Vec3& handle_W)
 {
-  const Moments<double> moments = momentsOf<double>(clean, handle_W, addSheet);
+  const MassMoments<double> moments = momentsOf<double>(clean, handle_W, addSheet);
   return { handle_W, gyrationOf(moments.second / moments.weight), false };
 }
 

@@ -88,7 +88,6 @@ public:
     this->scene_ = std::make_unique<Scene>(1, std::vector<Surface>{ surface });
     this->maker_ = std::make_unique<SnapshotMaker>(*this->body_, this->surface_);
     this->plan_.radius_u = ball_m;
-    this->plan_.workBudget = leastSoftWork;
     this->plan_.coupling_N_per_m = 1e4;
     this->plan_.friction = { 5.0, 5.0 };
     this->request_.radius_u = ball_m;

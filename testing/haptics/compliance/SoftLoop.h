@@ -23,7 +23,6 @@ public:
     : plan(plan), surface_(surface), maker_(body, surface), period_ticks_(period_ticks),
       periodsLate_(static_cast<std::size_t>(periodsLate))
   {
-    this->plan.workBudget = leastSoftWork;
     this->take(this->ask());
   }
 

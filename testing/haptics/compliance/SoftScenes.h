@@ -18,7 +18,6 @@ struct SoftScene
     : pad(std::move(padded)), scene(1, { surfaceOf(pad) }), room(std::make_unique<SoftScratch>())
   {
     this->plan.radius_u = radius_u;
-    this->plan.workBudget = leastSoftWork;
     this->snapshot = std::make_shared<ComplianceSnapshot>(*this->pad.snapshot(radius_u, wholeWidth));
     this->touch = { 0, this->snapshot.get() };
   }
