@@ -331,8 +331,12 @@ bool pqHapticEventPlayer::waitFor(const QStringList& arguments)
   QElapsedTimer time;
   time.start();
   const QStringList range = arguments.mid(0, 3);
-  while (!this->holds(range) && time.elapsed() < arguments.value(3).toInt())
+  while (time.elapsed() < arguments.value(3).toInt())
   {
+    if (this->holds(range))
+    {
+      return true;
+    }
     pqEventDispatcher::processEventsAndWait(settle_ms);
   }
   return this->check(range);

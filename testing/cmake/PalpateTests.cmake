@@ -174,8 +174,14 @@ function (palpate_add_ranks_test)
   _palpate_set_properties("${arg_NAME}")
 endfunction ()
 
+# A client beside others keeps the focus: each has a display of its own. ParaView's functions take one file as the client.
+set(palpate_client "${CMAKE_BINARY_DIR}/testing/paraview")
+file(GENERATE OUTPUT "${palpate_client}"
+  CONTENT "#!/bin/sh\nexec '${PROJECT_SOURCE_DIR}/testing/scripts/on_own_display' '$<TARGET_FILE:ParaView::paraview>' \"$@\"\n"
+  FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+
 # palpate_add_gui_test(NAME HapticDock SCRIPT HapticDock.xml [DATA folder])
-# Plays a ParaView event script with the plugin loaded; becomes the ctest "pv.HapticDock". Label: gui. Needs a display.
+# Plays a ParaView event script with the plugin loaded; becomes the ctest "pv.HapticDock". Label: gui.
 # NAME must be the script's name without .xml. DATA: where $PARAVIEW_TEST_ROOT/$PARAVIEW_DATA_ROOT point.
 function (palpate_add_gui_test)
   _palpate_parse(gui "SCRIPT;DATA" "")
@@ -184,6 +190,7 @@ function (palpate_add_gui_test)
   endif ()
   set("${arg_NAME}_USES_DIRECT_DATA" ON)
   paraview_add_client_tests(
+    CLIENT "${palpate_client}"
     LOAD_PLUGIN Palpate
     PLUGIN_PATH "$<TARGET_FILE_DIR:Palpate>"
     TEST_SCRIPTS "${arg_SCRIPT}")
@@ -197,6 +204,7 @@ function (palpate_add_server_gui_test)
   _palpate_parse(gui "SCRIPT" "")
   set("${arg_NAME}_USES_DIRECT_DATA" ON)
   paraview_add_client_server_tests(
+    CLIENT "${palpate_client}"
     LOAD_PLUGIN Palpate
     PLUGIN_PATH "$<TARGET_FILE_DIR:Palpate>"
     TEST_SCRIPTS "${arg_SCRIPT}")
