@@ -11,20 +11,19 @@ namespace palpate
 namespace
 {
 
-ContactResult moveIn(const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, GodObjectState& contact) noexcept
+ContactResult moveIn(
+  const MovingScene& now, const ContactPlan& plan, const Vec3& p_W, GodObjectState& contact, PathSink* sink) noexcept
 {
-  const Scene& scene = *tick.input.scene;
-  return scene.moves()
-           ? moveGodObject(MovingScene(scene, scene.shareAt(tick.step.age_s)), plan, p_W, contact, tick.sink)
-           : moveGodObject(scene, plan, p_W, contact, tick.sink);
+  return now.scene().moves() ? moveGodObject(now, plan, p_W, contact, sink)
+                             : moveGodObject(now.scene(), plan, p_W, contact, sink);
 }
 
 /// Takes the ball along to another scene, or with the motion of the surfaces of this one.
-void comeAlong(
-  const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, RendererState& state, ProxyStep& moved) noexcept
+void comeAlong(const ProxyTick& tick, const MovingScene& now, const ContactPlan& plan, const Vec3& p_W,
+  RendererState& state, ProxyStep& moved) noexcept
 {
   GodObjectState& contact = state.contact;
-  const Scene& scene = *tick.input.scene;
+  const Scene& scene = now.scene();
   const Scene* const before = tick.input.previousScene != nullptr ? tick.input.previousScene : &scene;
   if (tick.input.previousScene == nullptr && tick.step.changed)
   {
@@ -39,27 +38,28 @@ void comeAlong(
     }
     return;
   }
-  const MovingScene was(*before, before->shareAt(state.sceneAge_s)), is(scene, scene.shareAt(tick.step.age_s));
+  FaceCache cache;
+  const MovingScene was(*before, before->shareAt(state.sceneAge_s), &cache);
   if (tick.step.otherGeometry)
   {
-    moved.pinned = handOver(was, is, plan, p_W, contact);
+    moved.pinned = handOver(was, now, plan, p_W, contact);
   }
   else if (before->bends() || scene.bends())
   {
-    moved.pinned = carryWithVertices(was, is, plan, contact);
+    moved.pinned = carryWithVertices(was, now, plan, contact);
   }
-  const CarryResult carry = carryBall(was, is, plan, contact);
+  const CarryResult carry = carryBall(was, now, plan, contact);
   moved.pinned = moved.pinned || carry.pinned;
   moved.carryWork = carry.work;
 }
 
 /// The ball of this tick where the old one was, not at the device: a pressed one stays on its side. Nothing changes
 /// where it does not fit.
-void resize(const ProxyTick& tick, RendererState& state) noexcept
+void resize(const ProxyTick& tick, const MovingScene& now, RendererState& state) noexcept
 {
   GodObjectState resized = state.contact;
   resized.placed = false;
-  if (!moveIn(tick, tick.plan, state.contact.x_W, resized).seatFailed)
+  if (!moveIn(now, tick.plan, state.contact.x_W, resized, tick.sink).seatFailed)
   {
     state.contact = resized;
     state.radius_u = tick.plan.radius_u;
@@ -68,7 +68,8 @@ void resize(const ProxyTick& tick, RendererState& state) noexcept
 
 /// Moves the ball from a place that is outside to its place, up to the first surface between. Where nothing was felt
 /// before the ball is where the hand is.
-void comeFrom(const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, GodObjectState& contact) noexcept
+void comeFrom(const Vec3& from_W, const MovingScene& now, const ContactPlan& plan, const Vec3& p_W,
+  GodObjectState& contact) noexcept
 {
   if (!contact.placed)
   {
@@ -76,11 +77,9 @@ void comeFrom(const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, G
     contact.x_W = contact.device_W = p_W;
     contact.placed = true;
   }
-  const Scene& scene = *tick.input.scene;
-  const Vec3 &from_W = tick.lead.from_W, to_W = contact.x_W;
-  const MovingScene now(scene, scene.shareAt(tick.step.age_s));
-  contact.x_W = scene.moves() ? stopBefore(now, plan, plan.radius_u, from_W, to_W)
-                              : stopBefore(scene, plan, plan.radius_u, from_W, to_W);
+  const Vec3 to_W = contact.x_W;
+  contact.x_W = now.scene().moves() ? stopBefore(now, plan, plan.radius_u, from_W, to_W)
+                                    : stopBefore(now.scene(), plan, plan.radius_u, from_W, to_W);
   contact.count = 0; // the contacts at that place are behind the surface that stops the ball
 }
 
@@ -117,25 +116,27 @@ ProxyStep moveProxy(const ProxyTick& tick, const Vec3& p_W, RendererState& state
   state.radius_u = contact.placed ? state.radius_u : tick.plan.radius_u;
   ContactPlan plan = tick.plan;
   plan.radius_u = state.radius_u;
+  const Scene& scene = *tick.input.scene;
+  FaceCache cache;
+  const MovingScene now(scene, scene.shareAt(tick.step.age_s), &cache);
   if (!tick.elsewhere)
   {
-    comeAlong(tick, plan, p_W, state, moved);
+    comeAlong(tick, now, plan, p_W, state, moved);
   }
-  const bool toldToCome = tick.lead.number != state.ballLed && tick.lead.geometry == tick.input.scene->geometryHash();
+  const bool toldToCome = tick.lead.number != state.ballLed && tick.lead.geometry == scene.geometryHash();
   if (toldToCome)
   {
-    comeFrom(tick, plan, p_W, contact);
+    comeFrom(tick.lead.from_W, now, plan, p_W, contact);
   }
   const bool spent = toldToCome || tick.input.body != nullptr; // a lead past a soft body would come late
   state.ballLed = spent ? tick.lead.number : state.ballLed;
   if (contact.placed && state.radius_u != tick.plan.radius_u)
   {
-    resize(tick, state);
+    resize(tick, now, state);
   }
   plan.radius_u = state.radius_u;
-  moved.contact = tick.input.body != nullptr
-                    ? moveOnBody(tick, plan, p_W, tick.input.scene->shareAt(tick.step.age_s), state)
-                    : moveIn(tick, plan, p_W, contact);
+  moved.contact = tick.input.body != nullptr ? moveOnBody(tick, plan, p_W, now.share(), state)
+                                             : moveIn(now, plan, p_W, contact, tick.sink);
   return moved;
 }
 

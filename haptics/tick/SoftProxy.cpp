@@ -41,8 +41,9 @@ ContactResult moveOnBody(
   ContactPlan inUnits = plan;
   inUnits.coupling_N_per_m /= state.map.scale_u_per_m;
   state.soft.core = state.contact;
+  FaceCache cache;
   SoftResult moved = body.scene->moves()
-                       ? moveOnSoft(MovingScene(*body.scene, share), inUnits, touch, p_W, state.soft, room)
+                       ? moveOnSoft(MovingScene(*body.scene, share, &cache), inUnits, touch, p_W, state.soft, room)
                        : moveOnSoft(*body.scene, inUnits, touch, p_W, state.soft, room);
   if (body.held && state.soft.count > 0)
   {

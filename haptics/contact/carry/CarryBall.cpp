@@ -114,7 +114,7 @@ private:
     {
       return this->start_W_;
     }
-    const PosedSurface was(surfaceOf(this->now_, surface).data(), *old);
+    const PosedSurface was({ surfaceOf(this->now_, surface).data(), nullptr, 1.0 }, *old);
     return surfaceOf(this->now_, surface).toWorld(was.toSurface(this->start_W_));
   }
 
@@ -220,7 +220,7 @@ private:
   {
     const PosedSurface now = surfaceOf(this->now_, surface);
     const std::optional<Pose> old = this->poseBefore(surface);
-    const PosedSurface was = old ? PosedSurface(now.data(), *old) : now;
+    const PosedSurface was = old ? PosedSurface({ now.data(), nullptr, 1.0 }, *old) : now;
     return { was.toSurface(this->start_W_), now.toSurface(to_W) };
   }
 

@@ -26,6 +26,12 @@ FaceRecord BentSurface::face(std::uint32_t triangle) const noexcept
   {
     return this->data_.face(triangle);
   }
+  const auto compute = [&]() noexcept { return this->faceOnItsWay(triangle); };
+  return this->cache_ != nullptr ? this->cache_->at(this->number_, triangle, compute) : compute();
+}
+
+FaceRecord BentSurface::faceOnItsWay(std::uint32_t triangle) const noexcept
+{
   const FacePlane& end = this->data_.plane(triangle);
   FaceRecord face;
   face.corner_W = this->cornersOf(triangle);

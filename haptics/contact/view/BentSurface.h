@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "haptics/contact/view/FaceCache.h"
 #include "haptics/core/Types.h"
 #include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/geometry/tree/VertexStart.h"
@@ -19,9 +20,11 @@ namespace palpate
 class BentSurface
 {
 public:
-  /// `from`: null for a surface that stands. `share`: 0..1 of the way.
-  BentSurface(const SurfaceData& data, const VertexStart* from, double share) noexcept
-    : data_(data), from_(share < 1.0 ? from : nullptr), share_(share)
+  /// `from`: null for a surface that stands. `share`: 0..1 of the way. `cache`: keeps its faces as those of surface
+  /// `number` at this moment.
+  BentSurface(const SurfaceData& data, const VertexStart* from, double share, FaceCache* cache = nullptr,
+    std::uint32_t number = 0) noexcept
+    : data_(data), from_(share < 1.0 ? from : nullptr), share_(share), cache_(cache), number_(number)
   {
   }
 
@@ -48,9 +51,13 @@ public:
   [[nodiscard]] std::array<double, 3> shares() const noexcept;
 
 private:
+  [[nodiscard]] FaceRecord faceOnItsWay(std::uint32_t triangle) const noexcept;
+
   const SurfaceData& data_;
   const VertexStart* from_;
   double share_;
+  FaceCache* cache_;
+  std::uint32_t number_;
 };
 
 /// The tree of a surface at that moment: a vertex is a mean of its places, so it is within the same mean of boxes that

@@ -19,10 +19,8 @@ namespace palpate
 class PosedSurface
 {
 public:
-  /// `from`: where its vertices come from, a share of their way ago; null: they stand.
-  PosedSurface(
-    const SurfaceData& data, const Pose& pose_WS, const VertexStart* from = nullptr, double share = 1.0) noexcept
-    : data_(data), shape_(data, from, share), turn_WS_(pose_WS.q.toRotationMatrix()), shift_W_(pose_WS.p)
+  PosedSurface(const BentSurface& shape, const Pose& pose_WS) noexcept
+    : data_(shape.data()), shape_(shape), turn_WS_(pose_WS.q.toRotationMatrix()), shift_W_(pose_WS.p)
   {
   }
 

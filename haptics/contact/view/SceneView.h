@@ -20,14 +20,20 @@ namespace palpate
 class MovingScene
 {
 public:
-  MovingScene(const Scene& scene, double share) noexcept : scene_(scene), share_(share) {}
+  /// `cache`: new, or one that was used for this moment alone; it outlives the surfaces.
+  MovingScene(const Scene& scene, double share, FaceCache* cache = nullptr) noexcept
+    : scene_(scene), share_(share), cache_(cache)
+  {
+  }
 
   [[nodiscard]] const Scene& scene() const noexcept { return this->scene_; }
   [[nodiscard]] double share() const noexcept { return this->share_; }
+  [[nodiscard]] FaceCache* cache() const noexcept { return this->cache_; }
 
 private:
   const Scene& scene_;
   double share_;
+  FaceCache* cache_;
 };
 
 /// Two ways to look at a scene: as it stands, which costs nothing, and as it moves.
@@ -46,7 +52,8 @@ private:
 [[nodiscard]] inline PosedSurface surfaceOf(const MovingScene& moving, std::uint32_t i) noexcept
 {
   const Surface& surface = moving.scene().surfaces()[i];
-  return { surface.tree->data(), surface.motion.at(moving.share()), surface.from.get(), moving.share() };
+  const BentSurface shape(surface.tree->data(), surface.from.get(), moving.share(), moving.cache(), i);
+  return { shape, surface.motion.at(moving.share()) };
 }
 
 /// The surfaces of listed faces, of which one after the other is mostly of the same: one that moves is placed once.

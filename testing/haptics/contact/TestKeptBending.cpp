@@ -282,5 +282,45 @@ TEST(KeptWhileBending, AListHoldsEveryFaceWithinItsReachToTheEndOfTheWay)
   }
 }
 
+TEST(FaceCache, GivesTheFaceOfThatSurfaceAndTriangleHoweverManyThereAre)
+{
+  Random random(testSeed(641));
+  FaceCache cache;
+  for (std::size_t i = 0; i < testCount(10000); ++i)
+  {
+    const auto surface = static_cast<std::uint32_t>(random.uniform(0.0, 4.0)),
+               triangle = static_cast<std::uint32_t>(random.uniform(0.0, 300.0));
+    const FaceRecord& face = cache.at(surface, triangle,
+      [&]
+      {
+        FaceRecord computed{};
+        computed.normal_W = Vec3(surface, triangle, 0.0);
+        return computed;
+      });
+    ASSERT_EQ(face.normal_W, Vec3(surface, triangle, 0.0));
+  }
+}
+
+TEST(FaceCache, HoldsFacesOnTheirWayAsTheyAreComputedWithoutIt)
+{
+  Random random(testSeed(642));
+  Bender bender(sphere(2000), waving, 50);
+  static_cast<void>(bender.tick({ 0, 0, 0.1 }));
+  const auto triangles = static_cast<double>(bender.scene()->surfaces()[0].tree->mesh().triangles.size());
+  FaceCache cache;
+  const PosedSurface kept = surfaceOf(MovingScene(*bender.scene(), 0.3, &cache), 0),
+                     anew = surfaceOf(MovingScene(*bender.scene(), 0.3), 0);
+  for (std::size_t i = 0; i < testCount(10000); ++i)
+  {
+    const auto triangle = static_cast<std::uint32_t>(random.uniform(0.0, triangles));
+    for (int again = 0; again < 2; ++again)
+    {
+      const FaceRecord a = kept.face(triangle), b = anew.face(triangle);
+      ASSERT_EQ(
+        std::tie(a.corner_W, a.normal_W, a.sliver, a.owned), std::tie(b.corner_W, b.normal_W, b.sliver, b.owned));
+    }
+  }
+}
+
 } // namespace
 } // namespace palpate::test
