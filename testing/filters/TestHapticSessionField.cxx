@@ -388,6 +388,20 @@ TEST_F(HapticSessionField, HoldsTheHandAtChosenLevelsAndRefusesWhatAreNone)
   EXPECT_STREQ(this->session_->GetSettingText("FieldDetentLevels"), "8, 14");
 }
 
+TEST_F(HapticSessionField, AnArrayOfASourceThatIsChosenIsNotLookedForInTheDataOfAnother)
+{
+  this->session_->SetSetting("FieldArray", "distance");
+  ASSERT_TRUE(this->session_->AddField("ball", distances(20, 1.0)));
+  const auto errors = errorsOf(this->session_,
+    [&]
+    {
+      this->session_->SetSetting("FeltSource", "slope");
+      this->session_->SetSetting("FieldArray", "steepness");
+    });
+  EXPECT_THAT(errors, ::testing::IsEmpty());
+  EXPECT_STREQ(this->session_->GetProblem(), "");
+}
+
 TEST_F(HapticSessionField, SaysThatTheDataDoNotHaveTheIsovalueAndThatWhatWasFeltIsGone)
 {
   this->session_->SetSetting("FieldArray", "distance");

@@ -120,6 +120,11 @@ bool vtkHapticSession::Internals::FollowField(bool wait)
 std::string vtkHapticSession::Internals::FollowFieldArrays()
 {
   this->FieldArrays = vtkHapticFieldArraysOf(this->Settings);
+  const std::string& chosen = this->Settings.text("FeltSource");
+  if (!chosen.empty() && chosen != this->FieldName)
+  {
+    this->FieldData = nullptr; // the arrays are those of the chosen source, which is added by who follows a view
+  }
   this->FeelFieldAnew();
   return {};
 }
