@@ -58,7 +58,8 @@ vtkSmartPointer<vtkPolyData> vtkHapticMechanism::Make()
   }
   const palpate::MechanismCheck check = palpate::checkMechanism(
     read.Inputs->mechanism, bodies->atRest(), palpate::gripOf(palpate::usualHold(read.Inputs->unit_m)));
-  this->Problem = palpate::faultsOf(check);
+  const std::string faults = palpate::faultsOf(check);
+  this->Problem = faults.empty() ? "" : this->FileName + ": " + faults;
   for (const std::string& line : vtkHapticMechanismText(*read.Inputs, check))
   {
     this->Text += line + '\n';
