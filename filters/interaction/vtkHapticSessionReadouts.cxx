@@ -13,6 +13,7 @@
 #include "vtkHapticServerSurfaces.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkHapticTool.h"
+#include "vtkMath.h"
 
 namespace
 {
@@ -94,6 +95,10 @@ const std::map<std::string_view, double (*)(I&)> Numbers = {
   { "StiffnessLimited", [](I& s) { return static_cast<double>(s.State.stiffnessLimited); } },
   { "StiffnessUsed", [](I& s) { return s.State.stiffness_N_per_m; } },
   { "Ticks", [](I& s) { return static_cast<double>(s.Report.ticks); } },
+  { "WirePushed", [](I& s) { return s.Mechanism.Wire().pushed_u; } },
+  { "WireTipForce", [](I& s) { return s.Mechanism.Wire().tip_N; } },
+  { "WireTurned", [](I& s) { return vtkMath::DegreesFromRadians(s.Mechanism.Wire().turned_rad); } },
+  { "WireWallForce", [](I& s) { return s.Mechanism.Wire().wall_N; } },
 };
 
 const std::map<std::string_view, const char* (*)(I&)> Texts = {
@@ -140,6 +145,7 @@ const std::map<std::string_view, double* (*)(I&)> Vectors = {
   { "ToolTip", [](I& s) { return s.Tool.Tip; } },
   { "ToolTorque", [](I& s) { return s.Tool.Asked; } },
   { "Torque", [](I& s) { return s.Tool.Given; } },
+  { "WireWallPosition", [](I& s) { return s.Mechanism.WallPlace; } },
 };
 } // namespace
 

@@ -29,7 +29,7 @@ const char* nameOf(ConstraintKind kind) noexcept
 
 const char* nameOf(MechanismBodyKind kind) noexcept
 {
-  constexpr std::array names{ "held", "rigid", "soft", "world" };
+  constexpr std::array names{ "held", "rigid", "soft", "world", "wire" };
   return names[static_cast<std::size_t>(kind)];
 }
 

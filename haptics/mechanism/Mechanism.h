@@ -13,6 +13,7 @@
 namespace palpate
 {
 
+struct PlannedWire;
 struct SidedSurface;
 
 /// Kind of a body of a mechanism.
@@ -23,6 +24,7 @@ enum class MechanismBodyKind : std::uint8_t
   Rigid, ///< rests on others, or is joined to them, or is loose: with a mass; its frame has its centre as origin
   Soft,  ///< a soft body of the session, by its name; its frame is W, in which it is at rest
   World, ///< does not move; its frame is W; it may have a mesh
+  Wire,  ///< in the hand, which pushes it out of a sheath into a vessel; the only body; its frame is W
 };
 
 /// A body, as described by a person.
@@ -34,11 +36,12 @@ struct MechanismBody
   double diameter_u = 0.0; ///< likewise
   std::shared_ptr<const SidedSurface>
     mesh; ///< of a held body in place of a rod, of one that does not move, of one that is loose; or null
-  Vec3 halfSize_u = Vec3::Zero(); ///< of a rigid box, along its own axes
-  Pose pose_W;                    ///< where a rigid one is at first; how a held one is turned in the hand
-  Vec3 load_W = Vec3::Zero();     ///< on a rigid one's centre, its weight say [N]
-  BodyMass mass;                  ///< of a rigid one that is loose: giveMass()
-  std::optional<double> friction; ///< Coulomb's, of a mesh that does not move; none: Mechanism::foundFriction
+  Vec3 halfSize_u = Vec3::Zero();          ///< of a rigid box, along its own axes
+  Pose pose_W;                             ///< where a rigid one is at first; how a held one is turned in the hand
+  Vec3 load_W = Vec3::Zero();              ///< on a rigid one's centre, its weight say [N]
+  BodyMass mass;                           ///< of a rigid one that is loose: giveMass()
+  std::optional<double> friction;          ///< Coulomb's, of a mesh that does not move; none: Mechanism::foundFriction
+  std::shared_ptr<const PlannedWire> wire; ///< of a wire: its plan and the answer of its check
 };
 
 /// How two bodies are joined (docs/theory.md, "Constraints between bodies"). A's motion is counted against B's.
@@ -98,7 +101,7 @@ struct Mechanism
 
 /// The word for a kind in scene files and tables: "contact", "attachment", ... "insertion".
 [[nodiscard]] const char* nameOf(ConstraintKind kind) noexcept;
-/// "held", "rigid", "soft", "world".
+/// "held", "rigid", "soft", "world", "wire".
 [[nodiscard]] const char* nameOf(MechanismBodyKind kind) noexcept;
 /// How many rows a constraint has where it has most.
 [[nodiscard]] int mostRowsOf(ConstraintKind kind) noexcept;

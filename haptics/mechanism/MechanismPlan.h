@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 
 #include "haptics/compliance/snapshot/ComplianceSnapshot.h"
 #include "haptics/mechanism/Mechanism.h"
@@ -45,7 +46,9 @@ struct PlannedConstraint
   SurfacePoint place_B; ///< likewise
 };
 
-/// The plan of the tick. Immutable; of fixed size, so that a mailbox or a triple buffer carries it, and a recording.
+struct WirePlan;
+
+/// The plan of the tick. Immutable; of fixed size but for a wire, which its copies share.
 struct MechanismPlan
 {
   std::uint64_t revision = 0;                         ///< another for each that is handed on; above 0
@@ -56,6 +59,7 @@ struct MechanismPlan
   int held = -1; ///< which body is in the hand; -1: none
   std::array<PlannedBody, Mechanism::mostBodies> bodies{};
   std::array<PlannedConstraint, Mechanism::mostConstraints> laws{};
+  std::shared_ptr<const WirePlan> wire; ///< of the body in the hand; null: that is none
 };
 
 /// Pose of the held body in the hand; the body may rotate in the hand.

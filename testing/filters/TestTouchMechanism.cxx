@@ -16,7 +16,6 @@
 #include "vtkCellData.h"
 #include "vtkHapticMechanism.h"
 #include "vtkHapticMechanismFile.h"
-#include "vtkHapticWireFile.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -178,8 +177,7 @@ TEST(TouchMechanism, EveryFileOfTheExamplesIsOne)
     if (entry.path().extension() == ".json") // others are meshes of theirs
     {
       const std::string file = entry.path().string();
-      const vtkHapticWireResult wire = vtkHapticReadWire(file);
-      EXPECT_EQ(wire.IsWire ? wire.Problem : vtkHapticReadMechanism(file).Problem, "");
+      EXPECT_EQ(vtkHapticReadMechanism(file).Problem, "");
       ++files;
     }
   }

@@ -19,7 +19,7 @@ from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
-from palpate.simple import (AddConstraint, BreakConstraint, GetHapticSession, HapticRefusal, HapticState, HoldMechanism, Constraints,  # noqa: E402
+from palpate.simple import (AddConstraint, BreakConstraint, GetHapticSession, HapticRefusal, HapticState, HapticWire, HoldMechanism, Constraints,  # noqa: E402
                             LetGo, PutBack, RemoveConstraint, SetHaptics, Touch)
 from displays import move
 from says import unsaid
@@ -183,6 +183,50 @@ class Mechanism(Held):
             SetHaptics(MechanismSource="")
             with self.assertRaisesRegex(HapticRefusal, "no mechanism is held"):
                 PutBack()
+
+    def test_a_wire_is_pushed_round_the_bend_turned_seen_and_put_back(self):
+        def skin():
+            HapticState()  # the picture follows the session
+            simple.Render(self.view)
+            data = servermanager.Fetch(source)
+            points, bodies = vtk_to_numpy(data.GetPoints().GetData()), vtk_to_numpy(data.GetPointData().GetArray("Body"))
+            return points[bodies == 0]
+
+        tube = simple.Tube(Input=simple.Line(Point1=[-5, 0, 0], Point2=[60, 0, 0], Resolution=65), Radius=2.0, NumberofSides=24, Capping=0)
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "wire.json")
+            source = HapticWire(tube, file, length=100, beams=24, tip="angled", tip_length=5, friction=0.1)
+            self.assertEqual(json.loads(pathlib.Path(file).read_text())["bodies"][0]["young_Pa"], 6e10)
+            simple.Show(source, self.view)
+            GetHapticSession().SetHandPosition(0, 0, 0)
+            HoldMechanism(source, turning=0.01)
+            Touch()
+            GetHapticSession().Step(TICKS_TO_ENGAGE)
+            self.assertAlmostEqual(skin()[:, 0].max(), 0.0, delta=0.5)  # its tip is at the mouth
+            for step in range(301):
+                GetHapticSession().SetHandPosition(0.1 * step, 0, 0)
+                GetHapticSession().Step(1)
+            GetHapticSession().Step(100)
+            state = HapticState()
+            self.assertAlmostEqual(state["WirePushed"], 30.0, delta=0.2)
+            self.assertGreater(state["WireWallForce"], 0.0)
+            # Its bent tip presses a wall that is 2 from the middle.
+            self.assertAlmostEqual(numpy.hypot(*state["WireWallPosition"][1:]), 2.0, delta=0.05)
+            self.assertIn("pushed out 3", state["MechanismText"])
+            self.assertAlmostEqual(skin()[:, 0].max(), 30.0, delta=1.5)
+            SetHaptics(WireTurn=90)
+            GetHapticSession().Step(600)
+            self.assertAlmostEqual(HapticState()["WireTurned"], 90.0, delta=15.0)  # friction holds it back
+            with tempfile.TemporaryDirectory() as other:
+                state_file = os.path.join(other, "wire.pvsm")
+                simple.SaveState(state_file)
+                self.assertIn("WireTurn", pathlib.Path(state_file).read_text())
+            SetHaptics(WireTurn=0)
+            PutBack()
+            GetHapticSession().Step(100)
+            self.assertAlmostEqual(HapticState()["WirePushed"], 0.0, delta=0.01)
+            with self.assertRaisesRegex(HapticRefusal, "thicker than the vessel"):
+                HoldMechanism(HapticWire(tube, os.path.join(folder, "thick.json"), diameter=5))
 
     def test_a_body_that_finds_no_place_to_rest_is_said_in_the_line_of_the_mechanism(self):
         feet = ((10, 0, -10), (-10, 10, -10), (-10, -10, -10))

@@ -7,42 +7,25 @@
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticJson.h"
 #include "vtkHapticMechanismData.h"
-#include "vtkHapticWireFile.h"
 
 namespace
 {
-int CheckWire(const vtkHapticWireResult& read, const vtkHapticCliCheckOptions& options)
+nlohmann::ordered_json DescribedWire(const palpate::WireCheck& check)
 {
-  const palpate::WireCheck check =
-    read.Vessel ? palpate::planWire(read.Description, *read.Vessel, 1).check : palpate::WireCheck{};
-  if (!read.Vessel || !check.faults.empty())
-  {
-    throw vtkHapticCliProblem(read.Vessel ? options.File + ": " + check.faults.front() : read.Problem);
-  }
-  if (options.Json)
-  {
-    const nlohmann::ordered_json described{ { "file", options.File }, { "touchable", true }, { "beams", check.beams },
-      { "most_contacts", check.contacts }, { "tightest_bend", check.tightest_u }, { "clearance", check.clearance_u },
-      { "work", check.work }, { "remarks", check.remarks } };
-    std::cout << described.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
-    return 0;
-  }
-  std::cout << options.File << ": it can be felt\n";
-  for (const std::string& line : vtkHapticWireText(check))
-  {
-    std::cout << "  " << line << '\n';
-  }
-  return 0;
+  return { { "beams", check.beams }, { "most_contacts", check.contacts }, { "tightest_bend", check.tightest_u },
+    { "clearance", check.clearance_u }, { "work", check.work } };
+}
+
+nlohmann::ordered_json DescribedConstraints(const palpate::MechanismCheck& check)
+{
+  return { { "rows", check.rows }, { "rank", check.rank }, { "free_turns", check.freeTurns },
+    { "condition", check.condition }, { "redundant", check.redundant }, { "free", check.free } };
 }
 } // namespace
 
 int vtkHapticCliCheckMechanism(const vtkHapticCliCheckOptions& options)
 {
   const std::string& file = options.File;
-  if (const vtkHapticWireResult wire = vtkHapticReadWire(file); wire.IsWire)
-  {
-    return CheckWire(wire, options);
-  }
   const vtkHapticMechanismResult read = vtkHapticReadMechanism(file);
   if (!read.Inputs)
   {
@@ -59,9 +42,9 @@ int vtkHapticCliCheckMechanism(const vtkHapticCliCheckOptions& options)
   const palpate::MechanismCheck& check = touch->check();
   if (options.Json)
   {
-    nlohmann::ordered_json described{ { "file", file }, { "touchable", true }, { "rows", check.rows },
-      { "rank", check.rank }, { "free_turns", check.freeTurns }, { "condition", check.condition },
-      { "redundant", check.redundant }, { "free", check.free }, { "remarks", check.remarks } };
+    nlohmann::ordered_json described{ { "file", file }, { "touchable", true } };
+    described.update(check.wire ? DescribedWire(*check.wire) : DescribedConstraints(check));
+    described["remarks"] = check.remarks;
     for (const palpate::MechanismBody& body : read.Inputs->mechanism.bodies)
     {
       if (palpate::isLoose(body))

@@ -15,7 +15,6 @@
 #include "vtkHapticMechanismData.h"
 #include "vtkHapticReaders.h"
 #include "vtkHapticSoftBodyData.h"
-#include "vtkHapticWireFile.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -82,15 +81,6 @@ vtkSmartPointer<vtkPolyData> DataOf(const std::vector<palpate::PathSample>& path
 void AddMechanism(const std::string& file, vtkTouchAlongPath& filter)
 {
   const std::string folder = std::filesystem::path(file).parent_path().string();
-  if (const vtkHapticWireResult wire = vtkHapticReadWire(file); wire.IsWire)
-  {
-    if (!wire.Vessel)
-    {
-      throw vtkHapticCliProblem(wire.Problem);
-    }
-    filter.AddNamed(0, file, vtkHapticWireShapes(wire, folder));
-    return;
-  }
   const vtkHapticMechanismResult read = vtkHapticReadMechanism(file);
   if (!read.Inputs)
   {

@@ -15,6 +15,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkHapticHeldWire.h"
 #include "vtkHapticMechanismData.h"
 #include "vtkHapticSoftBodyData.h"
 #include "vtkHapticTool.h"
@@ -65,13 +66,17 @@ Way WayOf(const palpate::MechanismBody& body, const palpate::Pose& now_W)
 
 /// Soft bodies come in the order in which the description has them.
 std::vector<Way> WaysOf(const palpate::MechanismInputs& inputs, std::span<const palpate::Pose> pose_W,
-  const std::vector<palpate::SeenBody>& seen)
+  const std::vector<palpate::SeenBody>& seen, std::span<const palpate::Vec3> wire_W)
 {
   std::vector<Way> ways;
   std::size_t soft = 0;
   for (const palpate::MechanismBody& body : inputs.mechanism.bodies)
   {
     ways.push_back(WayOf(body, pose_W[ways.size()]));
+    if (body.wire && body.wire->plan)
+    {
+      ways.back().Soft.Displacement = vtkHapticWireWay(*body.wire->plan, wire_W);
+    }
     if (body.kind == palpate::MechanismBodyKind::Soft && soft < std::min(seen.size(), inputs.soft.size()))
     {
       ways.back().Soft = vtkHapticWayOf(*inputs.soft[soft].input, seen[soft].asMade.get(), seen[soft].shape.get());
@@ -295,7 +300,7 @@ void vtkHapticHeldMechanism::Look(palpate::HapticSession& core, const palpate::H
   this->AtRest = !this->Status.building && this->Status.plan != 0 && this->Inputs ? this->Status.atRest : this->AtRest;
   if (this->Felt && this->Inputs)
   {
-    this->Seen = { this->Now.held, this->Now.pose_W, this->Status.soft };
+    this->Seen = { this->Now.held, this->Now.pose_W, this->Status.soft, this->Status.wire_W };
     vtkHapticPutPose(this->Now.held ? state.proxy_W : palpate::Pose{}, this->Pose);
     vtkHapticPutPose(this->Now.hand_W, this->HandPose);
   }
@@ -307,7 +312,10 @@ void vtkHapticHeldMechanism::Look(palpate::HapticSession& core, const palpate::H
   const bool pushes = std::any_of(this->Now.laws.begin(), this->Now.laws.begin() + this->Now.lawCount, pushing);
   const bool changes = !this->Felt && this->Seen.Held; // of constraints, and it is unknown which of them push
   this->Begin_W = pushes || changes ? this->Begin_W : state.device_W.p;
-  this->Depth = (state.device_W.p - this->Begin_W).dot(state.proxy_W.q * palpate::Vec3::UnitZ());
+  this->Depth = this->Status.check.wire
+                  ? this->Now.wire.pushed_u
+                  : (state.device_W.p - this->Begin_W).dot(state.proxy_W.q * palpate::Vec3::UnitZ());
+  std::copy_n(this->Now.wire.wall_W.data(), 3, this->WallPlace);
 }
 
 std::string vtkHapticHeldMechanism::Sentence(palpate::HapticSession& core, const palpate::HapticState& /*state*/) const
@@ -335,7 +343,11 @@ std::string vtkHapticHeldMechanism::FeltText(bool runs) const
   {
     return this->Name + " cannot be touched: " + this->Status.problem;
   }
-  const std::string laws = this->Name + ": " + std::to_string(this->Inputs->mechanism.laws.size()) + " constraints";
+  const bool wire =
+    std::ranges::any_of(this->Inputs->mechanism.bodies, [](const auto& body) { return body.wire != nullptr; });
+  const std::string laws =
+    this->Name + ": " +
+    (wire ? "a wire's beams" : std::to_string(this->Inputs->mechanism.laws.size()) + " constraints");
   if (!runs)
   {
     return laws;
@@ -354,6 +366,10 @@ std::string vtkHapticHeldMechanism::FeltText(bool runs) const
   {
     text += "; now " + palpate::overlapText(pair);
   }
+  if (wire)
+  {
+    return text + vtkHapticHeldWireText(this->Now);
+  }
   text +=
     this->Now.ahead ? "; the hand is faster than contacts are looked for, so that the held mesh stays behind" : "";
   text += this->Now.leftOut > 0 ? "; the held mesh touches in more places than a tick can solve" : "";
@@ -368,7 +384,7 @@ bool vtkHapticHeldMechanism::Move(vtkPolyData& shapes) const
   {
     return false;
   }
-  const std::vector<Way> ways = WaysOf(*this->Inputs, this->Seen.Pose_W, this->Seen.Soft);
+  const std::vector<Way> ways = WaysOf(*this->Inputs, this->Seen.Pose_W, this->Seen.Soft, this->Seen.Wire_W);
   vtkNew<vtkPoints> moved;
   moved->SetDataTypeToDouble();
   moved->DeepCopy(shapes.GetPoints());

@@ -56,7 +56,11 @@ public:
   /// A row a constraint: Constraint, Kind, A, B, Numbers, Phase, Force [N], Inside [u].
   void FillTable(vtkTable& table) const;
 
-  double Depth = 0.0; ///< the hand's displacement along the held body since nothing pushed [u]
+  /// The report of the tick on a wire; of another mechanism zeros.
+  const palpate::WireReport& Wire() const { return this->Now.wire; }
+  double WallPlace[3] = { 0.0, 0.0, 0.0 }; ///< of the largest force of the wall on a wire [u]
+  double Depth = 0.0; ///< the hand's displacement along the held body since nothing pushed, or the length of a wire out
+                      ///< of its sheath [u]
   double Pose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };     ///< of the held body, where it is felt
   double HandPose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 }; ///< and where the hand would have it
   vtkBoundingBox Bounds;                                      ///< of its bodies as they are at first
@@ -68,6 +72,7 @@ private:
     bool Held = false;
     decltype(palpate::MechanismNow::pose_W) Pose_W{};
     std::vector<palpate::SeenBody> Soft;
+    std::vector<palpate::Vec3> Wire_W;
   };
   std::string Convert(vtkDataObject* data, const std::string& reason) override;
   bool IsMade() const override { return this->Inputs != nullptr; }

@@ -41,6 +41,11 @@
   vtkHapticReadoutMacro(Contacts, int) \
   vtkHapticTextMacro(MechanismText) \
   vtkHapticReadoutMacro(MechanismDepth, double) \
+  vtkHapticReadoutMacro(WirePushed, double) \
+  vtkHapticReadoutMacro(WireTurned, double) \
+  vtkHapticReadoutMacro(WireTipForce, double) \
+  vtkHapticReadoutMacro(WireWallForce, double) \
+  vtkHapticNumbersMacro(WireWallPosition, 3) \
   vtkHapticTextMacro(SoftText) \
   vtkHapticReadoutMacro(SoftStrain, double) \
   vtkHapticReadoutMacro(SoftPackets, double) \

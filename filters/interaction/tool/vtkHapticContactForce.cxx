@@ -16,12 +16,13 @@
 
 namespace
 {
-/// The held mesh goes without saying.
+/// The held mesh goes without saying; a wire is pressed by its own vessel.
 std::string NameOf(const palpate::FoundPress& press, const palpate::Mechanism& mechanism)
 {
   const auto& mesh = mechanism.bodies[static_cast<std::size_t>(press.mesh)];
   const auto& body = mechanism.bodies[static_cast<std::size_t>(press.body)];
-  return mesh.kind == palpate::MechanismBodyKind::Held ? body.name : mesh.name + " on " + body.name;
+  return mesh.kind == palpate::MechanismBodyKind::Held || press.mesh == press.body ? body.name
+                                                                                   : mesh.name + " on " + body.name;
 }
 } // namespace
 

@@ -6,7 +6,6 @@
 
 #include "haptics/session/mechanism/MechanismTouch.h"
 #include "vtkHapticMechanismData.h"
-#include "vtkHapticWireFile.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -50,10 +49,6 @@ vtkSmartPointer<vtkPolyData> vtkHapticMechanism::Make()
 {
   this->Text.clear();
   const std::string folder = std::filesystem::path(this->FileName).parent_path().string();
-  if (const vtkHapticWireResult wire = vtkHapticReadWire(this->FileName); wire.IsWire)
-  {
-    return this->MakeWire(wire, folder);
-  }
   const vtkHapticMechanismResult read = vtkHapticReadMechanism(this->FileName);
   this->Problem = read.Problem;
   const auto bodies = read.Inputs ? palpate::MechanismBodies::make(read.Inputs->soft, this->Problem) : nullptr;
@@ -63,7 +58,8 @@ vtkSmartPointer<vtkPolyData> vtkHapticMechanism::Make()
   }
   const palpate::MechanismCheck check = palpate::checkMechanism(
     read.Inputs->mechanism, bodies->atRest(), palpate::gripOf(palpate::usualHold(read.Inputs->unit_m)));
-  this->Problem = palpate::faultsOf(check);
+  const std::string faults = palpate::faultsOf(check);
+  this->Problem = faults.empty() ? "" : this->FileName + ": " + faults;
   for (const std::string& line : vtkHapticMechanismText(*read.Inputs, check))
   {
     this->Text += line + '\n';
@@ -71,22 +67,6 @@ vtkSmartPointer<vtkPolyData> vtkHapticMechanism::Make()
   const vtkSmartPointer<vtkPolyData> shapes = vtkHapticMechanismShapes(read);
   vtkHapticDescribeMechanism(*shapes, read.Text, folder);
   return this->Problem.empty() ? shapes : nullptr;
-}
-
-vtkSmartPointer<vtkPolyData> vtkHapticMechanism::MakeWire(const vtkHapticWireResult& read, const std::string& folder)
-{
-  this->Problem = read.Problem;
-  if (!read.Vessel)
-  {
-    return nullptr;
-  }
-  const palpate::WireCheck check = palpate::planWire(read.Description, *read.Vessel, 1).check;
-  this->Problem = check.faults.empty() ? "" : this->FileName + ": " + check.faults.front();
-  for (const std::string& line : vtkHapticWireText(check))
-  {
-    this->Text += line + '\n';
-  }
-  return check.faults.empty() ? vtkHapticWireShapes(read, folder) : nullptr;
 }
 
 /// Files are read when they are asked for and not for another picture: a refusal is told once.

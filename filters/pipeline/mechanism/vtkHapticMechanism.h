@@ -3,11 +3,14 @@
  * @class   vtkHapticMechanism
  * @brief   bodies and the constraints that join them, from a scene file
  *
- * Output: the surfaces of the bodies as they are at first, a needle at the origin, with
+ * Output: the surfaces of the bodies as they are at first, a needle at the origin, a wire in its sheath and its
+ * vessel, with
  *
- *     Body          (m)    int     of cells, and likewise of points: which body, by its place in the file
- *     Vertex        (n)    int     of a soft body's points: which one of its tetrahedra's; else -1
- *     Displacement  (n, 3) double  how far the nodes of soft bodies have gone, else 0 [u]
+ *     Body          (m)    int     of cells, and likewise of points: which body, by its place in the file; a wire's
+ *                                  vessel counts as the body behind the wire
+ *     Vertex        (n)    int     of a soft body's points: which one of its tetrahedra's; of a wire's: which one of
+ *                                  its own; else -1
+ *     Displacement  (n, 3) double  how far the nodes of soft bodies and a wire's skin have gone, else 0 [u]
  *     Dent          (n, 3) double  how much further they are shown, where a constraint presses [u]
  *
  * and the whole description as field data, which a session and Touch Along Path take. The file is described in
@@ -22,8 +25,6 @@
 #include "vtkPolyData.h"             // for members
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for members
-
-struct vtkHapticWireResult;
 
 class VTKHAPTICPIPELINE_EXPORT vtkHapticMechanism : public vtkPolyDataAlgorithm
 {
@@ -61,8 +62,6 @@ protected:
 private:
   /// Null with Problem.
   vtkSmartPointer<vtkPolyData> Make();
-  /// Likewise of a file with a wire: its vessel.
-  vtkSmartPointer<vtkPolyData> MakeWire(const vtkHapticWireResult& read, const std::string& folder);
 
   std::string FileName;
   std::string Problem;

@@ -17,6 +17,8 @@
 #include "vtkFieldData.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticNeedle.h"
+#include "vtkHapticWireFile.h"
+#include "vtkHapticWireShape.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -90,7 +92,9 @@ vtkSmartPointer<vtkPolyData> ShapeOf(const palpate::MechanismBody& body, vtkUnst
 {
   using enum palpate::MechanismBodyKind;
   const bool loose = body.kind == Rigid && body.mesh;
-  return body.kind == Held    ? Placed(*vtkHapticHeldShape(body), body)
+  const bool wire = body.wire && body.wire->plan;
+  return wire                 ? vtkHapticWireShape(*body.wire->plan)
+         : body.kind == Held  ? Placed(*vtkHapticHeldShape(body), body)
          : loose              ? Placed(*vtkHapticToPolyData(body.mesh->rightHanded()), body)
          : body.mesh          ? vtkHapticToPolyData(body.mesh->rightHanded())
          : body.kind == Rigid ? BoxOf(body)
@@ -148,15 +152,23 @@ vtkSmartPointer<vtkPolyData> vtkHapticHeldShape(const palpate::MechanismBody& bo
 vtkSmartPointer<vtkPolyData> vtkHapticMechanismShapes(const vtkHapticMechanismResult& read)
 {
   vtkNew<vtkAppendPolyData> all;
+  const auto add = [&all](vtkPolyData& shape, int body)
+  {
+    Describe(shape, body);
+    all->AddInputData(&shape);
+  };
   std::size_t soft = 0;
   int number = 0;
   for (const palpate::MechanismBody& body : read.Inputs->mechanism.bodies)
   {
+    if (body.wire && body.wire->vessel_W) // which counts as the body behind it
+    {
+      add(*vtkHapticToPolyData(*body.wire->vessel_W), number + 1);
+    }
     const bool gives = body.kind == palpate::MechanismBodyKind::Soft;
     if (const auto shape = ShapeOf(body, gives ? read.SoftGrids[soft].Get() : nullptr))
     {
-      Describe(*shape, number);
-      all->AddInputData(shape);
+      add(*shape, number);
     }
     soft += gives ? 1 : 0;
     ++number;
@@ -236,6 +248,10 @@ vtkHapticLooseMass vtkHapticMassOf(const palpate::MechanismBody& body, double un
 std::vector<std::string> vtkHapticMechanismText(
   const palpate::MechanismInputs& inputs, const palpate::MechanismCheck& check)
 {
+  if (check.wire)
+  {
+    return vtkHapticWireText(*check.wire);
+  }
   std::ostringstream numbers;
   numbers << inputs.mechanism.bodies.size() << " bodies, " << inputs.mechanism.laws.size()
           << " constraints: " << check.rows << " rows of rank " << check.rank << ", " << check.freeTurns

@@ -10,17 +10,16 @@
 #include <map>
 
 #include "haptics/compliance/material/ElasticLaw.h"
-#include "haptics/core/JsonNode.h"
 #include "haptics/core/PoseMath.h"
 #include "haptics/mechanism/found/SidedSurface.h"
 #include "vtkHapticBodyFile.h"
-#include "vtkHapticJson.h"
 #include "vtkHapticMechanismBodies.h"
+#include "vtkHapticWireFile.h"
 
 namespace
 {
 using Json = nlohmann::json;
-using Node = palpate::JsonNode<Json>;
+using Node = vtkHapticSceneNode;
 
 constexpr const char* Format = "palpate mechanism";
 constexpr int Version = 1;
@@ -128,11 +127,7 @@ palpate::MechanismBody BodyOf(const Node& node, const Surroundings& around, palp
   using enum palpate::MechanismBodyKind;
   palpate::MechanismBody body;
   body.name = node.name();
-  if (node.text("kind", "") == "wire")
-  {
-    node.fail("kind", "a wire is pushed along a path, alone in its file: use Touch Along Path, or palpate touch");
-  }
-  body.kind = KindOf(node, { Held, Rigid, Soft, World });
+  body.kind = KindOf(node, { Held, Rigid, Soft, World, Wire });
   switch (body.kind)
   {
     case Held:
@@ -148,6 +143,11 @@ palpate::MechanismBody BodyOf(const Node& node, const Surroundings& around, palp
     case World:
       node.knows({ "name", "kind", "file", "half_size", "at", "turn" });
       break;
+    case Wire:
+      node.knows({ "name", "kind", "vessel", "diameter", "length", "young_Pa", "tip_young_Pa", "poisson", "friction",
+        "mouth", "direction", "beams", "tip", "tip_length", "tip_radius", "tip_pitch" });
+      body.wire = vtkHapticReadWire(node, around.folder, around.unit_m);
+      return body;
   }
   body.length_u = node.number("length", 0.0);
   body.diameter_u = node.number("diameter", 0.0);
@@ -288,8 +288,9 @@ vtkHapticMechanismResult Build(
   {
     root.fail("gravity", "acts on bodies with a \"density\", and there are none: give one, or set \"load_N\"");
   }
-  for (const Node& node :
-    inputs->mechanism.findsContacts && !root.has("laws") ? std::vector<Node>() : root.list("laws"))
+  const bool meets = inputs->mechanism.findsContacts ||
+                     std::ranges::any_of(inputs->mechanism.bodies, [](const auto& b) { return b.wire != nullptr; });
+  for (const Node& node : meets && !root.has("laws") ? std::vector<Node>() : root.list("laws"))
   {
     palpate::MechanismConstraint& law = inputs->mechanism.laws.emplace_back(ConstraintOf(node, inputs->unit_m));
     law.point_A -= CentreOf(centres_u, law.a);

@@ -6,36 +6,16 @@
 #include <cmath>
 #include <filesystem>
 #include <sstream>
-#include <utility>
 
-#include "haptics/core/JsonNode.h"
 #include "vtkHapticConversion.h"
-#include "vtkHapticJson.h"
-#include "vtkHapticMechanismData.h"
 #include "vtkHapticReaders.h"
+#include "vtkPolyData.h"
 
 namespace
 {
-using Json = nlohmann::json;
-using Node = palpate::JsonNode<Json>;
+using Node = vtkHapticSceneNode;
 
 constexpr double UsualBeam_diameters = 8.0;
-
-bool HasWire(const Json& json)
-{
-  if (!json.is_object() || !json.contains("bodies") || !json["bodies"].is_array())
-  {
-    return false;
-  }
-  for (const Json& body : json["bodies"])
-  {
-    if (body.is_object() && body.value("kind", Json()) == "wire")
-    {
-      return true;
-    }
-  }
-  return false;
-}
 
 palpate::WireTip TipOf(const Node& node)
 {
@@ -75,8 +55,6 @@ palpate::WireShape ShapeOf(const Node& node, double diameter_u)
 
 palpate::WireDescription WireOf(const Node& node, double unit_m)
 {
-  node.knows({ "name", "kind", "vessel", "diameter", "length", "young_Pa", "tip_young_Pa", "poisson", "friction",
-    "mouth", "direction", "beams", "tip", "tip_length", "tip_radius", "tip_pitch" });
   palpate::WireDescription wire;
   const double perUnit2 = unit_m * unit_m;
   wire.diameter_u = node.needsNumber("diameter");
@@ -100,66 +78,16 @@ std::shared_ptr<const palpate::TriangleMesh> VesselOf(const Node& node, const st
   return converted.Mesh;
 }
 
-void Build(const Node& root, const std::string& folder, vtkHapticWireResult& result)
-{
-  root.knows({ "format", "version", "unit_m", "bodies" });
-  palpate::checkHead(root, "palpate mechanism", 1);
-  const double unit_m = root.number("unit_m", 1.0);
-  if (!(unit_m >= 1e-12 && unit_m <= 1e6))
-  {
-    root.fail("unit_m", "must be a number of metres from 1e-12 to 1e6");
-  }
-  const std::vector<Node> bodies = root.list("bodies");
-  if (bodies.size() != 1)
-  {
-    root.fail("bodies", "a wire is the only body of its file: its vessel is a key of the wire");
-  }
-  result.Description = WireOf(bodies.front(), unit_m);
-  result.Vessel = VesselOf(bodies.front(), folder);
-}
 } // namespace
 
-vtkHapticWireResult vtkHapticParseWire(const std::string& text, const std::string& folder)
+std::shared_ptr<const palpate::PlannedWire> vtkHapticReadWire(
+  const vtkHapticSceneNode& node, const std::string& folder, double unit_m)
 {
-  vtkHapticWireResult result;
-  result.Text = text;
-  result.Problem = palpate::jsonProblemOf<Json>(
-    [&]
-    {
-      const Json json = Json::parse(text);
-      result.IsWire = HasWire(json);
-      if (result.IsWire)
-      {
-        Build(Node(json, ""), folder, result);
-      }
-    });
-  result.Problem = result.IsWire ? result.Problem : "";
-  result.Vessel = result.Problem.empty() ? result.Vessel : nullptr;
-  return result;
-}
-
-vtkHapticWireResult vtkHapticToWire(vtkDataObject& data)
-{
-  return vtkHapticIsMechanism(&data)
-           ? vtkHapticParseWire(vtkHapticMechanismFileOf(data), vtkHapticMechanismFolderOf(data))
-           : vtkHapticWireResult{};
-}
-
-vtkHapticWireResult vtkHapticReadWire(const std::string& file)
-{
-  const palpate::Outcome<std::string> text = vtkHapticSceneText(file);
-  vtkHapticWireResult result = text.ok()
-                                 ? vtkHapticParseWire(text.value, std::filesystem::path(file).parent_path().string())
-                                 : vtkHapticWireResult{};
-  result.Problem = result.Problem.empty() ? "" : file + ": " + result.Problem;
-  return result;
-}
-
-vtkSmartPointer<vtkPolyData> vtkHapticWireShapes(const vtkHapticWireResult& read, const std::string& folder)
-{
-  const vtkSmartPointer<vtkPolyData> shapes = vtkHapticToPolyData(*read.Vessel);
-  vtkHapticDescribeMechanism(*shapes, read.Text, folder);
-  return shapes;
+  const palpate::WireDescription description = WireOf(node, unit_m);
+  const auto vessel_W = VesselOf(node, folder);
+  auto planned = std::make_shared<palpate::PlannedWire>(palpate::planWire(description, *vessel_W, 1));
+  planned->vessel_W = vessel_W;
+  return planned;
 }
 
 std::vector<std::string> vtkHapticWireText(const palpate::WireCheck& check)

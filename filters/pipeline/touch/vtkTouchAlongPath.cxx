@@ -15,7 +15,6 @@
 #include "vtkHapticPathData.h"
 #include "vtkHapticSoftBodyData.h"
 #include "vtkHapticWholeInput.h"
-#include "vtkHapticWireFile.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -353,13 +352,7 @@ palpate::PathInputs vtkTouchAlongPath::Read(const WholeInputs& whole, vtkDataObj
             : speeds ? problem
                      : "NoSpeed: it has to be 0, or above 0 and below {FieldFullSpeed}";
   problem = problem.empty() ? palpate::refusePathSettings(*this->Settings) : problem;
-  const vtkHapticWireResult wire = problem.empty() ? vtkHapticToWire(given) : vtkHapticWireResult{};
-  if (wire.IsWire)
-  {
-    inputs.wire = palpate::PathWire{ this->NameOf(Surfaces, 0), wire.Description, wire.Vessel };
-    problem = wire.Problem;
-  }
-  else if (problem.empty() && vtkHapticIsMechanism(&given))
+  if (problem.empty() && vtkHapticIsMechanism(&given))
   {
     const vtkHapticMechanismResult read = vtkHapticToMechanism(given);
     inputs.mechanism = palpate::PathMechanism{ this->NameOf(Surfaces, 0), read.Inputs };
@@ -372,8 +365,7 @@ palpate::PathInputs vtkTouchAlongPath::Read(const WholeInputs& whole, vtkDataObj
   {
     this->ReadField(whole, inputs, problem);
   }
-  const bool alone = inputs.mechanism || inputs.wire;
-  const bool first = !alone && !(inputs.field && (!whole.Field || whole.Field == whole.Touched.front()));
+  const bool first = !inputs.mechanism && !(inputs.field && (!whole.Field || whole.Field == whole.Touched.front()));
   for (std::size_t i = first ? 0 : 1; i < whole.Touched.size() && problem.empty(); ++i)
   {
     this->ReadTouched(*whole.Touched[i], this->NameOf(Surfaces, i), inputs, problem);

@@ -20,6 +20,8 @@ import os
 import paraview
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkTable
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: F401  the proxy's object becomes scriptable
 from palpate.vtkHapticViews import vtkHapticTouchAs, vtkHapticViewScene
@@ -28,7 +30,7 @@ __all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "TakeColo
            "HapticState", "Mark", "GetMarks", "Marks", "AddMark", "RemoveMark", "RenameMark", "ClearMarks", "SaveMarks",
            "LoadMarks", "MapContact", "SetSource", "TouchAs", "HoldTool", "PressBody", "SoftText",
            "HoldMechanism", "Constraints", "AddConstraint", "RemoveConstraint", "BreakConstraint",
-           "PutBack"]
+           "PutBack", "HapticWire"]
 
 
 class HapticRefusal(RuntimeError):
@@ -458,3 +460,39 @@ def PutBack():
     with _Refusals() as session:
         session.GetMechanism().PutBack()
         HapticUpdate()
+
+
+def _write_surface(source, file):
+    outside = vtkGeometryFilter()
+    outside.SetInputData(servermanager.Fetch(source))
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputConnection(outside.GetOutputPort())
+    writer.SetFileName(file)
+    if not writer.Write():
+        raise HapticRefusal(f"{file} cannot be written: choose another folder for the scene file.")
+
+
+def HapticWire(vessel, file, diameter=0.5, length=250, mouth=(0, 0, 0), direction=(1, 0, 0), unit=0.001, **keys):
+    """Writes the scene file of a wire in a vessel and returns its source Haptic Mechanism, for HoldMechanism().
+    vessel: a source, whose surface is written beside the scene file as VTP, or the path of a surface's file. mouth,
+    direction: of the sheath. diameter, length: of the wire [u], of `unit` metres each. keys: others that a scene file
+    has for a wire: young_Pa (6e10 unless given, assumed for a NiTi wire), poisson, friction, beams, tip, tip_length,
+    tip_radius, tip_pitch, tip_young_Pa."""
+    file = os.path.abspath(file)
+    path = os.path.splitext(file)[0] + "-vessel.vtp"
+    if isinstance(vessel, str):
+        path = os.path.abspath(vessel)
+    else:
+        _write_surface(vessel, path)
+    wire = {"name": "guide wire", "kind": "wire", "vessel": os.path.relpath(path, os.path.dirname(file)), "diameter": diameter, "length": length,
+            "young_Pa": 6e10, "mouth": list(mouth), "direction": list(direction), **keys}
+    scene = {"format": "palpate mechanism", "version": 1, "unit_m": unit, "bodies": [wire]}
+    with open(file, "w", encoding="utf-8") as stream:
+        json.dump(scene, stream, indent=2)
+    source = servermanager._getPyProxy(_manager().NewProxy("sources", "HapticMechanism"))
+    controller = servermanager.ParaViewPipelineController()
+    controller.PreInitializeProxy(source)
+    source.FileName = file
+    controller.PostInitializeProxy(source)
+    controller.RegisterPipelineProxy(source)
+    return source

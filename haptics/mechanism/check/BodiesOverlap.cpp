@@ -269,6 +269,8 @@ private:
                      with(Rod{ { body.pose_W.p, body.pose_W.p + body.length_u * (body.pose_W.q * Vec3::UnitZ()) } });
       case MechanismBodyKind::World:
         return this->worlds && body.mesh && with(standing(*body.mesh, body.pose_W));
+      case MechanismBodyKind::Wire:
+        return false; // alone
     }
     return false;
   }

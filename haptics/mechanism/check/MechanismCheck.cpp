@@ -332,6 +332,12 @@ void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> sof
   }
 }
 
+/// The wire of a mechanism without faults; null: there is none.
+const PlannedWire* wireOf(const Mechanism& mechanism)
+{
+  return mechanism.bodies.empty() ? nullptr : mechanism.bodies.front().wire.get();
+}
+
 /// The pairs of bodies whose contacts are not found.
 void tellUnfound(const Mechanism& mechanism, MechanismCheck& check)
 {
@@ -362,7 +368,13 @@ MechanismCheck checkMechanism(
   {
     check.faults.emplace_back("The hand holds no body: set a stiffness above 0.");
   }
-  if (check.faults.empty())
+  const PlannedWire* const wire = check.faults.empty() ? wireOf(mechanism) : nullptr;
+  if (wire)
+  {
+    check.wire = wire->check;
+    check.remarks = wire->check.remarks;
+  }
+  else if (check.faults.empty())
   {
     AtRest(mechanism, soft, grip).report(check);
     tellOverlaps(mechanism, soft, check);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "haptics/compliance/servo/PressedBody.h"
 #include "haptics/mechanism/MechanismPlan.h"
+#include "haptics/mechanism/wire/WirePlan.h"
 
 namespace palpate
 {
@@ -33,6 +35,7 @@ struct MechanismCheck
   int freeTurns = 0;      ///< degrees of freedom of rigid bodies, and of a held one that the device does not turn, that
                           ///< only the balance of forces and moments decides
   double condition = 1.0; ///< of the compliance of the independent rows
+  std::optional<WireCheck> wire; ///< of a mechanism that is a wire, whose contacts are its only rows
 };
 
 /// Reads a mechanism: faults in words, or the plan of a mechanism without faults. `soft`: the soft bodies there are, at

@@ -9,6 +9,7 @@
 #include "haptics/geometry/mesh/NearestOnTriangle.h"
 #include "haptics/geometry/mesh/TriangleWeights.h"
 #include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/wire/WirePlan.h"
 
 namespace palpate
 {
@@ -68,6 +69,7 @@ public:
       this->judgeConstraint(this->mechanism_.laws[i], i);
     }
     this->judgeFound();
+    this->judgeWire();
     return std::move(this->faults_);
   }
 
@@ -196,6 +198,26 @@ private:
       "The friction of found contacts is negative or not a number.");
     this->require(roomForFound(this->mechanism_) >= fewestFound,
       "The constraints have so many rows that fewer than four contacts can be found: remove some.");
+  }
+
+  /// Its own check knows the faults of the wire and its vessel.
+  void judgeWire()
+  {
+    for (const MechanismBody& body : this->mechanism_.bodies)
+    {
+      if (body.kind != MechanismBodyKind::Wire)
+      {
+        continue;
+      }
+      const bool alone = this->mechanism_.bodies.size() == 1 && this->mechanism_.laws.empty();
+      this->require(alone && !this->mechanism_.findsContacts,
+        "A wire is the only body of its mechanism, without constraints: its vessel is a key of the wire.");
+      this->require(body.wire != nullptr, "Body \"" + body.name + "\" is a wire without a vessel: give it one.");
+      if (body.wire)
+      {
+        std::ranges::for_each(body.wire->check.faults, [this](const std::string& fault) { this->say(fault); });
+      }
+    }
   }
 
   void judgeNumbers(const MechanismConstraint& law, const std::string& name)

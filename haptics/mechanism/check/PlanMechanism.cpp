@@ -7,6 +7,7 @@
 #include "haptics/mechanism/check/MechanismCheck.h"
 #include "haptics/mechanism/check/MechanismFaults.h"
 #include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/wire/WirePlan.h"
 
 namespace palpate
 {
@@ -94,7 +95,9 @@ MechanismPlan planMechanism(const Mechanism& mechanism, std::span<const Mechanis
   double characteristic_u = 0.0;
   for (const MechanismBody& body : mechanism.bodies)
   {
-    plan.held = body.kind == MechanismBodyKind::Held ? plan.bodyCount : plan.held;
+    const bool held = body.kind == MechanismBodyKind::Held || body.kind == MechanismBodyKind::Wire;
+    plan.held = held ? plan.bodyCount : plan.held;
+    plan.wire = body.wire ? body.wire->plan : plan.wire;
     plan.bodies[plan.bodyCount++] = planBody(body, soft);
     const double mesh_u = body.mesh ? body.mesh->radius_u : 0.0;
     characteristic_u = std::max({ characteristic_u, 0.5 * body.length_u, body.halfSize_u.norm(), mesh_u });

@@ -8,6 +8,7 @@
 #include "haptics/mechanism/constraints/ConstraintState.h"
 #include "haptics/mechanism/constraints/LooseYield.h"
 #include "haptics/mechanism/servo/HandLead.h"
+#include "haptics/mechanism/wire/WireTick.h"
 #include "haptics/tool/servo/ToolBlend.h"
 
 namespace palpate
@@ -31,6 +32,7 @@ struct MechanismState
   bool placed = false;                                            ///< the held body has been somewhere
   Vec3 tip_W = Vec3::Zero();                                      ///< of the held body, as the constraints left it
   ToolBlend blend;
+  WireState wire; ///< of the body in the hand
 };
 
 static_assert(std::is_trivially_destructible_v<MechanismState>);

@@ -10,6 +10,7 @@
 #include "haptics/mechanism/servo/JoinedFound.h"
 #include "haptics/mechanism/servo/SettledConstraints.h"
 #include "haptics/mechanism/servo/TipPlace.h"
+#include "haptics/mechanism/servo/WireInHand.h"
 
 namespace palpate
 {
@@ -20,6 +21,7 @@ struct MechanismScratch
   MechanismPlan joined; ///< with the contacts that were found
   SettledScratch laws;
   MechanismResult result;
+  WireTick wire;
 };
 
 namespace
@@ -406,6 +408,11 @@ const MechanismResult& MechanismTick::step(const MechanismInput& input) noexcept
   if (input.plan->revision != this->state_.revision)
   {
     beginAnew(*input.plan, this->state_);
+  }
+  if (input.plan->wire)
+  {
+    stepWire(input, this->room_->wire, this->state_, this->room_->result);
+    return this->room_->result;
   }
   MechanismInput joined = input;
   if (input.found != nullptr || this->state_.found.answer != 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -19,6 +20,8 @@ struct MechanismInput
   const MechanismPlan* plan = nullptr;
   Pose hand_W; ///< of the device; its turn is not looked at where the grip leaves it free
   MechanismGrip grip;
+  double turnBy_rad = 0.0; ///< turn of a wire's outer end in this tick in addition to the hand's
+  std::uint32_t wireBudget = std::numeric_limits<std::uint32_t>::max(); ///< in the unit of ContactPlan::workBudget
   std::span<const PressedBody* const>
     soft;                               ///< newest of each, in the plan's order; null: not there, without constraints
   const FoundContacts* found = nullptr; ///< newest answer of the finder; null: nothing is looked for
@@ -68,6 +71,7 @@ struct MechanismResult
   std::array<MechanismEvent, Mechanism::mostConstraints> events{};
   int pressCount = 0;
   std::array<MechanismPress, 2 * Mechanism::mostConstraints> presses{};
+  WireReport wire; ///< of the body in the hand
 };
 
 /// A mechanism as no tick has moved it yet, by another plan: each constraint open, each place where its constraint is

@@ -56,12 +56,14 @@ struct WireCheck
   std::uint32_t work = 0;   ///< of a Newton step without its contacts, in the unit of ContactPlan::workBudget
 };
 
-/// A plan, or none with the faults of the check. `vessel_W`: clean. Not real-time safe.
+/// A plan, or none with the faults of the check.
 struct PlannedWire
 {
   std::shared_ptr<const WirePlan> plan;
   WireCheck check;
+  std::shared_ptr<const TriangleMesh> vessel_W; ///< as it was given, for a person to see; null: planWire() keeps none
 };
+/// Not real-time safe.
 [[nodiscard]] PlannedWire planWire(
   const WireDescription& description, const TriangleMesh& vessel_W, std::uint64_t revision);
 

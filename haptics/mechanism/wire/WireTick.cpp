@@ -6,9 +6,9 @@
 
 #include "haptics/core/Across.h"
 #include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/wire/WireHand.h"
 #include "haptics/mechanism/wire/WireScratch.h"
 #include "haptics/mechanism/wire/WireSheath.h"
-#include "haptics/tool/motion/Turn.h"
 
 namespace palpate
 {
@@ -68,35 +68,21 @@ public:
   }
 
 private:
-  [[nodiscard]] double handAlong_u() const noexcept { return into(this->plan_.mouth_W, this->input_.hand_W.p).x(); }
-
   void begin() noexcept
   {
     this->state_ = {};
     this->state_.revision = this->plan_.revision;
     this->state_.placed = true;
     this->state_.places_M = placesInSheath(this->plan_);
-    this->state_.grip_u = this->handAlong_u();
+    this->state_.grip_u = handAlong_u(this->input_);
     this->state_.hand_W = this->input_.hand_W.q;
   }
 
   void takeHand() noexcept
   {
-    const double before_u = this->state_.led_u;
-    double& led_u = this->state_.led_u;
-    led_u = this->handAlong_u() - this->state_.grip_u;
-    const double out_u = -this->plan_.wire.beams[0].length_u;
-    if (led_u < out_u) // pulled out: the hand slides along the wire, which stays in the sheath
-    {
-      this->state_.grip_u = this->handAlong_u() - out_u;
-      led_u = out_u;
-    }
-    const Quat& m = this->plan_.mouth_W.q;
-    const Quat turn_M = m.conjugate() * (this->input_.hand_W.q * this->state_.hand_W.conjugate()) * m;
-    this->state_.handTurn_rad += rotationVector(turn_M).x();
-    this->state_.hand_W = this->input_.hand_W.q;
+    const double way_u = takeWireHand(this->input_, this->state_);
     const double r = this->plan_.radius_u;
-    this->reach_u_ = std::clamp(reachOfWay * std::abs(led_u - before_u), leastReach * r, mostReach * r);
+    this->reach_u_ = std::clamp(reachOfWay * std::abs(way_u), leastReach * r, mostReach * r);
   }
 
   /// Where the hand leads the outer end. The outer end stays in the sheath, where the handle meets the mouth.
@@ -414,7 +400,7 @@ private:
 bool isUsable(const WireInput& input) noexcept
 {
   return input.plan && input.hand_W.p.allFinite() && std::abs(input.hand_W.q.squaredNorm() - 1.0) < 1e-6 &&
-         input.coupling_N_per_u > 0.0;
+         input.coupling_N_per_u > 0.0 && std::isfinite(input.turnBy_rad);
 }
 
 } // namespace

@@ -18,6 +18,7 @@ struct WireInput
   Pose hand_W;                     ///< its motion along the sheath pushes, its turn about the sheath turns
   double coupling_N_per_u = 0.0;   ///< of the hand's spring along the sheath
   double turning_Nu_per_rad = 0.0; ///< likewise about it; 0: the sheath holds the outer end's turn
+  double turnBy_rad = 0.0;         ///< turn of the outer end in this tick in addition to the hand's
   std::uint32_t budget = std::numeric_limits<std::uint32_t>::max(); ///< in the unit of ContactPlan::workBudget
 };
 
@@ -47,20 +48,25 @@ struct WireState
   WirePresses presses{};
 };
 
-/// Result of one tick. M is the frame of the sheath's mouth.
-struct WireResult
+/// Numbers of a wire in a tick, for a person.
+struct WireReport
 {
-  Wrench wrench_W;         ///< on the hand, along and about the sheath [N, N u]
-  double pushed_u = 0.0;   ///< length of the wire that is out of the sheath, as the outer end has it
-  double turned_rad = 0.0; ///< of the outer end
-  Vec3 tip_W = Vec3::Zero();
+  double pushed_u = 0.0;      ///< length of the wire that is out of the sheath, as the outer end has it
+  double turned_rad = 0.0;    ///< of the outer end
   double tip_N = 0.0;         ///< force of the wall on the last beam
   double wall_N = 0.0;        ///< the largest force of the wall
   Vec3 wall_W = Vec3::Zero(); ///< where
-  int pressCount = 0;
+  int pressCount = 0;         ///< places at which the wall pushes
+  int leftOut = 0;            ///< places near the wall for which a tick has no room
+  int crowded = 0;            ///< beams with more triangles around them than are looked at
+};
+
+/// Result of one tick. M is the frame of the sheath's mouth.
+struct WireResult : WireReport
+{
+  Wrench wrench_W; ///< on the hand, along and about the sheath [N, N u]
+  Vec3 tip_W = Vec3::Zero();
   WirePresses presses{};   ///< those that push, in the order of the beams
-  int leftOut = 0;         ///< places near the wall for which a tick has no room
-  int crowded = 0;         ///< beams with more triangles around them than are looked at
   double deepest_u = 0.0;  ///< of the wire's skin in the wall, where the tick ends
   double stored_Nu = 0.0;  ///< of the wire and the hand's spring
   double share = 1.0;      ///< of the tick's motion that was proven and taken; below 1 the next tick goes on

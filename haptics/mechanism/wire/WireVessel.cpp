@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "haptics/geometry/tree/TreeWalk.h"
 #include "haptics/mechanism/wire/SegmentDistance.h"
@@ -104,6 +103,105 @@ void add(const WireContact& contact, double reach_u, WireContacts& contacts) noe
   }
 }
 
+/// The nearest places of a beam, by walks over the triangles near it.
+struct NearestOfBeam
+{
+  double radius_u;
+  double reach_u;
+  int beam;
+  const Vec3& first_M; ///< of the axis, clipped at the mouth
+  const Vec3& second_M;
+  double from; ///< share of the second node where it is clipped
+
+  /// `each(take)`: calls `take` with the corners of each triangle. `away_u`: brought down to the nearest one.
+  template<class Each>
+  void find(const Each& each, Nearest& nearest, double& away_u) const noexcept
+  {
+    std::ranges::for_each(nearest.end, [](WireContact& c) { c.gap_u = std::numeric_limits<double>::infinity(); });
+    std::ranges::for_each(nearest.between, [](WireContact& c) { c.gap_u = std::numeric_limits<double>::infinity(); });
+    each([&](const std::array<Vec3, 3>& c) { this->takeFirst(c, nearest, away_u); });
+    for (int i = 1; i < 3 && nearest.end[i - 1].gap_u <= this->reach_u; ++i)
+    {
+      each([&](const std::array<Vec3, 3>& c) { this->takeOtherEnd(c, i, nearest); });
+    }
+    if (nearest.between[0].gap_u <= this->reach_u)
+    {
+      each([&](const std::array<Vec3, 3>& c) { this->takeOtherBetween(c, nearest); });
+    }
+  }
+
+private:
+  [[nodiscard]] WireContact endAt(const std::array<Vec3, 3>& c) const noexcept
+  {
+    return contactAt(
+      this->beam, 1.0, this->second_M, nearestOnTriangle(this->second_M, c[0], c[1], c[2]), this->radius_u);
+  }
+
+  [[nodiscard]] WireContact betweenAt(const SegmentPair& pair) const noexcept
+  {
+    return contactAt(this->beam, this->from + pair.along * (1.0 - this->from),
+      this->first_M + pair.along * (this->second_M - this->first_M), pair.on, this->radius_u);
+  }
+
+  [[nodiscard]] static bool isBetween(const SegmentPair& pair) noexcept
+  {
+    return pair.along > inside && pair.along < 1.0 - inside;
+  }
+
+  void takeFirst(const std::array<Vec3, 3>& c, Nearest& nearest, double& away_u) const noexcept
+  {
+    const WireContact end = this->endAt(c);
+    nearest.end[0] = isNearer(end, nearest.end[0]) ? end : nearest.end[0];
+    for (int k = 0; k < 3; ++k)
+    {
+      const SegmentPair pair = nearestOfSegments(this->first_M, this->second_M, c[k], c[(k + 1) % 3]);
+      away_u = std::min(away_u, pair.away_u);
+      if (isBetween(pair))
+      {
+        const WireContact between = this->betweenAt(pair);
+        nearest.between[0] = isNearer(between, nearest.between[0]) ? between : nearest.between[0];
+      }
+    }
+    const double first_u = (nearestOnTriangle(this->first_M, c[0], c[1], c[2]) - this->first_M).norm();
+    away_u = std::min({ away_u, end.gap_u + this->radius_u, first_u });
+  }
+
+  void takeOtherEnd(const std::array<Vec3, 3>& c, int i, Nearest& nearest) const noexcept
+  {
+    const WireContact end = this->endAt(c);
+    nearest.end[i] = isOther(end, nearest.end, i) && isNearer(end, nearest.end[i]) ? end : nearest.end[i];
+  }
+
+  void takeOtherBetween(const std::array<Vec3, 3>& c, Nearest& nearest) const noexcept
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const SegmentPair pair = nearestOfSegments(this->first_M, this->second_M, c[k], c[(k + 1) % 3]);
+      const WireContact other = this->betweenAt(pair);
+      const bool counts = isBetween(pair) && isOther(other, nearest.between, 1);
+      nearest.between[1] = counts && isNearer(other, nearest.between[1]) ? other : nearest.between[1];
+    }
+  }
+};
+
+/// Those between the nodes first. A second one in much the same direction counts only where the wire nearly touches.
+void addNearest(double radius_u, double reach_u, Nearest& nearest, WireContacts& contacts) noexcept
+{
+  for (WireContact& between : nearest.between)
+  {
+    leaveOutStraight(contacts, nearest, radius_u, between);
+    const bool second = &between != nearest.between.data();
+    add(between, second ? almost * radius_u : reach_u, contacts);
+  }
+  add(nearest.end[0], reach_u, contacts);
+  for (int i = 1; i < 3 && nearest.end[i].gap_u < std::numeric_limits<double>::infinity(); ++i)
+  {
+    const double turns = nearest.end[0].normal_M.cross(nearest.end[i].normal_M).norm();
+    const bool corner = nearest.end[0].normal_M.dot(nearest.end[i].normal_M) < 0.0;
+    add(nearest.end[i], corner ? reach_u : turns * reach_u + almost * radius_u, contacts);
+  }
+}
+
 } // namespace
 
 void WireVessel::forget() noexcept
@@ -165,29 +263,30 @@ void WireVessel::ask(const WirePlan& plan, const Axis& axis, double reach_u, Aro
   std::sort_heap(around.near.begin(), around.near.begin() + around.count, isNearer);
 }
 
+double WireVessel::look(
+  const WirePlan& plan, int beam, const Axis& axis, double needed_u, WireContacts& contacts) noexcept
+{
+  Around& around = this->around_[beam];
+  const double moved_u = around.known ? this->movedSince(around, axis) : 0.0;
+  if (around.known && around.all_u - moved_u >= needed_u)
+  {
+    return moved_u;
+  }
+  this->ask(plan, axis, needed_u + std::max(beyond * plan.wire.beams[beam].length_u, 2.0 * plan.radius_u), around);
+  ++contacts.queries;
+  contacts.crowded += around.all_u < needed_u ? 1 : 0;
+  return 0.0;
+}
+
 void WireVessel::findOf(
   const WirePlan& plan, int beam, const Axis& axis, double reach_u, WireContacts& contacts) noexcept
 {
-  const double r = plan.radius_u;
-  Around& around = this->around_[beam];
-  const double needed_u = r + reach_u;
-  double moved_u = around.known ? this->movedSince(around, axis) : 0.0;
-  if (!around.known || around.all_u - moved_u < needed_u)
-  {
-    this->ask(plan, axis, needed_u + std::max(beyond * plan.wire.beams[beam].length_u, 2.0 * r), around);
-    ++contacts.queries;
-    moved_u = 0.0;
-    contacts.crowded += around.all_u < needed_u ? 1 : 0;
-  }
+  const double needed_u = plan.radius_u + reach_u;
+  const double moved_u = this->look(plan, beam, axis, needed_u, contacts);
+  const Around& around = this->around_[beam];
   contacts.away_u[beam] = std::max(std::min(needed_u, around.all_u - moved_u), 0.0);
-  Nearest nearest;
-  for (const std::span<WireContact> all :
-    { std::span<WireContact>(nearest.end), std::span<WireContact>(nearest.between) })
-  {
-    std::ranges::for_each(all, [](WireContact& c) { c.gap_u = std::numeric_limits<double>::infinity(); });
-  }
   const SurfaceData& vessel = plan.vessel->data();
-  const auto each = [&](const auto& look)
+  const auto each = [&](const auto& take)
   {
     for (int i = 0; i < around.count && around.near[i].away_u - moved_u <= needed_u; ++i)
     {
@@ -196,71 +295,14 @@ void WireVessel::findOf(
       if (beyondPlane(axis.first_M, axis.second_M, corners[0], vessel.plane(triangle).normal_W) <= needed_u &&
           leastAway(axis.first_M, axis.second_M, corners) <= needed_u)
       {
-        look(corners);
+        take(corners);
       }
     }
   };
-  const auto endAt = [&](const std::array<Vec3, 3>& c)
-  { return contactAt(beam, 1.0, axis.second_M, nearestOnTriangle(axis.second_M, c[0], c[1], c[2]), r); };
-  const auto betweenAt = [&](const SegmentPair& pair)
-  {
-    return contactAt(beam, axis.from + pair.along * (1.0 - axis.from),
-      axis.first_M + pair.along * (axis.second_M - axis.first_M), pair.on, r);
-  };
-  each(
-    [&](const std::array<Vec3, 3>& c)
-    {
-      const WireContact end = endAt(c);
-      nearest.end[0] = isNearer(end, nearest.end[0]) ? end : nearest.end[0];
-      for (int k = 0; k < 3; ++k)
-      {
-        const SegmentPair pair = nearestOfSegments(axis.first_M, axis.second_M, c[k], c[(k + 1) % 3]);
-        contacts.away_u[beam] = std::min(contacts.away_u[beam], pair.away_u);
-        if (pair.along > inside && pair.along < 1.0 - inside)
-        {
-          const WireContact between = betweenAt(pair);
-          nearest.between[0] = isNearer(between, nearest.between[0]) ? between : nearest.between[0];
-        }
-      }
-      const double first_u = (nearestOnTriangle(axis.first_M, c[0], c[1], c[2]) - axis.first_M).norm();
-      contacts.away_u[beam] = std::min({ contacts.away_u[beam], end.gap_u + r, first_u });
-    });
-  for (int i = 1; i < 3 && nearest.end[i - 1].gap_u <= reach_u; ++i)
-  {
-    each(
-      [&](const std::array<Vec3, 3>& c)
-      {
-        const WireContact end = endAt(c);
-        nearest.end[i] = isOther(end, nearest.end, i) && isNearer(end, nearest.end[i]) ? end : nearest.end[i];
-      });
-  }
-  if (nearest.between[0].gap_u <= reach_u)
-  {
-    each(
-      [&](const std::array<Vec3, 3>& c)
-      {
-        for (int k = 0; k < 3; ++k)
-        {
-          const SegmentPair pair = nearestOfSegments(axis.first_M, axis.second_M, c[k], c[(k + 1) % 3]);
-          const WireContact other = betweenAt(pair);
-          const bool counts = pair.along > inside && pair.along < 1.0 - inside && isOther(other, nearest.between, 1);
-          nearest.between[1] = counts && isNearer(other, nearest.between[1]) ? other : nearest.between[1];
-        }
-      });
-  }
-  for (WireContact& between : nearest.between)
-  {
-    leaveOutStraight(contacts, nearest, r, between);
-    const bool second = &between != nearest.between.data();
-    add(between, second ? almost * r : reach_u, contacts);
-  }
-  add(nearest.end[0], reach_u, contacts);
-  for (int i = 1; i < 3 && nearest.end[i].gap_u < std::numeric_limits<double>::infinity(); ++i)
-  {
-    const double turns = nearest.end[0].normal_M.cross(nearest.end[i].normal_M).norm();
-    const bool corner = nearest.end[0].normal_M.dot(nearest.end[i].normal_M) < 0.0;
-    add(nearest.end[i], corner ? reach_u : turns * reach_u + almost * r, contacts);
-  }
+  Nearest nearest;
+  NearestOfBeam{ plan.radius_u, reach_u, beam, axis.first_M, axis.second_M, axis.from }.find(
+    each, nearest, contacts.away_u[beam]);
+  addNearest(plan.radius_u, reach_u, nearest, contacts);
 }
 
 void WireVessel::find(const WirePlan& plan, const WirePlaces& places_M, double reach_u, WireContacts& contacts) noexcept

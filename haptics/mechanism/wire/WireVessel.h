@@ -70,6 +70,9 @@ private:
 
   [[nodiscard]] double movedSince(const Around& around, const Axis& axis) const noexcept;
   void ask(const WirePlan& plan, const Axis& axis, double reach_u, Around& around) noexcept;
+  /// Has all triangles near enough around the beam, which has moved by the answer since they were asked for.
+  [[nodiscard]] double look(
+    const WirePlan& plan, int beam, const Axis& axis, double needed_u, WireContacts& contacts) noexcept;
   void findOf(const WirePlan& plan, int beam, const Axis& axis, double reach_u, WireContacts& contacts) noexcept;
 
   std::array<Around, Wire::mostBeams> around_;

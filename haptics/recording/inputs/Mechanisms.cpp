@@ -7,24 +7,13 @@
 #include <Eigen/Cholesky>
 
 #include "haptics/recording/inputs/Bodies.h"
+#include "haptics/recording/inputs/Places.h"
+#include "haptics/recording/inputs/Wires.h"
 
 namespace palpate
 {
 namespace
 {
-
-/// Far more than products of turns leave.
-constexpr double offUnitLength = 1e-6;
-
-bool isTurn(const Quat& q)
-{
-  return std::abs(q.norm() - 1.0) <= offUnitLength;
-}
-
-bool isPlace(const Pose& pose)
-{
-  return pose.p.allFinite() && isTurn(pose.q);
-}
 
 bool isPlace(const SurfacePoint& at)
 {
@@ -117,7 +106,7 @@ RecordedMechanism::Body readSoft(ByteReader& in)
 bool isUsable(const PlannedBody& body, std::size_t softCount)
 {
   const bool soft = body.kind == MechanismBodyKind::Soft;
-  return body.kind <= MechanismBodyKind::World && (soft ? body.soft >= 0 : body.soft == -1) &&
+  return body.kind <= MechanismBodyKind::Wire && (soft ? body.soft >= 0 : body.soft == -1) &&
          body.soft < static_cast<int>(softCount) && std::isfinite(body.length_u) && isPlace(body.pose_W) &&
          body.load_W.allFinite() && isValid(body.mass) && body.low_u.allFinite() && body.high_u.allFinite();
 }
@@ -206,13 +195,15 @@ bool isUsable(const RecordedMechanism& mechanism)
     return there && hasVertices(law.place_A, law.a, mechanism) && hasVertices(law.place_B, law.b, mechanism);
   };
   const std::size_t softCount = mechanism.bodies.size();
-  const auto oneHeld =
-    std::ranges::count_if(bodies, [](const PlannedBody& b) { return b.kind == MechanismBodyKind::Held; });
+  const MechanismBodyKind inHand = plan.wire ? MechanismBodyKind::Wire : MechanismBodyKind::Held;
+  const auto oneHeld = std::ranges::count_if(bodies,
+    [](const PlannedBody& b) { return b.kind == MechanismBodyKind::Held || b.kind == MechanismBodyKind::Wire; });
+  const bool alone = plan.bodyCount == 1 && plan.lawCount == 0 && mechanism.found.count == 0;
   return std::ranges::all_of(bodies, [softCount](const PlannedBody& b) { return isUsable(b, softCount); }) &&
          std::ranges::all_of(laws, [&joins](const PlannedConstraint& law) { return isUsable(law) && joins(law); }) &&
          6 * rigid + 3 <= ConstraintProblem::mostWays && rows <= Mechanism::mostRows && oneHeld == 1 &&
          isUsable(mechanism.found) && fits(mechanism.found, mechanism) && hasRoom(mechanism.found, plan, rows) &&
-         bodies[static_cast<std::size_t>(plan.held)].kind == MechanismBodyKind::Held;
+         bodies[static_cast<std::size_t>(plan.held)].kind == inHand && (!plan.wire || alone);
 }
 
 bool isUsable(const LooseMotion& motion)
@@ -255,6 +246,10 @@ void putMechanism(ByteWriter& payload, const FeltMechanism& mechanism)
     }
   }
   put(mechanism.found() ? *mechanism.found() : FoundContacts());
+  if (plan.wire)
+  {
+    putWire(payload, *plan.wire);
+  }
 }
 
 RecordedMechanism readMechanism(ByteReader& in)
@@ -269,6 +264,10 @@ RecordedMechanism readMechanism(ByteReader& in)
     mechanism.bodies.push_back(readSoft(in));
   }
   in.get(mechanism.found);
+  if (in.ok() && in.left() != 0)
+  {
+    mechanism.plan.wire = readWire(in);
+  }
   in.failUnless(in.ok() && isUsable(mechanism));
   return mechanism;
 }
@@ -280,7 +279,7 @@ bool isUsable(const MechanismState& state)
          isUsable(state.found) && std::ranges::all_of(state.pose_W, [](const Pose& pose) { return isPlace(pose); }) &&
          state.push_N.allFinite() && state.turning_N.allFinite() && isPlace(state.led.hand_W) &&
          isPlace(state.led.lead_W) && state.tip_W.allFinite() && state.blend.way_u.allFinite() &&
-         state.blend.turn_u.allFinite();
+         state.blend.turn_u.allFinite() && isUsable(state.wire);
 }
 
 bool fits(const MechanismState& state, const RecordedMechanism& mechanism)

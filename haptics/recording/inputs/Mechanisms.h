@@ -29,7 +29,7 @@ struct RecordedMechanism
 };
 
 /// The payload of the chunk of a mechanism: its plan and the snapshots of its soft bodies, whose scenes are chunks of
-/// their own.
+/// their own; at the end, and only where there is one, its wire.
 void putMechanism(ByteWriter& payload, const FeltMechanism& mechanism);
 /// Of no use, with in.ok() false, where the bytes are none.
 [[nodiscard]] RecordedMechanism readMechanism(ByteReader& in);
@@ -44,6 +44,7 @@ struct MechanismLinks
 {
   RecordedMailbox<FeltMechanism> felt; ///< worker -> servo
   TripleBuffer<MechanismHand> hand;    ///< servo -> worker
+  TripleBuffer<WirePlaces> wire;       ///< likewise, of a wire in the hand: in the frame of its sheath's mouth
 };
 
 namespace input
@@ -67,6 +68,10 @@ struct Mechanisms
   static void tellWorker(const TickDone& done, Links& links) noexcept
   {
     links.mechanism.hand.write(done.state.mechanismHand);
+    if (done.input.mechanism && done.input.mechanism->plan().wire)
+    {
+      links.mechanism.wire.write(done.state.mechanism.wire.places_M);
+    }
   }
   struct Workspace
   {

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/recording/inputs/Mechanisms.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
 
@@ -157,6 +158,22 @@ void MechanismTask::readHand()
   hand.pressCount = this->bodies_->knows(hand.plan) ? hand.pressCount : 0;
   this->bodies_->tell(hand);
   this->watchOverlaps(ofThese ? &hand : nullptr);
+  this->watchWire(ofThese);
+}
+
+/// `ofThese`: the servo has this plan.
+void MechanismTask::watchWire(bool ofThese)
+{
+  std::vector<Vec3> wire_W;
+  if (this->plan_.wire && ofThese)
+  {
+    const WirePlaces& places_M = this->links_.wire.read();
+    for (int i = 0; i < this->plan_.wire->wire.nodes(); ++i)
+    {
+      wire_W.push_back(this->plan_.wire->mouth_W * places_M[static_cast<std::size_t>(i)].p);
+    }
+  }
+  this->channel_.report([&wire_W](MechanismStatus& status, const Order&) { status.wire_W = std::move(wire_W); });
 }
 
 /// Where the hand holds nothing of this plan no body is anywhere.

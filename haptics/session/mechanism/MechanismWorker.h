@@ -25,6 +25,7 @@ struct MechanismStatus : WorkStatus
   std::uint64_t plan = 0;         ///< revision of the one that the servo is given; 0: none
   std::vector<SeenBody> soft;     ///< of that, in the order of its inputs
   BodiesAtRest atRest;            ///< likewise
+  std::vector<Vec3> wire_W;       ///< nodes of a wire as the tick had them last; of another mechanism none
 };
 
 /// A mechanism, and how the hand would hold it.
@@ -78,6 +79,7 @@ private:
   [[nodiscard]] MechanismCheck judge() const;
   void readHand();
   void watchOverlaps(const MechanismHand* hand);
+  void watchWire(bool ofThese);
   void publish(bool all);
   [[nodiscard]] double period_s() const noexcept { return workerPeriod_s(this->now_.choice.rate_Hz); }
 

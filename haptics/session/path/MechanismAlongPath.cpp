@@ -263,7 +263,8 @@ std::unique_ptr<PathKind> mechanismAlongPath(const PathInputs& inputs, PathRepor
     report.refusal = mechanism.name + ": " + report.refusal;
     return nullptr;
   }
-  return std::make_unique<MechanismAlongPath>(std::move(touch), mechanism.inputs->mechanism);
+  return touch->plan().wire ? wireAlongPath(std::move(touch))
+                            : std::make_unique<MechanismAlongPath>(std::move(touch), mechanism.inputs->mechanism);
 }
 
 } // namespace palpate

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "haptics/mechanism/wire/WirePlan.h"
 #include "haptics/session/mechanism/MechanismBodies.h"
 #include "haptics/session/path/PathSettings.h"
 #include "haptics/session/scene/FeltField.h"
@@ -59,16 +58,7 @@ struct PathMechanism
   std::shared_ptr<const MechanismInputs> inputs;
 };
 
-/// A wire in its vessel.
-struct PathWire
-{
-  std::string name;
-  WireDescription description;
-  std::shared_ptr<const TriangleMesh> vessel_W;
-};
-
-/// The input of a path that is known before. A mechanism or a wire is felt alone; a tool feels surfaces and a soft
-/// body.
+/// The input of a path that is known before. A mechanism is felt alone; a tool feels surfaces and a soft body.
 struct PathInputs
 {
   SettingStore settings = pathSettings();
@@ -78,7 +68,6 @@ struct PathInputs
   std::optional<PathTool> tool;
   std::optional<PathBody> body;
   std::optional<PathMechanism> mechanism;
-  std::optional<PathWire> wire;
 };
 
 } // namespace palpate

@@ -9,6 +9,8 @@
 namespace palpate
 {
 
+class MechanismTouch;
+
 /// The object that moves along a path. Nothing is given to next() twice, and finish() comes after the last sample.
 class PathKind
 {
@@ -28,8 +30,9 @@ public:
 [[nodiscard]] std::unique_ptr<PathKind> ballAlongPath(const PathInputs& inputs, PathReport& report);
 [[nodiscard]] std::unique_ptr<PathKind> toolAlongPath(const PathInputs& inputs, PathReport& report);
 [[nodiscard]] std::unique_ptr<PathKind> toolOnBodyAlongPath(const PathInputs& inputs, PathReport& report);
-[[nodiscard]] std::unique_ptr<PathKind> wireAlongPath(const PathInputs& inputs, PathReport& report);
 [[nodiscard]] std::unique_ptr<PathKind> mechanismAlongPath(const PathInputs& inputs, PathReport& report);
+/// The columns of a mechanism that is a wire.
+[[nodiscard]] std::unique_ptr<PathKind> wireAlongPath(std::unique_ptr<MechanismTouch> touch);
 
 /// The surfaces and curves as one scene, with the parts that cleaning left out in the notes; null with a refusal.
 [[nodiscard]] std::shared_ptr<const Scene> pathScene(const PathInputs& inputs, PathReport& report);

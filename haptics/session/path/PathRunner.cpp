@@ -21,8 +21,7 @@ std::unique_ptr<PathKind> kindOf(const PathInputs& inputs, PathReport& report)
   {
     return nullptr;
   }
-  return inputs.wire                  ? wireAlongPath(inputs, report)
-         : inputs.mechanism           ? mechanismAlongPath(inputs, report)
+  return inputs.mechanism             ? mechanismAlongPath(inputs, report)
          : inputs.tool && inputs.body ? toolOnBodyAlongPath(inputs, report)
          : inputs.tool                ? toolAlongPath(inputs, report)
                                       : ballAlongPath(inputs, report);

@@ -197,6 +197,10 @@ const Setting settings[] = {
       "Rotational stiffness between hand and held body; with the mouse 1 N m/rad or more. 0, or a device without "
       "torque output: the body rotates freely",
       NextTick, { 0.0 }, {}, 0.0, 1000.0 })),
+  at({ .field = "mechanism.wireTurn_deg", .group = "mechanism" },
+    { "WireTurn", Number, "deg", "Wire turned by",
+      "Turn of a held wire about its sheath beside the hand's own rotation; reached at one turn in a second", NextTick,
+      { 0.0 }, {}, -36000.0, 36000.0 }),
   at({ .group = "soft" }, flag("ShowSoftHand", "Show its hand",
                             "Draw a grey ball at the hand position used by the last soft-body solve, next to the hand "
                             "and the proxy. For a mechanism: a ghost of the held body",

@@ -135,6 +135,7 @@ struct MechanismNow
   std::array<FoundPress, FoundContacts::most> found{}; ///< the first `touching`
   int leftOut = 0;                                     ///< places that touch, for which the tick has no room
   bool ahead = false; ///< the hand is ahead of the held mesh, whose contacts were looked for no further
+  WireReport wire;    ///< of the body in the hand; the first of its contacts are among those that were found
 };
 
 /// Result of a tick for view, panel and recording.

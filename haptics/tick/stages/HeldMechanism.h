@@ -42,6 +42,30 @@ void membersOf(const Visit& visit, Event& event) requires std::is_same_v<std::re
   visit(event.force_N);
 }
 
+template<class Visit, class Press>
+void membersOf(const Visit& visit, Press& press) requires std::is_same_v<std::remove_const_t<Press>, WirePress>
+{
+  visit(press.beam);
+  visit(press.at_M);
+  visit(press.axes_N);
+  visit(press.force_M);
+}
+
+template<class Visit, class Wire>
+void membersOf(const Visit& visit, Wire& wire) requires std::is_same_v<std::remove_const_t<Wire>, WireState>
+{
+  visit(wire.revision);
+  visit(wire.placed);
+  visit(wire.places_M);
+  visit(wire.grip_u);
+  visit(wire.led_u);
+  visit(wire.hand_W);
+  visit(wire.handTurn_rad);
+  visit(wire.turned_rad);
+  visit(wire.pressCount);
+  visit(wire.presses);
+}
+
 namespace stage
 {
 
@@ -56,17 +80,21 @@ struct HeldMechanism
     /// Rotational stiffness between hand and held body; 0: free rotation, as always where the device has no
     /// torque. A softer spring of the hand makes this one softer by as much.
     double mechanismTurning_N_m_per_rad = 0.0;
+    /// Turn of a wire about its sheath in addition to the hand's, reached at no more than a turn in a second.
+    double wireTurn_deg = 0.0;
   };
   template<class Visit, class... P>
   static void planFields(const Visit& visit, P&... p)
   {
     visit("turning_N_m_per_rad", p.mechanismTurning_N_m_per_rad...);
+    visit("wireTurn_deg", p.wireTurn_deg...);
   }
   [[nodiscard]] static std::string refuse(const Plan& p)
   {
-    return nonNegative(p.mechanismTurning_N_m_per_rad)
-             ? ""
-             : "mechanism: the rotational stiffness [N m/rad] must be a number that is not negative";
+    return !nonNegative(p.mechanismTurning_N_m_per_rad)
+             ? "mechanism: the rotational stiffness [N m/rad] must be a number that is not negative"
+           : std::isfinite(p.wireTurn_deg) ? ""
+                                           : "mechanism: the turn of a wire [degrees] must be a finite number";
   }
 
   struct State
@@ -76,6 +104,7 @@ struct HeldMechanism
     bool mechanismLoose = false;     ///< the clutch was held: the hand takes it anew
     std::uint64_t mechanismTick = 0; ///< the last one with a mechanism; 0: none
     ConstraintChanges mechanismChanges;
+    double wireTurned_rad = 0.0; ///< of wireTurn_deg, so far
     MechanismHand mechanismHand; ///< for the worker
   };
   template<class Visit, class... S>
@@ -104,6 +133,8 @@ struct HeldMechanism
     visit("changes.plan", s.mechanismChanges.plan...);
     visit("changes.count", s.mechanismChanges.count...);
     visit("changes.newest", s.mechanismChanges.newest...);
+    visit("wire", s.mechanism.wire...);
+    visit("wireTurned_rad", s.wireTurned_rad...);
   }
 
   static void step(TickContext& tick) noexcept;

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/wire/WirePlan.h"
 #include "haptics/tick/TickContext.h"
 
 namespace palpate::stage
@@ -36,7 +38,18 @@ void takePlan(TickContext& tick) noexcept
     beginAnew(plan, tick.s.mechanism);
     tick.s.mechanismChanges = {};
     tick.s.mechanismChanges.plan = plan.revision;
+    tick.s.wireTurned_rad = 0.0;
   }
+}
+
+/// Turn of a wire that the person asks for in addition to the hand's.
+double turnWireBy_rad(TickContext& tick) noexcept
+{
+  constexpr double most_rad_per_s = 2.0 * std::numbers::pi, radPerDegree = std::numbers::pi / 180.0;
+  const double most_rad = most_rad_per_s * tick.input.dt_s;
+  const double by_rad = std::clamp(radPerDegree * tick.p.wireTurn_deg - tick.s.wireTurned_rad, -most_rad, most_rad);
+  tick.s.wireTurned_rad += by_rad;
+  return by_rad;
 }
 
 /// A constraint that the person breaks holds nothing from this tick on, whether the tick knows the place of the hand or
@@ -63,6 +76,8 @@ const MechanismResult& compute(TickContext& tick, double lever_m) noexcept
   input.plan = &tick.input.mechanism->plan();
   input.hand_W = heldBy(lead_W(tick), *input.plan);
   input.grip = { stiffness_N_per_m / scale_u_per_m, stiffness_N_per_m * lever_m * lever_m * scale_u_per_m };
+  input.turnBy_rad = turnWireBy_rad(tick);
+  input.wireBudget = tick.p.contact.workBudget;
   input.soft = tick.input.mechanism->soft();
   input.found = tick.input.mechanism->found();
   MechanismTick& room = *tick.input.mechanismTick;
@@ -133,6 +148,18 @@ void tellFound(
   }
 }
 
+/// The forces of the wall on a wire, as many as there is room for.
+void tellWall(const MechanismPlan& plan, const WireState& wire, MechanismNow& now) noexcept
+{
+  const auto room = static_cast<int>(now.found.size());
+  for (int i = 0; plan.wire && i < std::min(wire.pressCount, room); ++i)
+  {
+    const WirePress& press = wire.presses[i];
+    now.found[now.touching++] = { plan.held, plan.held, plan.wire->mouth_W * press.at_M,
+      plan.wire->mouth_W.q * press.force_M };
+  }
+}
+
 void tell(const TickContext& tick, const MechanismResult& result, HapticState& state) noexcept
 {
   const MechanismPlan& plan = tick.input.mechanism->plan();
@@ -145,7 +172,9 @@ void tell(const TickContext& tick, const MechanismResult& result, HapticState& s
     state.contacts += law.force_W != Vec3::Zero();
   }
   tellFound(plan, tick.s.mechanism.found, result, now);
-  state.contacts += now.touching;
+  state.contacts += now.touching + result.wire.pressCount;
+  tellWall(plan, tick.s.mechanism.wire, now);
+  now.wire = result.wire;
   now.ahead = result.ahead;
   now.leftOut = tick.s.mechanism.found.leftOut;
   now.residual_u = result.residual_u;
