@@ -9,6 +9,7 @@
 #   COST seconds       about how long it takes: ctest starts the longest first, so that no core idles at the end. Default: 20 of gui
 #                      and plugin, 10 of fuzz and filters, 0 of the others
 #   GROUP name         its program is built apart (palpate_build_apart), before the first test of that group
+#   IN_TURN            ./dev test runs it at one commit in seven (support/turns.py); not for tests that are discovered one by one
 
 find_package(GTest REQUIRED)
 include(GoogleTest)
@@ -33,9 +34,28 @@ set(PALPATE_TEST_ENVIRONMENT
 set(PALPATE_MPI_ENVIRONMENT
   "OMPI_ALLOW_RUN_AS_ROOT=1" "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1" "OMPI_MCA_rmaps_base_oversubscribe=1")
 
+# The shares that commits take turns with, with the targets that build them: those of support/turns.py. The last has no tests.
+set(PALPATE_TURNS turn-0 turn-1 turn-2 turn-3 turn-4 turn-none)
+foreach (turn IN LISTS PALPATE_TURNS)
+  add_custom_target("${turn}")
+endforeach ()
+# Programs that are built apart and that every commit tries.
+add_custom_target(palpate_every_turn)
+add_custom_target(palpate_apart)
+
+# Sets RESULT to the next share: they are dealt out in the order of the tests, so that neighbours, which cost alike, are far apart.
+function (_palpate_next_turn RESULT)
+  get_property(dealt GLOBAL PROPERTY PALPATE_TURNS_DEALT)
+  math(EXPR next "0${dealt} % 5")
+  list(GET PALPATE_TURNS "${next}" turn)
+  math(EXPR dealt "${next} + 1")
+  set_property(GLOBAL PROPERTY PALPATE_TURNS_DEALT "${dealt}")
+  set("${RESULT}" "${turn}" PARENT_SCOPE)
+endfunction ()
+
 # Parses ARGN into arg_*; keeps the defaults in one place.
 macro (_palpate_parse default_label one_value multi_value)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL;OWN_HEADERS" "NAME;LABEL;TIMEOUT;COST;GROUP;${one_value}" "ENVIRONMENT;${multi_value}")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL;OWN_HEADERS;IN_TURN;AS_RELEASED" "NAME;LABEL;TIMEOUT;COST;GROUP;${one_value}" "ENVIRONMENT;${multi_value}")
   if (arg_UNPARSED_ARGUMENTS OR NOT arg_NAME)
     message(FATAL_ERROR "Test '${arg_NAME}': NAME is missing, or these arguments are unknown: ${arg_UNPARSED_ARGUMENTS}")
   endif ()
@@ -59,50 +79,75 @@ macro (_palpate_parse default_label one_value multi_value)
   if (NOT arg_SERIAL)
     set(arg_SERIAL OFF)
   endif ()
+  set(arg_TURN "")
+  if (arg_IN_TURN)
+    _palpate_next_turn(arg_TURN)
+  endif ()
   list(PREPEND arg_ENVIRONMENT ${PALPATE_TEST_ENVIRONMENT})
 endmacro ()
 
 function (_palpate_set_properties test)
+  set(labels "${arg_LABEL}" ${arg_TURN})
   set_tests_properties("${test}" PROPERTIES
-    LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" COST "${arg_COST}" RUN_SERIAL "${arg_SERIAL}" ENVIRONMENT "${arg_ENVIRONMENT}")
+    LABELS "${labels}" TIMEOUT "${arg_TIMEOUT}" COST "${arg_COST}" RUN_SERIAL "${arg_SERIAL}" ENVIRONMENT "${arg_ENVIRONMENT}")
   if (arg_GROUP)
-    set_tests_properties("${test}" PROPERTIES FIXTURES_REQUIRED "${arg_GROUP}")
+    _palpate_share_of(share "${arg_GROUP}" "${arg_TURN}")
+    set_tests_properties("${test}" PROPERTIES FIXTURES_REQUIRED "${share}")
   endif ()
 endfunction ()
 
-# palpate_build_apart(GROUP target...): targets that only their own tests run. The default target leaves them out; ctest builds
-# the group before the first of its tests (a fixture, which ctest adds to whatever it selects), so that a test never runs an old
-# program. To build them by hand: ninja -C build GROUP, or all groups: ninja -C build palpate_apart.
-function (palpate_build_apart group)
-  if (NOT TARGET palpate_apart)
-    add_custom_target(palpate_apart)
+# Sets RESULT to the target of those programs of a group that one turn has; TURN may be "".
+function (_palpate_share_of RESULT group turn)
+  set(share "${group}-every-turn")
+  if (turn)
+    set(share "${group}-${turn}")
   endif ()
+  set("${RESULT}" "${share}" PARENT_SCOPE)
+endfunction ()
+
+# palpate_build_apart(GROUP TURN target...): targets that only their own tests run. The default target leaves them out; ctest builds
+# those of the group and the turn before the first of their tests (a fixture, which ctest adds to whatever it selects), so that a test
+# never runs an old program. To build them by hand: ninja -C build GROUP, or all groups: ninja -C build palpate_apart. TURN: arg_TURN.
+function (palpate_build_apart group turn)
   if (NOT TARGET "${group}")
     add_custom_target("${group}")
     add_dependencies(palpate_apart "${group}")
-    add_test(NAME "build.${group}" COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --target "${group}")
+  endif ()
+  _palpate_share_of(share "${group}" "${turn}")
+  if (NOT TARGET "${share}")
+    add_custom_target("${share}")
+    add_dependencies("${group}" "${share}")
+    if (turn)
+      add_dependencies("${turn}" "${share}")
+    else ()
+      add_dependencies(palpate_every_turn "${share}")
+    endif ()
+    add_test(NAME "build.${share}" COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --target "${share}")
     # The compilers take all cores: nothing else is started beside them.
-    set_tests_properties("build.${group}" PROPERTIES FIXTURES_SETUP "${group}" TIMEOUT 3600 RUN_SERIAL ON)
+    set_tests_properties("build.${share}" PROPERTIES FIXTURES_SETUP "${share}" LABELS "${turn}" TIMEOUT 3600 RUN_SERIAL ON)
   endif ()
   set_target_properties(${ARGN} PROPERTIES EXCLUDE_FROM_ALL ON)
-  add_dependencies("${group}" ${ARGN})
+  add_dependencies("${share}" ${ARGN})
 endfunction ()
 
 # Parsing the headers that every test includes is most of its compile time: one test compiles them, those with the same flags
-# take them over. CGAL and Qt bring flags of their own, programs of a GROUP are built by whoever tries them, alone.
+# take them over. CGAL and Qt bring flags of their own, programs of a GROUP are built by whoever tries them, alone. FLAGS: a name for
+# the flags.
 set(palpate_test_headers <gmock/gmock.h> <gtest/gtest.h> <Eigen/Core> <Eigen/Geometry> <algorithm> <memory> <string> <vector>)
-function (palpate_share_test_headers target)
-  get_property(owner GLOBAL PROPERTY PALPATE_TEST_HEADERS_OWNER)
-  if (owner)
-    target_precompile_headers("${target}" REUSE_FROM "${owner}")
+function (palpate_share_test_headers target flags)
+  get_property(first GLOBAL PROPERTY "PALPATE_TEST_HEADERS_${flags}")
+  if (first)
+    target_precompile_headers("${target}" REUSE_FROM "${first}")
     return ()
   endif ()
   target_precompile_headers("${target}" PRIVATE ${palpate_test_headers})
-  set_property(GLOBAL PROPERTY PALPATE_TEST_HEADERS_OWNER "${target}")
+  set_property(GLOBAL PROPERTY "PALPATE_TEST_HEADERS_${flags}" "${target}")
 endfunction ()
 
-# palpate_add_unit_test(NAME contact SOURCES TestA.cpp TestB.cpp [LIBRARIES ...] [CGAL] [OWN_HEADERS] [VTK_MODULES VTK::IOXML ...])
-# A GoogleTest program linked to the core and testing/support; each TEST becomes a ctest "name.Suite.Test".
+# palpate_add_unit_test(NAME contact SOURCES TestA.cpp TestB.cpp [LIBRARIES ...] [CGAL] [OWN_HEADERS] [AS_RELEASED]
+#   [VTK_MODULES VTK::IOXML ...])
+# A GoogleTest program linked to the core and testing/support; each TEST becomes a ctest "name.Suite.Test". Its own sources are
+# compiled at -O1, which takes a sixth less time; AS_RELEASED: at -O2, for judges that compute longer than they compile.
 # Label: unit. CGAL: the sources use CGAL (oracles). Eight sources are compiled at once, so they name things differently.
 # OWN_HEADERS: the caller precompiles others. VTK_MODULES: linked and auto-initialised. With GROUP it is one ctest, "name": its tests can be listed only once it is built.
 function (palpate_add_unit_test)
@@ -114,14 +159,19 @@ function (palpate_add_unit_test)
   if (arg_CGAL)
     target_link_libraries("${arg_NAME}" PRIVATE CGAL::CGAL)
   endif ()
+  set(flags released)
+  if (NOT arg_AS_RELEASED)
+    set(flags tests)
+    target_compile_options("${arg_NAME}" PRIVATE "$<$<CONFIG:Release>:-O1>")
+  endif ()
   if (NOT arg_CGAL AND NOT arg_GROUP AND NOT "${arg_LIBRARIES}" MATCHES "Qt[0-9]::" AND NOT arg_OWN_HEADERS)
-    palpate_share_test_headers("${arg_NAME}")
+    palpate_share_test_headers("${arg_NAME}" "${flags}")
   endif ()
   if (arg_VTK_MODULES)
     vtk_module_autoinit(TARGETS "${arg_NAME}" MODULES ${arg_VTK_MODULES})
   endif ()
   if (arg_GROUP)
-    palpate_build_apart("${arg_GROUP}" "${arg_NAME}")
+    palpate_build_apart("${arg_GROUP}" "${arg_TURN}" "${arg_NAME}")
     add_test(NAME "${arg_NAME}" COMMAND "${arg_NAME}" --gtest_brief=1)
     _palpate_set_properties("${arg_NAME}")
     return ()
@@ -141,7 +191,7 @@ endfunction ()
 function (palpate_add_program_test)
   _palpate_parse(unit "TARGET" "ARGUMENTS")
   if (arg_GROUP)
-    palpate_build_apart("${arg_GROUP}" "${arg_TARGET}")
+    palpate_build_apart("${arg_GROUP}" "${arg_TURN}" "${arg_TARGET}")
   endif ()
   add_test(NAME "${arg_NAME}" COMMAND "${arg_TARGET}" ${arg_ARGUMENTS})
   _palpate_set_properties("${arg_NAME}")
@@ -261,6 +311,7 @@ endfunction ()
 function (palpate_add_fuzz_target)
   _palpate_parse(fuzz "CORPUS;FULL_RUNS" "SOURCES;PARTS;OPTIONS;LIBRARIES;VARIANTS")
   set(arg_GROUP palpate_fuzzers)
+  _palpate_next_turn(arg_TURN)
   find_program(PALPATE_CLANG clang++)
   if (NOT PALPATE_CLANG)
     message(STATUS "Fuzz target ${arg_NAME}: left out, clang++ is not installed")
@@ -290,7 +341,7 @@ function (palpate_add_fuzz_target)
   foreach (part IN LISTS arg_PARTS)
     add_dependencies("${arg_NAME}" "${part}")
   endforeach ()
-  palpate_build_apart(palpate_fuzzers "${arg_NAME}")
+  palpate_build_apart(palpate_fuzzers "${arg_TURN}" "${arg_NAME}")
   if (NOT arg_VARIANTS)
     _palpate_add_fuzz_test("${arg_NAME}")
   endif ()

@@ -8,6 +8,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from turns import TURNS, label_of, others_of
+
 ROOT = Path(os.environ.get("PALPATE_SOURCE_DIR") or Path(__file__).resolve().parents[2])
 BUILD = Path(os.environ.get("PALPATE_BUILD_DIR") or ROOT / "build")
 DPKG_QUERY = """#!/bin/sh
@@ -106,6 +108,30 @@ class Dev(unittest.TestCase):
         self.assertEqual(result.returncode, 0)
         for command in ("run", "test", "build", "lab"):
             self.assertIn(f"\n  {command} ", result.stdout)
+
+
+class Turns(unittest.TestCase):
+    """Slow tests are done by one commit in seven, and none by no commit."""
+
+    COMMITS = range(1000, 1000 + TURNS)
+
+    def test_as_many_commits_in_a_row_as_there_are_turns_do_every_slow_test_once(self):
+        told = subprocess.run(["ctest", "--test-dir", str(BUILD), "--print-labels"], capture_output=True, text=True, check=True)
+        labels = re.findall(r"^ *(turn-\S+)$", told.stdout, re.MULTILINE)
+        self.assertGreater(len(labels), 1)
+        for label in labels:
+            done = [number for number in self.COMMITS if not re.search(others_of(number), label)]
+            self.assertEqual([label_of(number) for number in done], [label])
+
+    def test_a_test_that_is_in_no_turn_is_left_out_by_no_commit(self):
+        for number in self.COMMITS:
+            for label in ("unit", "filters", "plugin", "gui", "lab", "vm", "vm-usb"):
+                self.assertIsNone(re.search(others_of(number), label))
+
+    def test_what_a_commit_builds_is_what_its_tests_need(self):
+        told = subprocess.run(["ninja", "-C", str(BUILD), "-t", "targets", "all"], capture_output=True, text=True, check=True)
+        targets = set(re.findall(r"^(\S+): phony$", told.stdout, re.MULTILINE))
+        self.assertLessEqual({label_of(number) for number in self.COMMITS} | {"palpate_every_turn"}, targets)
 
 
 if __name__ == "__main__":

@@ -1,13 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tests that take minutes are done in turn: each commit does one of them, so that as many commits in a row as there are do all.
-With PALPATE_TEST_FULL a run does every one."""
+"""Tests that take minutes are done in turn: each commit does one share of them, so that as many commits in a row as there are turns
+do all. With PALPATE_TEST_FULL a run does every one.
+
+usage: turns.py label     prints the label of the slow tests that this commit does: those of IN_TURN in testing/cmake/PalpateTests.cmake
+       turns.py others    prints a regular expression of ctest for the labels of all others
+"""
 
 import os
 import pathlib
 import subprocess
+import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-TURNS = 7  # five shares of the long experiments, then each sanitizer: a commit has time for one
+SHARES = 5  # of the long experiments, of the fuzzers and of other tests IN_TURN
+TURNS = SHARES + 2  # then each sanitizer: a commit has time for one
 
 
 def git(*words):
@@ -28,3 +34,18 @@ def in_turn(shares, first):
         return list(shares)
     turn = commit_number() % TURNS - first
     return [shares[turn]] if 0 <= turn < len(shares) else []
+
+
+def label_of(number):
+    """The label of the tests that the commit of that number does; a commit that has a sanitizer does none."""
+    turn = number % TURNS
+    return f"turn-{turn}" if turn < SHARES else "turn-none"
+
+
+def others_of(number):
+    """A regular expression for the labels of the tests that the commit of that number leaves to others."""
+    return f"^turn-[^{label_of(number).removeprefix('turn-')}]"
+
+
+if __name__ == "__main__":
+    print({"label": label_of, "others": others_of}[sys.argv[1]](commit_number()))

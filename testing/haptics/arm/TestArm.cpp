@@ -10,13 +10,18 @@
 #include "testing/oracles/arm/ArmOracle.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Arms.h"
+#include "testing/support/LongForm.h"
 
 namespace palpate
 {
 namespace
 {
 
-constexpr std::size_t postures = 2000; // of each arm
+/// Of each arm, the long form's 2,000.
+std::size_t postures()
+{
+  return test::isLongForm() ? 2000 : 200;
+}
 
 JointVector randomWay(const Arm& arm, test::Random& random)
 {
@@ -47,7 +52,7 @@ void forEachPosture(std::uint64_t seed, const std::vector<ArmPlan>& arms, std::s
 
 TEST(Arm, BringsTheTipWhereTheConstraintsOfItsLinksPutIt)
 {
-  forEachPosture(871, test::allArms(), postures,
+  forEachPosture(871, test::allArms(), postures(),
     [](const Arm& arm, const JointVector& q, test::Random&)
     {
       const Vec3 p = arm.forward(q)->p;
@@ -59,7 +64,7 @@ TEST(Arm, BringsTheTipWhereTheConstraintsOfItsLinksPutIt)
 
 TEST(Arm, ReachesAgainWhereItWas)
 {
-  forEachPosture(872, test::allArms(), postures,
+  forEachPosture(872, test::allArms(), postures(),
     [](const Arm& arm, const JointVector& q, test::Random&)
     {
       const Pose tip = *arm.forward(q);
@@ -76,7 +81,7 @@ TEST(Arm, ReachesAgainWhereItWas)
 
 TEST(Arm, HasTheJacobianOfDifferencesAndDoesTheWorkOfItsTorques)
 {
-  forEachPosture(873, test::allArms(), postures,
+  forEachPosture(873, test::allArms(), postures(),
     [](const Arm& arm, const JointVector& q, test::Random& random)
     {
       const Posture posture = arm.posture(q);

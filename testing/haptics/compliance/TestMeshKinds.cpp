@@ -10,6 +10,7 @@
 
 #include "PressedLayer.h"
 #include "haptics/compliance/build/TetraMesher.h"
+#include "testing/support/LongForm.h"
 
 namespace palpate::test
 {
@@ -52,7 +53,7 @@ void expectTruthOnBlock(const oracle::Layer& layer, const Press& press, double e
 
 TEST(MeshKinds, WithNodesHalfwayABallIsFeltTruly)
 {
-  for (const double poisson : { 0.3, 0.45, 0.49 })
+  for (const double poisson : casesOf<double>({ 0.3, 0.45, 0.49 }, { 0.49 }))
   {
     const oracle::Layer thick{ 20e3, poisson, 0.05 };
     expectTruthOnBlock(thick, { 0.02, 0.003 }, 0.017, ElementKind::Quadratic);
@@ -66,7 +67,7 @@ TEST(MeshKinds, WithNodesHalfwayABallIsFeltTruly)
 
 TEST(MeshKinds, WithSmoothedEdgesABallIsFeltTrulyAtOtherPoissonsRatiosToo)
 {
-  for (const double poisson : { 0.0, 0.3 })
+  for (const double poisson : casesOf<double>({ 0.0, 0.3 }, { 0.0 }))
   {
     const oracle::Layer thick{ 20e3, poisson, 0.05 };
     expectTruthOnBlock(thick, { 0.02, 0.003 }, 0.017, ElementKind::EdgeSmoothed);

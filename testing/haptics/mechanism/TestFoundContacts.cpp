@@ -11,6 +11,7 @@
 #include "haptics/session/path/PathTouch.h"
 #include "haptics/tool/motion/Turn.h"
 #include "testing/support/AllocationGuard.h"
+#include "testing/support/LongForm.h"
 
 namespace palpate::test
 {
@@ -101,7 +102,7 @@ TEST_P(BallOnPads, OfAMeshIsPressedBackAsTheExactBallOnTheSamePad)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, BallOnPads, testing::Values(8, 16));
+INSTANTIATE_TEST_SUITE_P(Each, BallOnPads, testing::ValuesIn(casesOf<int>({ 8, 16 }, { 8 })));
 
 /// Speed at which the hand comes down, and how deep it stops.
 struct Descent

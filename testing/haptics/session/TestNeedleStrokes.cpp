@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A session whose simulated hand pushes a needle through an abdominal wall into a liver, both of tetrahedra, and pulls
-// it out again, 100 strokes in every hand, then holds still in them. PALPATE_TEST_COUNT: of strokes.
+// it out again, 30 strokes in every hand, 100 in the long form, then holds still in them. PALPATE_TEST_COUNT: of
+// strokes.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/SessionWorkers.h"
 #include "haptics/session/mechanism/MechanismChoice.h"
+#include "testing/support/LongForm.h"
 #include "testing/support/Random.h"
 #include "testing/support/TemporaryFolder.h"
 
@@ -92,7 +94,7 @@ class NeedleStrokes : public testing::TestWithParam<HandModel>
 {
 protected:
   [[nodiscard]] static bool held() { return GetParam().stiffness_N_per_m > 0.0; }
-  [[nodiscard]] static int strokes() { return held() ? static_cast<int>(testCount(100)) : 3; }
+  [[nodiscard]] static int strokes() { return held() ? static_cast<int>(testCount(isLongForm() ? 100 : 30)) : 3; }
 
   void begin(const std::string& file)
   {

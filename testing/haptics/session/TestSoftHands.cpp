@@ -2,7 +2,6 @@
 // Simulated hands press, slide over and let go of a soft block, and at last rest on it. 3 s each; a minute with
 // PALPATE_TEST_FULL.
 #include <cmath>
-#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +11,7 @@
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/SessionWorkers.h"
 #include "haptics/session/soft/SoftChoice.h"
+#include "testing/support/LongForm.h"
 #include "testing/support/TemporaryFolder.h"
 
 namespace palpate::test
@@ -163,7 +163,7 @@ TEST_P(SoftHands, PressSlideAndLetGoAreStableComeToRestWhereEnergyIsLeastAndRepl
 {
   const TemporaryFolder folder;
   this->begin(folder.file("hand"));
-  const double seconds = std::getenv("PALPATE_TEST_FULL") != nullptr ? 60.0 : 3.0;
+  const double seconds = isLongForm() ? 60.0 : 3.0;
   const Played played = this->play(seconds);
   EXPECT_GE(played.least_J, -0.02 * played.most_J) << "a hand gets back no more than it gave";
   EXPECT_GE(played.presses, this->held() ? static_cast<int>(seconds) : 1);

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <stdexcept>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SparseCholesky>
+
+#include "testing/oracles/sparse/SymmetricSolve.h"
 
 namespace palpate::oracle
 {
@@ -207,12 +207,7 @@ void QuadraticSolid::solve()
       load.segment<3>(number[n]) = this->load_.segment<3>(3 * static_cast<Eigen::Index>(n));
     }
   }
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor(stiffness);
-  if (factor.info() != Eigen::Success)
-  {
-    throw std::runtime_error("the solid is not held");
-  }
-  const Eigen::VectorXd moved = factor.solve(load);
+  const Eigen::VectorXd moved = solveSymmetric(stiffness, load);
   for (std::size_t n = 0; n < number.size(); ++n)
   {
     if (number[n] >= 0)
