@@ -11,6 +11,8 @@
 namespace palpate
 {
 
+class StandingMeshes;
+
 /// Input of one tick of a mechanism.
 struct MechanismInput
 {
@@ -20,8 +22,9 @@ struct MechanismInput
   Pose hand_W; ///< of the device; its turn is not looked at where the grip leaves it free
   MechanismGrip grip;
   std::span<const PressedBody* const>
-    soft;                               ///< newest of each, in the plan's order; null: not there, without constraints
-  const FoundContacts* found = nullptr; ///< newest answer of the finder; null: nothing is looked for
+    soft;                                 ///< newest of each, in the plan's order; null: not there, without constraints
+  const FoundContacts* found = nullptr;   ///< newest answer of the finder; null: nothing is looked for
+  const StandingMeshes* meshes = nullptr; ///< of the mesh in the hand, then of bodies that stand; null: none is guarded
 };
 
 struct MechanismEvent

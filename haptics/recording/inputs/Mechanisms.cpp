@@ -255,6 +255,8 @@ void putMechanism(ByteWriter& payload, const FeltMechanism& mechanism)
     }
   }
   put(mechanism.found() ? *mechanism.found() : FoundContacts());
+  put(mechanism.meshes() ? mechanism.meshes()->scene()->contentHash() : std::uint64_t{ 0 });
+  put(mechanism.meshes() ? mechanism.meshes()->scene()->revision() : std::uint64_t{ 0 });
 }
 
 RecordedMechanism readMechanism(ByteReader& in)
@@ -269,6 +271,8 @@ RecordedMechanism readMechanism(ByteReader& in)
     mechanism.bodies.push_back(readSoft(in));
   }
   in.get(mechanism.found);
+  in.get(mechanism.meshesHash);
+  in.get(mechanism.meshesRevision);
   in.failUnless(in.ok() && isUsable(mechanism));
   return mechanism;
 }

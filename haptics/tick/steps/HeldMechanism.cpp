@@ -65,6 +65,7 @@ const MechanismResult& compute(TickContext& tick, double lever_m) noexcept
   input.grip = { stiffness_N_per_m / scale_u_per_m, stiffness_N_per_m * lever_m * lever_m * scale_u_per_m };
   input.soft = tick.input.mechanism->soft();
   input.found = tick.input.mechanism->found();
+  input.meshes = tick.input.mechanism->meshes().get();
   MechanismTick& room = *tick.input.mechanismTick;
   room.restore(tick.s.mechanism);
   const MechanismResult& result = room.step(input);
