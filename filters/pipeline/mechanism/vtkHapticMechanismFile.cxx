@@ -12,7 +12,7 @@
 #include "haptics/compliance/material/ElasticLaw.h"
 #include "haptics/core/JsonNode.h"
 #include "haptics/core/PoseMath.h"
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 #include "vtkHapticBodyFile.h"
 #include "vtkHapticJson.h"
 #include "vtkHapticMechanismBodies.h"

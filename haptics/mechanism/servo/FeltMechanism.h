@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "haptics/mechanism/found/StandingMeshes.h"
 #include "haptics/mechanism/servo/MechanismTick.h"
+#include "haptics/mechanism/sided/StandingMeshes.h"
 
 namespace palpate
 {

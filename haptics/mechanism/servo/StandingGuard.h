@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "haptics/mechanism/found/StandingMeshes.h"
+#include "haptics/mechanism/sided/StandingMeshes.h"
 #include "haptics/tool/certify/TrianglePair.h"
 #include "haptics/tool/motion/ScrewStep.h"
 #include "haptics/tool/motion/WorkBudget.h"

@@ -7,7 +7,7 @@
 
 #include "haptics/core/PoseMath.h"
 #include "haptics/mechanism/found/ContactFinder.h"
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 
 namespace palpate
 {

@@ -9,8 +9,8 @@
 
 #include "haptics/core/PoseMath.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
-#include "haptics/mechanism/found/SidedSurface.h"
 #include "haptics/mechanism/servo/StandingGuard.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/mechanism/SurfacesBeside.h"
 #include "haptics/session/mechanism/ToolOnBody.h"

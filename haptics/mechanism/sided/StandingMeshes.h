@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "haptics/geometry/scene/Scene.h"
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 
 namespace palpate
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/mechanism/found/StandingMeshes.h"
+#include "haptics/mechanism/sided/StandingMeshes.h"
 
 namespace palpate
 {
