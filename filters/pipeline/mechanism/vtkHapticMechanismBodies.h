@@ -6,7 +6,7 @@
 #include <string>
 
 #include "haptics/core/Types.h"
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 #include "vtkHapticSoftBodyData.h"
 
 /// A soft body as a scene file describes it: a file, or a box of cells.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 #include "vtkAppendPolyData.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"

@@ -11,7 +11,7 @@
 
 #include "haptics/compliance/material/ElasticLaw.h"
 #include "haptics/core/PoseMath.h"
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 #include "vtkHapticBodyFile.h"
 #include "vtkHapticMechanismBodies.h"
 #include "vtkHapticWireFile.h"

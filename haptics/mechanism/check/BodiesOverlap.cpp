@@ -12,7 +12,7 @@
 #include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/mechanism/check/InnerVertices.h"
 #include "haptics/mechanism/check/MechanismFaults.h"
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 
 namespace palpate
 {

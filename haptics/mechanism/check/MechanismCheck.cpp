@@ -10,7 +10,7 @@
 #include "haptics/mechanism/check/BodiesOverlap.h"
 #include "haptics/mechanism/check/MechanismFaults.h"
 #include "haptics/mechanism/constraints/ConstraintCompliance.h"
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 #include "haptics/mechanism/solve/SemidefiniteFactor.h"
 
 namespace palpate

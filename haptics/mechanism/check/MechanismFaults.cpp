@@ -8,7 +8,7 @@
 
 #include "haptics/geometry/mesh/NearestOnTriangle.h"
 #include "haptics/geometry/mesh/TriangleWeights.h"
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 #include "haptics/mechanism/wire/WirePlan.h"
 
 namespace palpate

@@ -6,7 +6,7 @@
 #include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/mechanism/check/MechanismCheck.h"
 #include "haptics/mechanism/check/MechanismFaults.h"
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 #include "haptics/mechanism/wire/WirePlan.h"
 
 namespace palpate

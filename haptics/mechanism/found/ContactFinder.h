@@ -8,8 +8,8 @@
 
 #include "haptics/compliance/servo/PressedBody.h"
 #include "haptics/mechanism/FoundContacts.h"
-#include "haptics/mechanism/found/SidedSurface.h"
 #include "haptics/mechanism/servo/MechanismTick.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 
 namespace palpate
 {

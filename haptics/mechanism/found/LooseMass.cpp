@@ -4,7 +4,7 @@
 
 #include "haptics/core/PoseMath.h"
 #include "haptics/mechanism/Mechanism.h"
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 
 namespace palpate
 {

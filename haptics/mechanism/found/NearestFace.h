@@ -9,7 +9,7 @@
 #include "haptics/geometry/mesh/NearestOnTriangle.h"
 #include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/geometry/tree/TreeWalk.h"
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 
 namespace palpate
 {

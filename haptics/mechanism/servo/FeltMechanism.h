@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "haptics/mechanism/servo/MechanismTick.h"
+#include "haptics/mechanism/sided/StandingMeshes.h"
 
 namespace palpate
 {
@@ -15,10 +16,12 @@ namespace palpate
 class FeltMechanism
 {
 public:
-  /// `revision`: above 0, another one for each. `bodies`: in the plan's order, none of them null.
+  /// `revision`: above 0, another one for each. `bodies`: in the plan's order, none of them null. `meshes`: see
+  /// MechanismInput.
   FeltMechanism(std::uint64_t revision, const MechanismPlan& plan,
-    std::vector<std::shared_ptr<const PressedBody>> bodies, const FoundContacts& found = {})
-    : revision_(revision), plan_(plan), bodies_(std::move(bodies)), found_(found)
+    std::vector<std::shared_ptr<const PressedBody>> bodies, const FoundContacts& found = {},
+    std::shared_ptr<const StandingMeshes> meshes = nullptr)
+    : revision_(revision), plan_(plan), bodies_(std::move(bodies)), found_(found), meshes_(std::move(meshes))
   {
     for (const auto& body : this->bodies_)
     {
@@ -34,6 +37,7 @@ public:
   {
     return this->found_.answer != 0 ? &this->found_ : nullptr;
   }
+  [[nodiscard]] const std::shared_ptr<const StandingMeshes>& meshes() const noexcept { return this->meshes_; }
   /// The bodies, as a tick is given them.
   [[nodiscard]] std::span<const PressedBody* const> soft() const noexcept { return this->given_; }
 
@@ -43,6 +47,7 @@ private:
   std::vector<std::shared_ptr<const PressedBody>> bodies_;
   std::vector<const PressedBody*> given_;
   FoundContacts found_;
+  std::shared_ptr<const StandingMeshes> meshes_;
 };
 
 /// The servo's message to the worker of a mechanism: poses of the bodies and forces of the constraints.

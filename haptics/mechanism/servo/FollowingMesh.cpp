@@ -6,6 +6,7 @@
 #include "haptics/core/Fade.h"
 #include "haptics/core/PoseMath.h"
 #include "haptics/mechanism/servo/HandLead.h"
+#include "haptics/mechanism/servo/StandingGuard.h"
 #include "haptics/tool/motion/Turn.h"
 
 namespace palpate
@@ -18,13 +19,21 @@ constexpr double leastCatchUp_N = 0.02;
 constexpr Fade lagFade{ ToolBlend::fade_s };
 /// Of the reach of an answer.
 constexpr double roundingOfReach = 1e-9;
+/// A spring that holds a turn is wound by less than this share of it.
+constexpr double roundingOfTurn = 0.1;
 
 } // namespace
 
 FollowingMesh::FollowingMesh(MechanismInput& input, int named, MechanismState& state, SettledConstraints& laws) noexcept
   : input_(input), plan_(*input.plan), named_(named), state_(state), laws_(laws), hand_W_(laws.lead_W()),
-    turns_(input.grip.turning_Nu_per_rad > 0.0)
+    turning_Nu_per_rad_(input.grip.turning_Nu_per_rad), turns_(turning_Nu_per_rad_ > 0.0)
 {
+}
+
+bool FollowingMesh::isAtRest() const noexcept
+{
+  const auto rests = [](const PressedBody* soft) { return soft && soft->period_s <= 0.0; };
+  return std::ranges::any_of(this->input_.soft, rests);
 }
 
 bool FollowingMesh::isBehind() const noexcept
@@ -52,16 +61,15 @@ double FollowingMesh::takenOf(const FoundContacts& found) const noexcept
 
 bool FollowingMesh::isPressed() const noexcept
 {
-  return std::any_of(this->state_.laws.begin(), this->state_.laws.begin() + this->plan_.lawCount,
-    [](const ConstraintState& law) { return law.force_W != Vec3::Zero(); });
+  const bool pushed = this->isGuarded() && this->state_.push_N != Vec3::Zero(); // contacts of one tick
+  return pushed || std::any_of(this->state_.laws.begin(), this->state_.laws.begin() + this->plan_.lawCount,
+                     [](const ConstraintState& law) { return law.force_W != Vec3::Zero(); });
 }
 
 double FollowingMesh::quickShare() const noexcept
 {
-  const auto rests = [](const PressedBody* soft) { return soft && soft->period_s <= 0.0; };
-  return std::ranges::any_of(this->input_.soft, rests)
-           ? 1.0
-           : std::max(1.0 - lagFade.explicitShare(this->input_.dt_s), this->shareOf(leastCatchUp_N));
+  return this->isAtRest() ? 1.0
+                          : std::max(1.0 - lagFade.explicitShare(this->input_.dt_s), this->shareOf(leastCatchUp_N));
 }
 
 double FollowingMesh::gentleShare() const noexcept
@@ -101,10 +109,34 @@ void FollowingMesh::slowDown() noexcept
     this->laws_.lead({ lead_W.p, this->turns_ ? lead_W.q : to_W.q });
     this->laws_.settle();
   }
-  if (!this->turns_ && this->taken() > most * (1.0 + roundingOfReach))
+  if ((!this->turns_ || this->isGuarded()) && this->taken() > most * (1.0 + roundingOfReach))
   {
-    this->holdTurn();
+    this->holdTurn(this->state_.placed ? this->state_.pose_W[this->plan_.held].q : this->laws_.lead_W().q);
+    this->turnIsSlowed_ = false;
   }
+}
+
+void FollowingMesh::slowTurn() noexcept
+{
+  if (this->plan_.held < 0 || !this->state_.placed || !this->isGuarded() || this->isAtRest())
+  {
+    return;
+  }
+  const Quat& from_W = this->state_.pose_W[this->plan_.held].q;
+  const Quat to_W = this->laws_.movedPose(this->plan_.held).q;
+  const double turn_rad = turnFromTo(from_W, to_W).norm(), most_rad = this->mostTurn_rad();
+  if (turn_rad > most_rad * (1.0 + roundingOfTurn))
+  {
+    const Pose origin{ Vec3::Zero(), from_W }, end{ Vec3::Zero(), to_W };
+    this->holdTurn(partOfWay(origin, end, most_rad / turn_rad).q);
+    this->turnIsSlowed_ = true;
+  }
+}
+
+Pose FollowingMesh::led_W() const noexcept
+{
+  const Pose& lead_W = this->laws_.lead_W();
+  return { lead_W.p, this->turnIsSlowed_ ? this->lead_W_.q : lead_W.q };
 }
 
 double FollowingMesh::taken() const noexcept
@@ -113,13 +145,47 @@ double FollowingMesh::taken() const noexcept
   return reachTaken(this->state_.found, this->plan_.bodies[held], this->laws_.movedPose(held));
 }
 
-void FollowingMesh::holdTurn() noexcept
+void FollowingMesh::holdTurn(const Quat& at_W) noexcept
 {
   constexpr double stiffer = 100.0; // than the hand's spring at the mesh's size
   const double arm_u = this->plan_.characteristic_u;
-  this->input_.grip.turning_Nu_per_rad = stiffer * this->input_.grip.coupling_N_per_u * arm_u * arm_u;
-  this->laws_.settle();
+  this->lead_W_ = this->turnIsHeld_ ? this->lead_W_ : this->laws_.lead_W();
   this->turnIsHeld_ = true;
+  this->input_.grip.turning_Nu_per_rad =
+    std::max(stiffer * this->input_.grip.coupling_N_per_u * arm_u * arm_u, this->turning_Nu_per_rad_);
+  this->laws_.lead({ this->laws_.lead_W().p, at_W });
+  this->laws_.settle();
+}
+
+double FollowingMesh::shareOfTick(const ScrewStep& way) const noexcept
+{
+  const Pose& lead_W = this->laws_.lead_W();
+  const auto shareOf = [](double most, double length) { return most / std::max(most, length); };
+  if (this->isAtRest())
+  {
+    const double most_u = 2.0 * (way.from_W.p - lead_W.p).norm() + this->plan_.characteristic_u;
+    return shareOf(most_u, way.v_W.norm());
+  }
+  const double ofHand_u = (lead_W.p - this->state_.led.lead_W.p).norm();
+  const double most_u = ofHand_u + ToolBlend::largestStep_N / this->input_.grip.coupling_N_per_u;
+  return std::min(shareOf(most_u, way.v_W.norm()), shareOf(this->mostTurn_rad(), way.w_W.norm()));
+}
+
+double FollowingMesh::mostTurn_rad() const noexcept
+{
+  const Quat& lead_W = this->turnIsHeld_ ? this->lead_W_.q : this->laws_.lead_W().q;
+  const double ofHand_rad = this->turns_ ? turnFromTo(this->state_.led.lead_W.q, lead_W).norm() : 0.0;
+  return std::max(StandingGuard::mostTurn_rad, ofHand_rad);
+}
+
+Vec6 FollowingMesh::felt(Vec6 hand_N) const noexcept
+{
+  if (this->turnIsHeld_ && this->isGuarded())
+  {
+    const Quat& held_W = this->state_.pose_W[this->plan_.held].q;
+    hand_N.tail<3>() = this->turning_Nu_per_rad_ / this->plan_.characteristic_u * turnFromTo(this->lead_W_.q, held_W);
+  }
+  return hand_N;
 }
 
 Vec6 FollowingMesh::stopBefore(const Pose& before_W) noexcept
@@ -137,16 +203,18 @@ Vec6 FollowingMesh::stopBefore(const Pose& before_W) noexcept
     share = tries < 7 ? share * less : 0.0;
     held_W = partOfWay(before_W, to_W, share);
   }
-  Vec6 hand_N = this->laws_.onHand();
-  if (share < 1.0)
-  {
-    const Pose& lead_W = this->laws_.lead_W();
-    const MechanismGrip& grip = this->input_.grip;
-    hand_N.head<3>() = grip.coupling_N_per_u * (held_W.p - lead_W.p);
-    hand_N.tail<3>() = this->turns_
-                         ? Vec3(grip.turning_Nu_per_rad / this->plan_.characteristic_u * turnFromTo(lead_W.q, held_W.q))
-                         : Vec3(Vec3::Zero());
-  }
+  return share < 1.0 ? this->stopAt(held_W) : this->laws_.onHand();
+}
+
+Vec6 FollowingMesh::stopAt(const Pose& at_W) noexcept
+{
+  const Pose& lead_W = this->laws_.lead_W();
+  const MechanismGrip& grip = this->input_.grip;
+  const Vec3 turn_rad = this->turns_ ? turnFromTo(lead_W.q, at_W.q) : Vec3(Vec3::Zero());
+  this->state_.pose_W[this->plan_.held] = at_W;
+  Vec6 hand_N;
+  hand_N << grip.coupling_N_per_u * (at_W.p - lead_W.p),
+    grip.turning_Nu_per_rad / this->plan_.characteristic_u * turn_rad;
   return hand_N;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "haptics/mechanism/servo/SettledConstraints.h"
+#include "haptics/tool/motion/ScrewStep.h"
 
 namespace palpate
 {
@@ -25,16 +26,31 @@ public:
   /// back along the way from the tick before. A mesh that is beyond already, as a new answer reaches less far, goes no
   /// further.
   void slowDown() noexcept;
+  /// Contacts turn a mesh no faster than a hand might: one that is held weakly on a corner would turn over at once, and
+  /// contacts were found for little of a turn.
+  void slowTurn() noexcept;
+  /// The share of a way that the mesh goes in this tick: as far as the hand leads the mesh, and a step of the force
+  /// that is felt at once. A mesh that was held by something comes free without a leap. At rest in each tick, the mesh
+  /// goes no further than past the hand.
+  [[nodiscard]] double shareOfTick(const ScrewStep& way) const noexcept;
+  /// Of a force on the hand, whitened, the part that the hand feels: where the turn was held, its own spring alone.
+  [[nodiscard]] Vec6 felt(Vec6 hand_N) const noexcept;
   /// A tick that has no work left to meet its constraints brings the mesh no further into a body that stands: it goes
   /// as far as the contacts that were found let it, and the hand feels the spring to there. The force on the hand,
   /// whitened.
   [[nodiscard]] Vec6 stopBefore(const Pose& before_W) noexcept;
+  /// The mesh goes there, short of where the constraints bring it. The force of the hand's springs on it, whitened.
+  [[nodiscard]] Vec6 stopAt(const Pose& at_W) noexcept;
   /// Whether the mesh is behind the hand.
   [[nodiscard]] bool isBehind() const noexcept;
+  /// Where the hand leads the mesh in this tick, for the next one: a turn that is only slowed leaves it as it was.
+  [[nodiscard]] Pose led_W() const noexcept;
   /// Where the hand would lead the mesh.
   [[nodiscard]] const Pose& hand_W() const noexcept { return this->hand_W_; }
 
 private:
+  /// That a mesh beside meshes that stand turns in a tick.
+  [[nodiscard]] double mostTurn_rad() const noexcept;
   /// Share of an answer's reach that the mesh took in the tick before.
   [[nodiscard]] double takenOf(const FoundContacts& found) const noexcept;
   /// So much less is a mesh behind in this tick that nothing touches. At rest in each tick, it is behind at no time.
@@ -45,8 +61,12 @@ private:
   [[nodiscard]] double shareOf(double force_N) const noexcept;
   /// Of the answer's reach, as the constraints have it now.
   [[nodiscard]] double taken() const noexcept;
-  /// A mesh that contacts turn further than was looked for is held as it was turned, until the next answer.
-  void holdTurn() noexcept;
+  /// A mesh that contacts turn further than was looked for, or too fast, is held as it is turned there.
+  void holdTurn(const Quat& at_W) noexcept;
+  /// Whether there are meshes that stand, which the tick keeps it out of.
+  [[nodiscard]] bool isGuarded() const noexcept { return this->input_.meshes != nullptr; }
+  /// Whether bodies are at rest in each tick.
+  [[nodiscard]] bool isAtRest() const noexcept;
   /// The part of a motion of the mesh after which no contact reaches further into a body that stands than before.
   [[nodiscard]] double shareBefore(const Pose& from_W, const Pose& to_W) const noexcept;
 
@@ -56,8 +76,10 @@ private:
   MechanismState& state_;
   SettledConstraints& laws_;
   Pose hand_W_;
-  bool turns_; ///< by the hand's spring
-  bool turnIsHeld_ = false;
+  Pose lead_W_;               ///< by the hand's spring, where the turn is held
+  double turning_Nu_per_rad_; ///< of that spring
+  bool turns_;                ///< by it
+  bool turnIsHeld_ = false, turnIsSlowed_ = false;
 };
 
 } // namespace palpate

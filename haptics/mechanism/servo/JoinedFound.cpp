@@ -76,8 +76,8 @@ bool turnsWithMesh(const MechanismPlan& plan, const FoundContact& contact) noexc
 
 } // namespace
 
-void joinFound(
-  const MechanismPlan& plan, const FoundContacts& found, const PosesOfBodies& pose_W, MechanismPlan& joined) noexcept
+void joinFound(const MechanismPlan& plan, const FoundContacts& found, const PosesOfBodies& pose_W,
+  MechanismPlan& joined, double rest_u) noexcept
 {
   const Quat turned =
     plan.held >= 0 ? pose_W[static_cast<std::size_t>(plan.held)].q * found.held_W.q.conjugate() : Quat::Identity();
@@ -96,6 +96,11 @@ void joinFound(
     law.axis_B = turnsWithMesh(plan, contact) ? Vec3(turned * contact.normal_B) : contact.normal_B;
     law.friction = contact.friction;
     law.place_B = contact.place_B;
+    const bool stands = plan.bodies[static_cast<std::size_t>(contact.body)].kind == MechanismBodyKind::World;
+    if (rest_u > 0.0 && contact.mesh == plan.held && stands)
+    {
+      law.point_B += rest_u * law.axis_B;
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include "haptics/mechanism/servo/FollowingMesh.h"
 #include "haptics/mechanism/servo/JoinedFound.h"
 #include "haptics/mechanism/servo/SettledConstraints.h"
+#include "haptics/mechanism/servo/StandingContacts.h"
 #include "haptics/mechanism/servo/TipPlace.h"
 #include "haptics/mechanism/servo/WireInHand.h"
 
@@ -43,7 +44,8 @@ public:
   MechanismStep(
     const MechanismInput& input, const MechanismPlan& named, MechanismState& state, MechanismScratch& room) noexcept
     : input_(input), named_(named), plan_(*input.plan), joined_(room.joined), state_(state), result_(room.result),
-      laws_(input_, state, room.laws), mesh_(input_, named.lawCount, state, laws_)
+      laws_(input_, state, room.laws), mesh_(input_, named.lawCount, state, laws_),
+      standing_(input_, named.lawCount, room.joined, state, laws_, mesh_)
   {
   }
 
@@ -73,6 +75,7 @@ public:
       this->mesh_.follow(true);
       this->laws_.settle();
     }
+    this->mesh_.slowTurn();
     this->mesh_.slowDown();
     const bool unmet = this->state_.capped || this->laws_.capped();
     before_N = others || unmet ? before_N : this->laws_.onHand();
@@ -83,7 +86,9 @@ public:
       this->laws_.settle();
       ++changes;
     }
+    this->standing_.goFree();
     this->keep();
+    this->standing_.forget();
     this->tellHand(before_N, (changes > 0 || others || unmet) && !first);
   }
 
@@ -108,7 +113,7 @@ private:
       pose_W[this->plan_.held] = this->laws_.lead_W();
     }
     palpate::takeFound(*this->input_.found, this->named_.lawCount, pose_W, this->state_);
-    joinFound(this->named_, this->state_.found, pose_W, this->joined_);
+    joinFound(this->named_, this->state_.found, pose_W, this->joined_, this->standing_.rest_u());
     this->leadApart();
   }
 
@@ -235,6 +240,8 @@ private:
     }
     const bool stops = this->laws_.capped() && this->state_.placed && this->plan_.held >= 0;
     this->hand_N_ = stops ? this->mesh_.stopBefore(before_W) : this->laws_.onHand();
+    this->hand_N_ =
+      this->mesh_.felt(this->standing_.stopsAt() ? this->mesh_.stopAt(*this->standing_.stopsAt()) : this->hand_N_);
     for (int l = 0; l < this->plan_.lawCount; ++l)
     {
       this->keepConstraint(l);
@@ -250,16 +257,16 @@ private:
     }
     this->state_.tip_W =
       this->plan_.held >= 0 ? this->tipOf(this->state_.pose_W[this->plan_.held]) : Vec3(Vec3::Zero());
-    this->state_.led = { this->mesh_.hand_W(), this->laws_.lead_W() };
+    this->state_.led = { this->mesh_.hand_W(), this->mesh_.led_W() };
     this->state_.push_N = this->hand_N_.head<3>();
     this->state_.turning_N = this->hand_N_.tail<3>();
-    this->state_.capped = this->laws_.capped();
+    this->state_.capped = this->laws_.capped() || this->standing_.stopsAt();
     this->state_.placed = true;
-    this->result_.ahead = this->mesh_.isBehind();
+    this->result_.ahead = this->mesh_.isBehind() || this->standing_.stopsAt();
     this->result_.pose_W = this->state_.pose_W;
     this->result_.rows = this->laws_.rows().count;
     this->result_.found = this->plan_.lawCount - this->named_.lawCount;
-    this->result_.work = this->laws_.work();
+    this->result_.work = this->laws_.work() + this->standing_.work();
     this->result_.capped = this->laws_.capped();
     this->result_.residual_u = this->laws_.residual_u();
     this->result_.stored_Nu = this->laws_.stored_Nu();
@@ -373,6 +380,7 @@ private:
   std::array<bool, Mechanism::mostConstraints> tried_{};
   SettledConstraints laws_;
   FollowingMesh mesh_;
+  StandingContacts standing_;
 };
 
 } // namespace
@@ -415,9 +423,10 @@ const MechanismResult& MechanismTick::step(const MechanismInput& input) noexcept
     return this->room_->result;
   }
   MechanismInput joined = input;
-  if (input.found != nullptr || this->state_.found.answer != 0)
+  if (input.found != nullptr || input.meshes != nullptr || this->state_.found.answer != 0)
   {
-    joinFound(*input.plan, this->state_.found, this->state_.pose_W, this->room_->joined);
+    joinFound(
+      *input.plan, this->state_.found, this->state_.pose_W, this->room_->joined, StandingGuard(input.meshes).rest_u());
     joined.plan = &this->room_->joined;
   }
   MechanismStep(joined, *input.plan, this->state_, *this->room_).run();

@@ -12,6 +12,8 @@
 namespace palpate
 {
 
+class StandingMeshes;
+
 /// Input of one tick of a mechanism.
 struct MechanismInput
 {
@@ -23,8 +25,9 @@ struct MechanismInput
   double turnBy_rad = 0.0; ///< turn of a wire's outer end in this tick in addition to the hand's
   std::uint32_t wireBudget = std::numeric_limits<std::uint32_t>::max(); ///< in the unit of ContactPlan::workBudget
   std::span<const PressedBody* const>
-    soft;                               ///< newest of each, in the plan's order; null: not there, without constraints
-  const FoundContacts* found = nullptr; ///< newest answer of the finder; null: nothing is looked for
+    soft;                                 ///< newest of each, in the plan's order; null: not there, without constraints
+  const FoundContacts* found = nullptr;   ///< newest answer of the finder; null: nothing is looked for
+  const StandingMeshes* meshes = nullptr; ///< of the mesh in the hand, then of bodies that stand; null: none is guarded
 };
 
 struct MechanismEvent

@@ -110,7 +110,7 @@ bool SettledConstraints::mayGoOn() const noexcept
 {
   const ConstraintForces& forces = this->room_.forces;
   const bool open = this->wentInPart() || (!forces.capped && !this->isMet());
-  return open && this->work_ + forces.work < lawWorkBudget;
+  return open && this->work_ + forces.work < this->budget_;
 }
 
 bool SettledConstraints::isMet() const noexcept
@@ -136,7 +136,7 @@ void SettledConstraints::solve(ConstraintStart start) noexcept
     const ConstraintRow& row = rows.rows[i];
     forces.force_N[i] = row.along_W.dot(this->state_.laws[row.law].force_W);
   }
-  const std::uint32_t left = lawWorkBudget - std::min(lawWorkBudget, this->work_);
+  const std::uint32_t left = this->budget_ - std::min(this->budget_, this->work_);
   solveConstraints(problem, this->room_.solver, forces, left, start);
   this->work_ += forces.work;
   this->takeMotions();

@@ -53,6 +53,8 @@ public:
   [[nodiscard]] const Vec6& motion(int body) const noexcept { return this->motion_[body]; }
 
   [[nodiscard]] std::uint32_t work() const noexcept { return this->work_; }
+  /// A further constraint may take some work beside that of a tick.
+  void allowMore() noexcept { this->budget_ += lawWorkBudget / 5; }
   [[nodiscard]] bool capped() const noexcept;
   /// No constraint is missed by more, on the bodies as they are turned.
   [[nodiscard]] double residual_u() const noexcept;
@@ -88,7 +90,7 @@ private:
   std::array<LooseYield, Mechanism::mostBodies> loose_{}; ///< of the loose ones
   double share_ = 1.0;                                    ///< of the turns that free bodies can go in one piece
   double heldShare_ = 1.0;                                ///< likewise of the body that the hand's spring turns
-  std::uint32_t work_ = 0;
+  std::uint32_t work_ = 0, budget_ = lawWorkBudget;
   ConstraintScene scene_;
 };
 

@@ -246,6 +246,8 @@ void putMechanism(ByteWriter& payload, const FeltMechanism& mechanism)
     }
   }
   put(mechanism.found() ? *mechanism.found() : FoundContacts());
+  put(mechanism.meshes() ? mechanism.meshes()->scene()->contentHash() : std::uint64_t{ 0 });
+  put(mechanism.meshes() ? mechanism.meshes()->scene()->revision() : std::uint64_t{ 0 });
   if (plan.wire)
   {
     putWire(payload, *plan.wire);
@@ -264,6 +266,8 @@ RecordedMechanism readMechanism(ByteReader& in)
     mechanism.bodies.push_back(readSoft(in));
   }
   in.get(mechanism.found);
+  in.get(mechanism.meshesHash);
+  in.get(mechanism.meshesRevision);
   if (in.ok() && in.left() != 0)
   {
     mechanism.plan.wire = readWire(in);

@@ -26,6 +26,7 @@ struct RecordedMechanism
   MechanismPlan plan;
   std::vector<Body> bodies; ///< in the plan's order
   FoundContacts found;
+  std::uint64_t meshesHash = 0, meshesRevision = 0; ///< of the scene of rigid meshes; 0: there is none
 };
 
 /// The payload of the chunk of a mechanism: its plan and the snapshots of its soft bodies, whose scenes are chunks of
@@ -79,7 +80,7 @@ struct Mechanisms
     std::unique_ptr<MechanismTick> room = std::make_unique<MechanismTick>();
   };
 
-  static constexpr ChunkKind chunk{ "joined", 5 };
+  static constexpr ChunkKind chunk{ "joined", 6 };
   static void write(ByteWriter& payload, const FeltMechanism& mechanism) { putMechanism(payload, mechanism); }
   template<class Store>
   static void forEachPart(const FeltMechanism& mechanism, const Store& store)
@@ -87,6 +88,10 @@ struct Mechanisms
     for (const auto& body : mechanism.bodies())
     {
       store(std::type_identity<Scenes>{}, body->scene);
+    }
+    if (mechanism.meshes())
+    {
+      store(std::type_identity<Scenes>{}, mechanism.meshes()->scene());
     }
   }
 
@@ -104,6 +109,7 @@ struct Mechanisms
 
   private:
     std::shared_ptr<const FeltMechanism> mechanism_;
+    std::shared_ptr<const StandingMeshes> meshes_; ///< of that one
   };
 };
 

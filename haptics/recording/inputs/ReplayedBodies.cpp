@@ -78,7 +78,21 @@ std::string Mechanisms::Replay::take(const RecordedName& name, const Recorded& r
   {
     return "a held mechanism is missing in the recording, so that the recording cannot be recomputed";
   }
-  this->mechanism_ = std::make_shared<const FeltMechanism>(name.id, found->plan, std::move(bodies), found->found);
+  if (found->meshesHash == 0)
+  {
+    this->meshes_.reset();
+  }
+  else if (!this->meshes_ || this->meshes_->scene()->contentHash() != found->meshesHash)
+  {
+    const auto surfaces = place.scenes.find(found->meshesHash, found->meshesRevision);
+    if (!surfaces || surfaces->surfaces().size() < 2)
+    {
+      return SceneLibrary::missing;
+    }
+    this->meshes_ = makeStandingMeshes(surfaces);
+  }
+  this->mechanism_ =
+    std::make_shared<const FeltMechanism>(name.id, found->plan, std::move(bodies), found->found, this->meshes_);
   return {};
 }
 

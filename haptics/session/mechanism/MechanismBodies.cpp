@@ -7,7 +7,7 @@
 
 #include "haptics/core/PoseMath.h"
 #include "haptics/mechanism/found/ContactFinder.h"
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 
 namespace palpate
 {
@@ -102,6 +102,7 @@ void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan
   this->told_.pose_W = this->begin_W_;
   this->held_ = plan.held;
   this->plan_ = plan.revision;
+  this->gatherMeshes(mechanism, plan);
   this->loose_.clear();
   for (int b = 0; b < plan.bodyCount; ++b)
   {
@@ -147,6 +148,41 @@ void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan
     {
       this->places_[softB].push_back(law.place_B);
     }
+  }
+}
+
+void MechanismBodies::gatherMeshes(const Mechanism& mechanism, const MechanismPlan& plan)
+{
+  std::vector<Surface> surfaces;
+  std::vector<std::shared_ptr<const SidedSurface>> standing;
+  const auto add = [&](const MechanismBody& body)
+  {
+    Surface surface;
+    surface.name = body.name;
+    surface.tree = body.mesh->tree;
+    surface.material.frictionStatic = surface.material.frictionKinetic = foundFrictionOf(mechanism, body);
+    surfaces.push_back(std::move(surface));
+  };
+  // A mesh that stops short of where the constraints bring it would take momentum from a loose body that it pushes.
+  const bool anyLoose = std::ranges::any_of(mechanism.bodies, [](const MechanismBody& body) { return isLoose(body); });
+  const bool holds = !anyLoose && plan.held >= 0 && mechanism.bodies[static_cast<std::size_t>(plan.held)].mesh;
+  if (holds && mechanism.findsContacts)
+  {
+    add(mechanism.bodies[static_cast<std::size_t>(plan.held)]);
+  }
+  for (const MechanismBody& body : mechanism.bodies)
+  {
+    if (!surfaces.empty() && body.kind == MechanismBodyKind::World && body.mesh)
+    {
+      add(body);
+      standing.push_back(body.mesh);
+    }
+  }
+  this->meshes_.reset();
+  if (!standing.empty())
+  {
+    this->meshes_ = std::make_shared<const StandingMeshes>(
+      std::make_shared<const Scene>(plan.revision, std::move(surfaces)), std::move(standing));
   }
 }
 

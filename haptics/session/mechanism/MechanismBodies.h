@@ -76,6 +76,8 @@ public:
   [[nodiscard]] bool press(double period_s);
   /// The newest answer of the finder; `answer` 0: nothing is looked for, or the hand was not told yet.
   [[nodiscard]] const FoundContacts& found() const noexcept { return this->found_; }
+  /// Surfaces of the mesh in the hand and of those that stand, that the tick keeps apart; null: there are none.
+  [[nodiscard]] const std::shared_ptr<const StandingMeshes>& meshes() const noexcept { return this->meshes_; }
   /// Of each.
   [[nodiscard]] const std::vector<std::shared_ptr<const PressedBody>>& newest() const noexcept { return this->newest_; }
   /// The same by their names.
@@ -93,6 +95,7 @@ private:
   [[nodiscard]] const FoundContacts& find();
   void findAt(double time_s);
   void tellBodies();
+  void gatherMeshes(const Mechanism& mechanism, const MechanismPlan& plan);
   void reachLoose(double heldMotion_u);
   void lookAround(std::size_t body, BodyHand& hand) const;
 
@@ -103,14 +106,15 @@ private:
   std::vector<std::shared_ptr<const CheckedTetras>> asMade_;
   std::vector<std::vector<SurfacePoint>> places_; ///< of constraints, of each body
   std::unique_ptr<ContactFinder> finder_;         ///< null: nothing is looked for
-  int held_ = -1;                                 ///< body of the plan that is in the hand
-  double diagonal_u_ = 0.0;                       ///< of the largest soft body
-  std::uint64_t plan_ = 0;                        ///< revision of the one that is held
-  std::uint64_t before_ = 0;                      ///< of the one that it continues; 0: of none
-  PosesOfBodies begin_W_{};                       ///< of its bodies, before anything moves
-  FoundContacts found_;                           ///< as the tick has it
-  FoundContacts underWay_;                        ///< arrives with the next snapshots; in virtual time
-  double period_s_ = 0.0, due_s_ = 0.0;           ///< likewise
+  std::shared_ptr<const StandingMeshes> meshes_;
+  int held_ = -1;                       ///< body of the plan that is in the hand
+  double diagonal_u_ = 0.0;             ///< of the largest soft body
+  std::uint64_t plan_ = 0;              ///< revision of the one that is held
+  std::uint64_t before_ = 0;            ///< of the one that it continues; 0: of none
+  PosesOfBodies begin_W_{};             ///< of its bodies, before anything moves
+  FoundContacts found_;                 ///< as the tick has it
+  FoundContacts underWay_;              ///< arrives with the next snapshots; in virtual time
+  double period_s_ = 0.0, due_s_ = 0.0; ///< likewise
   MechanismHand told_;
   std::optional<PosesOfBodies> looked_W_; ///< where the bodies were, the last time
   /// A loose body, for how far it may go until an answer is in use.

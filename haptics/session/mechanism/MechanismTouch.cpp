@@ -193,6 +193,7 @@ MechanismResult MechanismTouch::next(double time_s, const Pose& hand_W)
   input.plan = &this->plan_;
   input.hand_W = heldBy(hand_W, this->plan_);
   input.grip = this->grip_;
+  input.meshes = this->bodies_->meshes().get();
   this->time_s_ = time_s;
   if (this->count_ == 1)
   {

@@ -204,7 +204,7 @@ void MechanismTask::publish(bool all)
     return;
   }
   auto felt = std::make_shared<const FeltMechanism>(
-    ++this->revision_, this->plan_, this->bodies_->newest(), this->bodies_->found());
+    ++this->revision_, this->plan_, this->bodies_->newest(), this->bodies_->found(), this->bodies_->meshes());
   this->published_ = true;
   this->links_.felt.publish(std::move(felt));
   std::vector<SeenBody> seen = this->bodies_->seen(); // while the servo has it

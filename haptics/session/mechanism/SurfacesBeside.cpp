@@ -7,7 +7,7 @@
 
 #include "haptics/core/PoseMath.h"
 #include "haptics/geometry/scene/Scene.h"
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 #include "haptics/tool/servo/FrictionTarget.h"
 
 namespace palpate

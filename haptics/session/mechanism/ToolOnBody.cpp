@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 
 namespace palpate
 {

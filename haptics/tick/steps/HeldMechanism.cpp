@@ -80,6 +80,7 @@ const MechanismResult& compute(TickContext& tick, double lever_m) noexcept
   input.wireBudget = tick.p.contact.workBudget;
   input.soft = tick.input.mechanism->soft();
   input.found = tick.input.mechanism->found();
+  input.meshes = tick.input.mechanism->meshes().get();
   MechanismTick& room = *tick.input.mechanismTick;
   room.restore(tick.s.mechanism);
   const MechanismResult& result = room.step(input);

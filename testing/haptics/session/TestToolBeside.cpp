@@ -9,7 +9,8 @@
 
 #include "haptics/core/PoseMath.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/servo/StandingGuard.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/mechanism/SurfacesBeside.h"
 #include "haptics/session/mechanism/ToolOnBody.h"
@@ -59,6 +60,12 @@ TriangleMesh table()
   return makeBox(Vec3(-0.5, -0.5, -0.2), Vec3(-0.1, 0.5, table_m));
 }
 
+/// That the mesh ball stays away from a surface [m].
+double apart_m()
+{
+  return StandingGuard::rest * makeRigidMesh(ballOnVertex(3, ball_m)).value->diagonal_u;
+}
+
 TEST(ToolBeside, ARigidPlaneAwayFromTheBlockPushesAsItDoesWithoutTheBlock)
 {
   for (const Pose& pose : { Pose{}, Pose{ Vec3(0.0, 0.3, 0.0), Quat(0.0, 0.0, 0.0, 1.0) } })
@@ -84,7 +91,7 @@ TEST(ToolBeside, ARigidPlaneAwayFromTheBlockPushesAsItDoesWithoutTheBlock)
       const double deep_m = 1e-5 * (i - 100);
       const Pose at{ overTable + Vec3(0, 0, ball_m - deep_m), Quat::Identity() };
       const Vec3 force_N = beside.hold(at).force_W;
-      ASSERT_NEAR(force_N.z(), firm_N_per_m * std::max(deep_m, 0.0), 1e-6) << i;
+      ASSERT_NEAR(force_N.z(), firm_N_per_m * std::max(deep_m + apart_m(), 0.0), 1e-6) << i;
       ASSERT_LE(force_N.head<2>().norm(), 1e-6) << i;
       alone.hold(at);
     }
@@ -92,7 +99,7 @@ TEST(ToolBeside, ARigidPlaneAwayFromTheBlockPushesAsItDoesWithoutTheBlock)
     // A tool on rigid surfaces rests 2e-7 of its diagonal before them, to as much again.
     const double gap_m = 2e-7 * std::sqrt(12.0) * ball_m;
     const Vec3 own_N = alone.hold(last, 300).force_W, now_N = beside.hold(last, 300).force_W;
-    EXPECT_NEAR(own_N.z() - now_N.z(), firm_N_per_m * gap_m, firm_N_per_m * gap_m);
+    EXPECT_NEAR(now_N.z() - own_N.z(), firm_N_per_m * (apart_m() - gap_m), firm_N_per_m * gap_m);
     EXPECT_LE((own_N - now_N).head<2>().norm(), 1e-6);
     EXPECT_TRUE(beside.session.state().mechanism.held && alone.session.state().tool.held);
   }
@@ -298,9 +305,9 @@ TEST(ToolBeside, ASurfaceThatIsMovedIsFeltWhereItComesToRest)
   hand.session.choose<ToolTask>(toolOf(ballOnVertex(3, ball_m)));
   const Pose at{ overTable + Vec3(0, 0, ball_m - 5e-3), Quat::Identity() };
   hand.hold({ at.p + Vec3(0, 0, 0.01), at.q }, 300);
-  EXPECT_NEAR(hand.hold(at, 300).force_W.z(), 5e-3 * firm_N_per_m, 1e-6);
+  EXPECT_NEAR(hand.hold(at, 300).force_W.z(), (5e-3 + apart_m()) * firm_N_per_m, 1e-6);
   hand.session.setScene(besideBlock({ surfaceOf("table", table(), lower) }));
-  EXPECT_NEAR(hand.hold(at, 1500).force_W.z(), 1e-3 * firm_N_per_m, 1e-6);
+  EXPECT_NEAR(hand.hold(at, 1500).force_W.z(), (1e-3 + apart_m()) * firm_N_per_m, 1e-6);
 }
 
 std::string refusalBeside(const std::vector<SurfaceInput>& others)
@@ -391,7 +398,7 @@ TEST(ToolBeside, AlongAPathAPlaneBesideTheBlockPushesWithTheWholeSpring)
     [&](std::size_t, const PathSample& sample, const PathTick& tick)
     {
       const double deep_m = table_m + ball_m - sample.hand_W.p.z();
-      EXPECT_NEAR(tick.wrench_W.force.z(), stiffness_N_per_m * std::max(deep_m, 0.0), 1e-6) << deep_m;
+      EXPECT_NEAR(tick.wrench_W.force.z(), stiffness_N_per_m * std::max(deep_m + apart_m(), 0.0), 1e-6) << deep_m;
     });
   EXPECT_TRUE(whole);
   TriangleMesh open = table();

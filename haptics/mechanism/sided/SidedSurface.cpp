@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/mechanism/found/SidedSurface.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 
 #include <algorithm>
 #include <utility>
