@@ -154,7 +154,7 @@ private:
       const double start_u = nearestPair(tool_W, pair.scene_W).distance_u;
       share = start_u > 0.0 ? this->provenUntil(pair, std::min(this->limits_.gap_u, 0.5 * start_u), until) : until;
     }
-    if (share<until&& this->budget_.left()> 0)
+    if (until > share && this->budget_.left() > 0)
     {
       this->see(pair, share, triangle);
     }

@@ -270,7 +270,7 @@ RecordedMechanism readMechanism(ByteReader& in)
   in.get(mechanism.meshesRevision);
   if (in.ok() && in.left() != 0)
   {
-    mechanism.plan.wire = readWire(in);
+    mechanism.plan.wire = readWire(in, mechanism.vessel_W);
   }
   in.failUnless(in.ok() && isUsable(mechanism));
   return mechanism;

@@ -23,7 +23,8 @@ struct RecordedMechanism
   };
 
   std::uint64_t revision = 0;
-  MechanismPlan plan;
+  MechanismPlan plan;       ///< its wire has no vessel yet
+  TriangleMesh vessel_W;    ///< of the wire
   std::vector<Body> bodies; ///< in the plan's order
   FoundContacts found;
   std::uint64_t meshesHash = 0, meshesRevision = 0; ///< of the scene of rigid meshes; 0: there is none

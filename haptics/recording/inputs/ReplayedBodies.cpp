@@ -1,11 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <memory>
+#include <utility>
 
+#include "haptics/geometry/mesh/TriangleMesh.h"
+#include "haptics/geometry/tree/SurfaceTree.h"
+#include "haptics/mechanism/wire/WirePlan.h"
 #include "haptics/recording/inputs/Mechanisms.h"
 #include "haptics/recording/inputs/SceneLibrary.h"
 
 namespace palpate
 {
+namespace
+{
+
+/// With the tree of the wire's vessel. False where the vessel is no surface.
+bool completeWire(MechanismPlan& plan, const TriangleMesh& vessel_W)
+{
+  if (!plan.wire)
+  {
+    return true;
+  }
+  if (!refuseUnclean(vessel_W, false).empty())
+  {
+    return false;
+  }
+  auto wire = std::make_shared<WirePlan>(*plan.wire);
+  wire->vessel = SurfaceTree::inOrder(vessel_W);
+  plan.wire = std::move(wire);
+  return true;
+}
+
+/// Whether surfaces are those of the mesh in the hand and of the meshes that stand, in the plan's order.
+bool areMeshesOf(const MechanismPlan& plan, const Scene* surfaces)
+{
+  const auto standing = std::count_if(plan.bodies.begin(), plan.bodies.begin() + plan.bodyCount,
+    [](const PlannedBody& b) { return b.kind == MechanismBodyKind::World && b.low_u != b.high_u; });
+  return surfaces != nullptr && standing > 0 && surfaces->surfaces().size() == static_cast<std::size_t>(standing) + 1;
+}
+
+} // namespace
 
 bool fits(const PressedBody& body, const Scene* scene)
 {
@@ -74,7 +108,8 @@ std::string Mechanisms::Replay::take(const RecordedName& name, const Recorded& r
     whole = fits(*body, body->scene.get());
     bodies.push_back(std::move(body));
   }
-  if (!whole || !fits(place.state.mechanism, *found))
+  MechanismPlan plan = whole ? found->plan : MechanismPlan{};
+  if (!whole || !fits(place.state.mechanism, *found) || !completeWire(plan, found->vessel_W))
   {
     return "a held mechanism is missing in the recording, so that the recording cannot be recomputed";
   }
@@ -82,17 +117,18 @@ std::string Mechanisms::Replay::take(const RecordedName& name, const Recorded& r
   {
     this->meshes_.reset();
   }
-  else if (!this->meshes_ || this->meshes_->scene()->contentHash() != found->meshesHash)
+  else
   {
-    const auto surfaces = place.scenes.find(found->meshesHash, found->meshesRevision);
-    if (!surfaces || surfaces->surfaces().size() < 2)
+    const bool same = this->meshes_ && this->meshes_->scene()->contentHash() == found->meshesHash;
+    const auto surfaces = same ? this->meshes_->scene() : place.scenes.find(found->meshesHash, found->meshesRevision);
+    if (!areMeshesOf(plan, surfaces.get()))
     {
       return SceneLibrary::missing;
     }
-    this->meshes_ = makeStandingMeshes(surfaces);
+    this->meshes_ = same ? this->meshes_ : makeStandingMeshes(surfaces);
   }
   this->mechanism_ =
-    std::make_shared<const FeltMechanism>(name.id, found->plan, std::move(bodies), found->found, this->meshes_);
+    std::make_shared<const FeltMechanism>(name.id, plan, std::move(bodies), found->found, this->meshes_);
   return {};
 }
 

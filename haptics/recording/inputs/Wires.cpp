@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/geometry/mesh/TriangleMesh.h"
+#include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/recording/bytes/RecordingLayout.h"
 #include "haptics/recording/inputs/Places.h"
 
@@ -59,11 +59,11 @@ void putWire(ByteWriter& payload, const WirePlan& plan)
   {
     layBeam(put, plan.wire.beams[static_cast<std::size_t>(i)]);
   }
-  payload.put(plan.vessel->mesh().vertices_W);
-  payload.put(plan.vessel->mesh().triangles);
+  payload.put(plan.vessel->data().mesh.vertices_W);
+  payload.put(plan.vessel->data().mesh.triangles);
 }
 
-std::shared_ptr<const WirePlan> readWire(ByteReader& in)
+std::shared_ptr<const WirePlan> readWire(ByteReader& in, TriangleMesh& vessel_W)
 {
   auto plan = std::make_shared<WirePlan>();
   layWire(Get{ in }, *plan);
@@ -76,16 +76,9 @@ std::shared_ptr<const WirePlan> readWire(ByteReader& in)
     layBeam(Get{ in }, beam);
     in.failUnless(isUsable(beam));
   }
-  TriangleMesh mesh;
-  in.get(mesh.vertices_W);
-  in.get(mesh.triangles);
-  in.failUnless(in.ok() && refuseUnclean(mesh, false).empty());
-  if (!in.ok())
-  {
-    return nullptr;
-  }
-  plan->vessel = SurfaceTree::inOrder(std::move(mesh));
-  return plan;
+  in.get(vessel_W.vertices_W);
+  in.get(vessel_W.triangles);
+  return in.ok() ? plan : nullptr;
 }
 
 bool isUsable(const WireState& state)

@@ -11,8 +11,8 @@ namespace palpate
 
 /// A wire and its vessel, whose triangles keep the order of their tree.
 void putWire(ByteWriter& payload, const WirePlan& plan);
-/// Null, with in.ok() false, where the bytes are none.
-[[nodiscard]] std::shared_ptr<const WirePlan> readWire(ByteReader& in);
+/// A wire without its vessel, whose triangles go into `vessel_W`. Null, with in.ok() false, where the bytes are none.
+[[nodiscard]] std::shared_ptr<const WirePlan> readWire(ByteReader& in, TriangleMesh& vessel_W);
 
 /// Numbers that a tick computes with.
 [[nodiscard]] bool isUsable(const WireState& state);
