@@ -23,7 +23,8 @@ struct TickRow
   TickCosts best;
 };
 
-/// The best of three measurements on two idle cores (docs/performance.md names the machine). A row may cost a tenth
+/// The best of three measurements on two idle cores, of whole ticks and of bending beside other work
+/// (docs/performance.md names the machine). A row may cost a tenth
 /// more before palpate-tick-bench calls it OVER; the test allows more, as it runs on any machine.
 inline constexpr std::array tickRows = std::to_array<TickRow>({
   { "point", false, { 3.2, 28.6, 128.9 } },

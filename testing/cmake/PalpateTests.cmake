@@ -227,7 +227,7 @@ endfunction ()
 # A client beside others keeps the focus: each has a display of its own. ParaView's functions take one file as the client.
 set(palpate_client "${CMAKE_BINARY_DIR}/testing/paraview")
 file(GENERATE OUTPUT "${palpate_client}"
-  CONTENT "#!/bin/sh\nexec '${PROJECT_SOURCE_DIR}/testing/scripts/on_own_display' '$<TARGET_FILE:ParaView::paraview>' \"$@\"\n"
+  CONTENT "#!/bin/sh\nexec '${PROJECT_SOURCE_DIR}/testing/ui/on_own_display' '$<TARGET_FILE:ParaView::paraview>' \"$@\"\n"
   FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
 
 # palpate_add_gui_test(NAME HapticDock SCRIPT HapticDock.xml [DATA folder])

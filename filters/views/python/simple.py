@@ -306,6 +306,16 @@ def SaveMarks(file):
         session.GetInspection().WriteMarks(os.fspath(file))
 
 
+def _in_pipeline(made, **properties):
+    """A new source or filter of the plugin: paraview.simple has these only if the plugin was loaded into that namespace."""
+    controller = servermanager.ParaViewPipelineController()
+    controller.PreInitializeProxy(made)
+    simple.SetProperties(made, **properties)
+    controller.PostInitializeProxy(made)
+    controller.RegisterPipelineProxy(made)
+    return made
+
+
 def MapContact(quantity="Thickness", radius=0.0, view=None):
     """Shows a map of "Thickness" or "Curvature" around the contact, or the last one, in place of the touched source, and
     returns the filter. radius [u] of the map; 0: a tenth of the diagonal of the surface. view: None for the active one."""
@@ -319,12 +329,7 @@ def MapContact(quantity="Thickness", radius=0.0, view=None):
         raise HapticRefusal(f"{session.GetContactSource()} has no polygons of its own: touch the result of ExtractSurface on that source.")
     centre = [0.0, 0.0, 0.0]
     session.GetInspection().GetContactInData(centre)
-    controller = servermanager.ParaViewPipelineController()
-    made = servermanager.filters.MapAroundContact()  # paraview.simple has it only if the plugin was loaded into that namespace
-    controller.PreInitializeProxy(made)
-    simple.SetProperties(made, Input=source, Quantity=quantity, Centre=centre, Radius=radius)
-    controller.PostInitializeProxy(made)
-    controller.RegisterPipelineProxy(made)
+    made = _in_pipeline(servermanager.filters.MapAroundContact(), Input=source, Quantity=quantity, Centre=centre, Radius=radius)
     simple.Show(made, view)
     simple.Hide(source, view)
     return made
@@ -489,10 +494,4 @@ def HapticWire(vessel, file, diameter=0.5, length=250, mouth=(0, 0, 0), directio
     scene = {"format": "palpate mechanism", "version": 1, "unit_m": unit, "bodies": [wire]}
     with open(file, "w", encoding="utf-8") as stream:
         json.dump(scene, stream, indent=2)
-    source = servermanager._getPyProxy(_manager().NewProxy("sources", "HapticMechanism"))
-    controller = servermanager.ParaViewPipelineController()
-    controller.PreInitializeProxy(source)
-    source.FileName = file
-    controller.PostInitializeProxy(source)
-    controller.RegisterPipelineProxy(source)
-    return source
+    return _in_pipeline(servermanager.sources.HapticMechanism(), FileName=file)

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/sided/StandingBody.h"
 
 namespace palpate
 {
@@ -18,6 +19,8 @@ constexpr std::uint64_t halvesOfUnit = 3;
 constexpr int mostRounds = 8;
 /// A motion for which there is not enough work is shortened by that factor each time, down to the least part.
 constexpr double shorter = 0.25, leastPart = 1.0 / 64.0;
+/// Constraints that are left by no more than that share of the rest distance are met, whatever work that took.
+constexpr double negligible = 1e-3;
 /// A contact that still comes too near is lifted by more each time, in rest distances.
 constexpr double firstLift = 0.5, mostLift = 8.0;
 
@@ -99,7 +102,7 @@ void StandingContacts::settle() noexcept
 /// that does not meet them either is solved without.
 void StandingContacts::settleSmooth() noexcept
 {
-  if (!this->laws_.capped())
+  if (!this->laws_.capped() || this->laws_.residual_u() <= negligible * this->guard_.rest_u())
   {
     return;
   }
@@ -216,8 +219,7 @@ int StandingContacts::bodyOf(int mesh) const noexcept
   int body = 0;
   for (int left = mesh + 1; body < this->plan_.bodyCount; ++body)
   {
-    const PlannedBody& of = this->plan_.bodies[body];
-    left -= of.kind == MechanismBodyKind::World && of.low_u != of.high_u ? 1 : 0;
+    left -= isStandingMesh(this->plan_.bodies[body]) ? 1 : 0;
     if (left == 0)
     {
       break;

@@ -5,6 +5,7 @@
 
 #include "haptics/geometry/mesh/TriangleMesh.h"
 #include "haptics/geometry/tree/SurfaceTree.h"
+#include "haptics/mechanism/sided/StandingBody.h"
 #include "haptics/mechanism/wire/WirePlan.h"
 #include "haptics/recording/inputs/Mechanisms.h"
 #include "haptics/recording/inputs/SceneLibrary.h"
@@ -34,8 +35,7 @@ bool completeWire(MechanismPlan& plan, const TriangleMesh& vessel_W)
 /// Whether surfaces are those of the mesh in the hand and of the meshes that stand, in the plan's order.
 bool areMeshesOf(const MechanismPlan& plan, const Scene* surfaces)
 {
-  const auto standing = std::count_if(plan.bodies.begin(), plan.bodies.begin() + plan.bodyCount,
-    [](const PlannedBody& b) { return b.kind == MechanismBodyKind::World && b.low_u != b.high_u; });
+  const auto standing = std::count_if(plan.bodies.begin(), plan.bodies.begin() + plan.bodyCount, isStandingMesh);
   return surfaces != nullptr && standing > 0 && surfaces->surfaces().size() == static_cast<std::size_t>(standing) + 1;
 }
 
