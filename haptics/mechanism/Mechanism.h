@@ -27,6 +27,11 @@ enum class MechanismBodyKind : std::uint8_t
   Wire,  ///< in the hand, which pushes it out of a sheath into a vessel; the only body; its frame is W
 };
 
+[[nodiscard]] constexpr bool isInHand(MechanismBodyKind kind) noexcept
+{
+  return kind == MechanismBodyKind::Held || kind == MechanismBodyKind::Wire;
+}
+
 /// A body, as described by a person.
 struct MechanismBody
 {

@@ -95,8 +95,7 @@ MechanismPlan planMechanism(const Mechanism& mechanism, std::span<const Mechanis
   double characteristic_u = 0.0;
   for (const MechanismBody& body : mechanism.bodies)
   {
-    const bool held = body.kind == MechanismBodyKind::Held || body.kind == MechanismBodyKind::Wire;
-    plan.held = held ? plan.bodyCount : plan.held;
+    plan.held = isInHand(body.kind) ? plan.bodyCount : plan.held;
     plan.wire = body.wire ? body.wire->plan : plan.wire;
     plan.bodies[plan.bodyCount++] = planBody(body, soft);
     const double mesh_u = body.mesh ? body.mesh->radius_u : 0.0;

@@ -196,8 +196,7 @@ bool isUsable(const RecordedMechanism& mechanism)
   };
   const std::size_t softCount = mechanism.bodies.size();
   const MechanismBodyKind inHand = plan.wire ? MechanismBodyKind::Wire : MechanismBodyKind::Held;
-  const auto oneHeld = std::ranges::count_if(bodies,
-    [](const PlannedBody& b) { return b.kind == MechanismBodyKind::Held || b.kind == MechanismBodyKind::Wire; });
+  const auto oneHeld = std::ranges::count_if(bodies, [](const PlannedBody& b) { return isInHand(b.kind); });
   const bool alone = plan.bodyCount == 1 && plan.lawCount == 0 && mechanism.found.count == 0;
   return std::ranges::all_of(bodies, [softCount](const PlannedBody& b) { return isUsable(b, softCount); }) &&
          std::ranges::all_of(laws, [&joins](const PlannedConstraint& law) { return isUsable(law) && joins(law); }) &&
