@@ -11,6 +11,7 @@
 
 #include "VirtualSession.h"
 #include "VtkScenes.h"
+#include "haptics/core/ShortestTurn.h"
 #include "testing/support/Random.h"
 #include "testing/support/Says.h"
 #include "vtkPolyData.h"
@@ -225,7 +226,7 @@ TEST_F(HapticSessionFineLines, CoarseLinesStayAsTheyAreAndFineOnesDoWhereThatIsW
 // The walls of a slice stand across any plane.
 TEST_F(HapticSessionFineLines, InASlantedPlaneTheLevelLiesInThatPlane)
 {
-  const Quat turn = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 2, 3));
+  const Quat turn = shortestTurn(Vec3::UnitZ(), Vec3(1, 2, 3));
   std::vector<Vec3> ring_W = makeRing(30000, noise);
   std::transform(ring_W.begin(), ring_W.end(), ring_W.begin(), [&](const Vec3& p) { return Vec3(turn * p); });
   this->showLine(ring_W);

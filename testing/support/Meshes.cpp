@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/core/ShortestTurn.h"
 #include "testing/support/Meshes.h"
 
 #include <cmath>
@@ -108,7 +109,7 @@ TriangleMesh makeSheet(const Tessellation& how, Random& random)
 TriangleMesh makePlane(const Vec3& normal, double half_u, int cells, Random& random)
 {
   const TriangleMesh flat = makeSheet({ 2 * half_u, 2 * half_u, cells, cells, 0.3 }, random);
-  return rotated(flat, Quat::FromTwoVectors(Vec3::UnitZ(), normal));
+  return rotated(flat, shortestTurn(Vec3::UnitZ(), normal));
 }
 
 TriangleMesh makeGroove(double halfAngle_rad, double size_u)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "haptics/compliance/servo/ContactProblem.h"
+#include "haptics/core/ShortestTurn.h"
 #include "testing/support/Random.h"
 
 namespace palpate::test
@@ -18,7 +19,7 @@ inline void makeRandomContacts(Random& random, int n, ContactProblem& problem)
     {
       spread.block<3, 1>(3 * c, k) = random.inCube(1.0);
     }
-    const Quat q = Quat::FromTwoVectors(Vec3(Vec3::UnitX()), (Vec3::UnitZ() + random.direction() * 0.8).normalized());
+    const Quat q = shortestTurn(Vec3(Vec3::UnitX()), (Vec3::UnitZ() + random.direction() * 0.8).normalized());
     turns.block<3, 3>(3 * c, 0) = q.toRotationMatrix().transpose();
   }
   problem.resize(n);

@@ -7,6 +7,7 @@
 
 #include "haptics/contact/planes/FeatureGeometry.h"
 #include "haptics/contact/sweep/Sweep.h"
+#include "haptics/core/ShortestTurn.h"
 #include "vtkCamera.h"
 #include "vtkHapticContactForce.h"
 #include "vtkHapticFieldShape.h"
@@ -247,7 +248,7 @@ void vtkHapticSight::TurnHeldAxis(const double direction_W[3])
   auto& impl = this->Behind();
   if (IsInHand(impl) && this->GetHeldAxis(tip_W.data(), axis_W.data()))
   {
-    impl.HandTurn_W = (palpate::Quat::FromTwoVectors(axis_W, Vec3(direction_W)) * impl.HandTurn_W).normalized();
+    impl.HandTurn_W = (palpate::shortestTurn(axis_W, Vec3(direction_W)) * impl.HandTurn_W).normalized();
     impl.Feed();
   }
 }

@@ -7,6 +7,7 @@
 
 #include "haptics/core/Across.h"
 #include "haptics/core/PoseMath.h"
+#include "haptics/core/ShortestTurn.h"
 #include "vtkCellArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -27,7 +28,7 @@ std::vector<palpate::Vec3> vtkHapticWireRings(std::span<const palpate::Vec3> nod
     const std::size_t last = nodes_W.size() - 1;
     const palpate::Vec3 way = nodes_W[std::min(i + 1, last)] - nodes_W[i > 0 ? i - 1 : 0];
     const palpate::Vec3 next = way.norm() > 0.0 ? palpate::Vec3(way.normalized()) : along;
-    across = i == 0 ? palpate::acrossOf(next) : palpate::Vec3(palpate::Quat::FromTwoVectors(along, next) * across);
+    across = i == 0 ? palpate::acrossOf(next) : palpate::Vec3(palpate::shortestTurn(along, next) * across);
     along = next;
     for (int k = 0; k < Around; ++k)
     {

@@ -6,8 +6,9 @@
 #include <set>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 
+#include "haptics/core/ShortestTurn.h"
 #include "haptics/geometry/tree/SurfaceData.h"
 
 namespace palpate
@@ -77,16 +78,19 @@ std::optional<Eigen::Matrix<double, unknowns, 1>> fit(const std::vector<Vec3>& l
   return solver.solve(heights);
 }
 
-/// From the first and second fundamental form of the quadric over the origin.
+/// From the first and second fundamental form of the quadric over the origin, the second along two orthonormal tangents.
 Curvature curvatureOf(const Eigen::Matrix<double, unknowns, 1>& k, double unit_u)
 {
-  const double d = k[3], e = k[4], w2 = 1.0 + d * d + e * e;
-  Eigen::Matrix2d first, second;
-  first << 1.0 + d * d, d * e, d * e, 1.0 + e * e;
-  second << k[0], k[1], k[1], k[2];
-  second /= std::sqrt(w2);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> bends(second, first, Eigen::EigenvaluesOnly);
-  return { -bends.eigenvalues()[0] / unit_u, -bends.eigenvalues()[1] / unit_u }; // a bulge has its vertices below
+  const double d = k[3], e = k[4], along2 = 1.0 + d * d, w2 = along2 + e * e;
+  const Eigen::Vector2d first(1.0 / std::sqrt(along2), 0.0);
+  const Eigen::Vector2d second = Eigen::Vector2d(-d * e, along2) / std::sqrt(along2 * w2);
+  Eigen::Matrix2d form;
+  form << k[0], k[1], k[1], k[2];
+  form /= std::sqrt(w2);
+  const double mean = 0.5 * (first.dot(form * first) + second.dot(form * second));
+  const double half = 0.5 * (first.dot(form * first) - second.dot(form * second));
+  const double apart = std::hypot(half, first.dot(form * second));
+  return { -(mean - apart) / unit_u, -(mean + apart) / unit_u }; // a bulge has its vertices below
 }
 
 } // namespace
@@ -101,7 +105,7 @@ std::optional<Curvature> curvatureAt(
   }
   constexpr int rings = 2;
   const std::set<std::uint32_t> around = verticesAround(data, triangle, rings);
-  const Quat toLocal = Quat::FromTwoVectors(outward_W, Vec3::UnitZ());
+  const Quat toLocal = shortestTurn(outward_W, Vec3::UnitZ());
   double unit_u = 0.0;
   for (const std::uint32_t v : around)
   {

@@ -2,6 +2,7 @@
 // Row 14: the inner edges of a tessellated plane cannot be felt.
 #include <gtest/gtest.h>
 
+#include "haptics/core/ShortestTurn.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Probe.h"
 
@@ -29,7 +30,7 @@ TEST_P(TessellatedPlane, ASlideOfOneMetreHasNoLateralForceAndNoRipple)
   const auto& [name, r, normal] = GetParam();
   Random random(testSeed(81));
   const TriangleMesh flat = makeSheet({ 1.2, 1.2, 200, 200, 0.35 }, random);
-  const Quat q = Quat::FromTwoVectors(Vec3::UnitZ(), normal);
+  const Quat q = shortestTurn(Vec3::UnitZ(), normal);
   Probe probe(sceneOf(rotated(flat, q)), r, q * Vec3(-0.5, -0.05, 0.01));
   double lateral_N = 0.0, ripple_N = 0.0;
   const std::size_t ticks = testCount(10000); // 0.1 mm each

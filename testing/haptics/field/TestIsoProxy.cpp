@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/core/ShortestTurn.h"
 #include "haptics/field/Smoothing.h"
 #include "haptics/field/iso/IsoProxy.h"
 #include "testing/support/AllocationGuard.h"
@@ -77,7 +78,7 @@ TEST(IsoProxy, OnALinearFieldIsTheFootOfTheHandToATrillionthInTheSameTick)
     {
       // The foot within a ball of 9 spacings around the middle: inside of the grid, whatever the plane's direction.
       const Vec3 across =
-        Quat::FromTwoVectors(Vec3::UnitZ(), n) * Vec3(random.uniform(-4, 4), random.uniform(-4, 4), 0);
+        shortestTurn(Vec3::UnitZ(), n) * Vec3(random.uniform(-4, 4), random.uniform(-4, 4), 0);
       const Vec3 foot = through + across, p = foot - side * random.uniform(0.01, 4.0) * n;
       const IsoResult result = hand.to(p);
       EXPECT_LT((hand.x() - foot).norm(), 1e-12);

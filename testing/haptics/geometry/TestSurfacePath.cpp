@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/core/ShortestTurn.h"
 #include "haptics/geometry/measure/SurfacePath.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/NearestPoints.h"
@@ -71,7 +72,7 @@ TEST(SurfacePath, OverATessellatedPlaneIsStraightFromVertexToVertexOfARegularGri
   Random random(testSeed(52));
   for (const double jitter : { 0.0, 0.2 }) // more would fold it
   {
-    const Quat turn = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 2, 3));
+    const Quat turn = shortestTurn(Vec3::UnitZ(), Vec3(1, 2, 3));
     const SurfaceTree tree = treeOf(rotated(makeSheet({ 20.0, 20.0, 30, 30, jitter }, random), turn));
     const auto& vertices = tree.mesh().vertices_W;
     for (std::size_t i = 0; i < testCount(400); ++i)

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "devices/simulated/SimulatedDevice.h"
+#include "haptics/core/ShortestTurn.h"
 #include "haptics/geometry/curves/CurveSet.h"
 #include "haptics/session/DeviceAdaptation.h"
 #include "haptics/tick/ForceRenderer.h"
@@ -100,8 +101,8 @@ std::vector<Pose> planes()
 {
   test::Random random(test::testSeed(661));
   std::vector<Pose> planes(3);
-  planes[1].q = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitX());
-  planes[2].q = Quat::FromTwoVectors(Vec3::UnitZ(), random.direction());
+  planes[1].q = shortestTurn(Vec3::UnitZ(), Vec3::UnitX());
+  planes[2].q = shortestTurn(Vec3::UnitZ(), random.direction());
   for (Pose& plane_WP : planes)
   {
     plane_WP.p = random.inCube(5.0);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/core/PoseMath.h"
+#include "haptics/core/ShortestTurn.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
 #include "haptics/mechanism/servo/StandingGuard.h"
 #include "haptics/mechanism/sided/SidedSurface.h"
@@ -49,7 +50,7 @@ std::shared_ptr<const Scene> besideBlock(std::vector<SurfaceInput> others, unsig
 TriangleMesh ballOnVertex(int level, double radius_m)
 {
   const TriangleMesh ball = makeIcosphere(level, radius_m);
-  return rotated(ball, Quat::FromTwoVectors(ball.vertices_W.front(), -Vec3::UnitZ()));
+  return rotated(ball, shortestTurn(ball.vertices_W.front(), -Vec3::UnitZ()));
 }
 
 constexpr double table_m = 0.02; ///< height of its top

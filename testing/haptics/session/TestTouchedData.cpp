@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "haptics/core/ShortestTurn.h"
 #include "haptics/geometry/curves/CurveSet.h"
 #include "haptics/session/path/PathTouch.h"
 #include "haptics/session/scene/TouchedData.h"
@@ -63,7 +64,7 @@ TEST(TouchedData, LinesInAPlaneAreWallsAcrossIt)
 {
   test::Random random(test::testSeed(1403));
   constexpr double ball_u = 0.3;
-  const Quat turn = Quat::FromTwoVectors(Vec3::UnitZ(), random.direction());
+  const Quat turn = shortestTurn(Vec3::UnitZ(), random.direction());
   const Vec3 shift = random.inCube(5.0);
   std::vector<Vec3> points_W;
   for (const Vec3& p : { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 2, 0), Vec3(-1, 1, 0) })

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rows 11, 12 and 13: concave corners in one tick, valleys that are almost flat, wedges.
+#include "haptics/core/ShortestTurn.h"
 #include "testing/support/Corners.h"
 
 #include <algorithm>
@@ -94,7 +95,7 @@ double valleyError(double rise_rad)
 /// A singular matrix gives no force: all of it is missing.
 double normalMatrixError(double rise_rad, test::Random& random)
 {
-  const Quat turn = Quat::FromTwoVectors(Vec3::UnitZ(), random.direction());
+  const Quat turn = shortestTurn(Vec3::UnitZ(), random.direction());
   const Vec3 n1 = turn * Vec3(std::sin(rise_rad), 0, std::cos(rise_rad));
   const Vec3 n2 = turn * Vec3(-std::sin(rise_rad), 0, std::cos(rise_rad));
   const Vec3 p = random.uniform(0.5, 1.0) * (turn * Vec3(random.uniform(-0.4, 0.4) * rise_rad, random.uniform(), -1));

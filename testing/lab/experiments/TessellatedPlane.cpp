@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "haptics/core/ShortestTurn.h"
 #include "testing/lab/Experiments.h"
 #include "testing/lab/methods/ContactMethod.h"
 #include "testing/lab/methods/Textbook.h"
@@ -54,7 +55,7 @@ void runTessellatedPlane(const Conditions& conditions, Table& table)
   for (const auto& [name, normal] : { std::pair<std::string, Vec3>{ "plane=level", Vec3::UnitZ() },
          std::pair<std::string, Vec3>{ "plane=tilted", Vec3(0.3, -0.5, 0.8).normalized() } })
   {
-    const Quat q = Quat::FromTwoVectors(Vec3::UnitZ(), normal);
+    const Quat q = shortestTurn(Vec3::UnitZ(), normal);
     const World world(test::rotated(flat, q));
     for (const std::string ours : { "god-object r=0", "god-object r=1mm" })
     {

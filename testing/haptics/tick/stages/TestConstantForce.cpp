@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/core/ShortestTurn.h"
 #include "haptics/recording/RecordedStages.h"
 #include "haptics/session/settings/SessionSettings.h"
 #include "haptics/session/settings/TickFields.h"
@@ -38,7 +39,7 @@ protected:
     test::Random random(test::testSeed(1401));
     this->scene_ = test::sceneOf(test::makeSheet({ 2.0, 2.0, 8, 8, 0.2 }, random));
     this->parameters_.stiffness_N_per_m = wall_N_per_m;
-    this->parameters_.map.q_WD = Quat::FromTwoVectors(Vec3::UnitZ(), random.direction());
+    this->parameters_.map.q_WD = shortestTurn(Vec3::UnitZ(), random.direction());
     setConstantForce(this->parameters_, force_W);
   }
 

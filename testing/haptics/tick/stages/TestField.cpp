@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/core/ShortestTurn.h"
 #include "haptics/recording/RecordedStages.h"
 #include "haptics/tick/ForceRenderer.h"
 #include "testing/haptics/tick/stages/Tick.h"
@@ -70,7 +71,7 @@ TEST_F(Field, AloneHoldsTheHandWithTheStiffnessOfTheCoupling)
 {
   const FieldBlock brick = scalarIn([](const Vec3& p) { return p.z(); });
   this->parameters_.map.scale_u_per_m = 4.0;
-  this->parameters_.map.q_WD = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 2, 2).normalized());
+  this->parameters_.map.q_WD = shortestTurn(Vec3::UnitZ(), Vec3(1, 2, 2).normalized());
   this->tick({ 0, 0, 0.1 }, &brick);
   const HapticState state = this->tick({ 0, 0, -0.02 }, &brick); // 5 mm of the hand
   EXPECT_LT((state.force_W - Vec3(0, 0, coupling_N_per_m * 0.005)).norm(), 1e-9);
