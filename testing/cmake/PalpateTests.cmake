@@ -9,10 +9,9 @@
 #   COST seconds       about how long it takes: ctest starts the longest first, so that no core idles at the end. Default: 20 of gui
 #                      and plugin, 10 of fuzz and filters, 0 of the others
 #   GROUP name         its program is built apart (palpate_build_apart), before the first test of that group
-#   IN_TURN            ./dev test runs it at one commit in seven (support/turns.py); not for tests that are discovered one by one
+#   IN_TURN            ./dev test runs it at one commit in seven (support/turns.py); not for suites that are discovered
 
 find_package(GTest REQUIRED)
-include(GoogleTest)
 
 set(PALPATE_TEST_OUTPUT "${CMAKE_BINARY_DIR}/Testing/Temporary")
 set(PALPATE_PYTHON_PATH "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/python")
@@ -146,7 +145,8 @@ endfunction ()
 
 # palpate_add_unit_test(NAME contact SOURCES TestA.cpp TestB.cpp [LIBRARIES ...] [CGAL] [OWN_HEADERS] [AS_RELEASED]
 #   [VTK_MODULES VTK::IOXML ...])
-# A GoogleTest program linked to the core and testing/support; each TEST becomes a ctest "name.Suite.Test". Its own sources are
+# A GoogleTest program linked to the core and testing/support; each suite becomes a ctest "name.Suite", or with
+# PALPATE_TIMEOUT_FACTOR, each TEST "name.Suite.Test" (DiscoverTests.cmake). Its own sources are
 # compiled at -O1, which takes a sixth less time; AS_RELEASED: at -O2, for judges that compute longer than they compile.
 # Label: unit. CGAL: the sources use CGAL (oracles). Eight sources are compiled at once, so they name things differently.
 # OWN_HEADERS: the caller precompiles others. VTK_MODULES: linked and auto-initialised. With GROUP it is one ctest, "name": its tests can be listed only once it is built.
@@ -176,13 +176,19 @@ function (palpate_add_unit_test)
     _palpate_set_properties("${arg_NAME}")
     return ()
   endif ()
-  gtest_discover_tests("${arg_NAME}" TEST_PREFIX "${arg_NAME}." TEST_LIST "${arg_NAME}_tests" DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
-    PROPERTIES LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" COST "${arg_COST}" RUN_SERIAL "${arg_SERIAL}")
-  # gtest_discover_tests takes a list apart, so the environment is set in a script that ctest reads after the discovery.
-  set(script "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}-environment.cmake")
-  file(WRITE "${script}" "foreach (test IN LISTS ${arg_NAME}_tests)
-  set_tests_properties(\"\${test}\" PROPERTIES ENVIRONMENT [==[${arg_ENVIRONMENT}]==])
-endforeach ()
+  set(each OFF)
+  if (PALPATE_TIMEOUT_FACTOR)
+    set(each ON)
+  else ()
+    math(EXPR arg_TIMEOUT "4 * ${arg_TIMEOUT}") # of a suite
+  endif ()
+  set(script "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}-tests.cmake")
+  file(WRITE "${script}" "set(test_program [==[${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${arg_NAME}]==])
+set(test_name \"${arg_NAME}\")
+set(test_each ${each})
+set(test_properties LABELS \"${arg_LABEL}\" TIMEOUT ${arg_TIMEOUT} COST ${arg_COST} RUN_SERIAL ${arg_SERIAL})
+set(test_environment [==[${arg_ENVIRONMENT}]==])
+include([==[${PROJECT_SOURCE_DIR}/testing/cmake/DiscoverTests.cmake]==])
 ")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${script}")
 endfunction ()
