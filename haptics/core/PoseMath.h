@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/core/Types.h"
+#include <cmath>
+
+#include "haptics/core/Across.h"
 
 namespace palpate
 {
@@ -28,6 +30,27 @@ namespace palpate
 [[nodiscard]] inline Pose into(const Pose& a, const Pose& b) noexcept
 {
   return { into(a, b.p), a.q.conjugate() * b.q };
+}
+
+/// The smallest rotation that takes the direction of one vector to that of another; both of any length but 0. Opposite
+/// directions: half a turn about a direction at right angles. Eigen's function has a singular value decomposition for
+/// that case, which costs each file that calls it seconds of compile time.
+[[nodiscard]] inline Quat shortestTurn(const Vec3& from, const Vec3& to) noexcept
+{
+  constexpr double opposite = -1.0 + 1e-12;
+  const Vec3 a = from.normalized(), b = to.normalized();
+  const double cosine = b.dot(a);
+  Quat turn;
+  if (cosine < opposite)
+  {
+    turn.w() = 0.0;
+    turn.vec() = acrossOf(a);
+    return turn;
+  }
+  const double s = std::sqrt((1.0 + cosine) * 2.0);
+  turn.vec() = a.cross(b) * (1.0 / s);
+  turn.w() = 0.5 * s;
+  return turn;
 }
 
 } // namespace palpate

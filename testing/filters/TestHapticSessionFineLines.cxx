@@ -11,7 +11,7 @@
 
 #include "VirtualSession.h"
 #include "VtkScenes.h"
-#include "haptics/core/ShortestTurn.h"
+#include "haptics/core/PoseMath.h"
 #include "testing/support/Random.h"
 #include "testing/support/Says.h"
 #include "vtkPolyData.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "haptics/compliance/servo/ContactProblem.h"
-#include "haptics/core/ShortestTurn.h"
+#include "haptics/core/PoseMath.h"
 #include "testing/support/Random.h"
 
 namespace palpate::test

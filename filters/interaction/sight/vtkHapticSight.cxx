@@ -7,7 +7,7 @@
 
 #include "haptics/contact/planes/FeatureGeometry.h"
 #include "haptics/contact/sweep/Sweep.h"
-#include "haptics/core/ShortestTurn.h"
+#include "haptics/core/PoseMath.h"
 #include "vtkCamera.h"
 #include "vtkHapticContactForce.h"
 #include "vtkHapticFieldShape.h"

@@ -7,7 +7,6 @@
 
 #include "haptics/core/Across.h"
 #include "haptics/core/PoseMath.h"
-#include "haptics/core/ShortestTurn.h"
 #include "vtkCellArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"

@@ -8,7 +8,7 @@
 
 #include <Eigen/QR>
 
-#include "haptics/core/ShortestTurn.h"
+#include "haptics/core/PoseMath.h"
 #include "haptics/geometry/tree/SurfaceData.h"
 
 namespace palpate

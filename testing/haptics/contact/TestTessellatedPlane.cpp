@@ -2,7 +2,7 @@
 // Row 14: the inner edges of a tessellated plane cannot be felt.
 #include <gtest/gtest.h>
 
-#include "haptics/core/ShortestTurn.h"
+#include "haptics/core/PoseMath.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Probe.h"
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/core/ShortestTurn.h"
+#include "haptics/core/PoseMath.h"
 #include "haptics/field/Smoothing.h"
 #include "haptics/field/iso/IsoProxy.h"
 #include "testing/support/AllocationGuard.h"

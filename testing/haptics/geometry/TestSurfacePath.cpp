@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/core/ShortestTurn.h"
+#include "haptics/core/PoseMath.h"
 #include "haptics/geometry/measure/SurfacePath.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/NearestPoints.h"

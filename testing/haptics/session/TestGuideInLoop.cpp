@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "devices/simulated/SimulatedDevice.h"
-#include "haptics/core/ShortestTurn.h"
+#include "haptics/core/PoseMath.h"
 #include "haptics/geometry/curves/CurveSet.h"
 #include "haptics/session/DeviceAdaptation.h"
 #include "haptics/tick/ForceRenderer.h"

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "haptics/core/PoseMath.h"
-#include "haptics/core/ShortestTurn.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
 #include "haptics/mechanism/servo/StandingGuard.h"
 #include "haptics/mechanism/sided/SidedSurface.h"

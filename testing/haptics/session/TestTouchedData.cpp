@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "haptics/core/ShortestTurn.h"
+#include "haptics/core/PoseMath.h"
 #include "haptics/geometry/curves/CurveSet.h"
 #include "haptics/session/path/PathTouch.h"
 #include "haptics/session/scene/TouchedData.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "haptics/core/ShortestTurn.h"
+#include "haptics/core/PoseMath.h"
 #include "testing/lab/Experiments.h"
 #include "testing/lab/methods/ContactMethod.h"
 #include "testing/lab/methods/Textbook.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/core/ShortestTurn.h"
+#include "haptics/core/PoseMath.h"
 #include "haptics/recording/RecordedStages.h"
 #include "haptics/session/settings/SessionSettings.h"
 #include "haptics/session/settings/TickFields.h"

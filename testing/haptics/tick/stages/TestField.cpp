@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/core/ShortestTurn.h"
+#include "haptics/core/PoseMath.h"
 #include "haptics/recording/RecordedStages.h"
 #include "haptics/tick/ForceRenderer.h"
 #include "testing/haptics/tick/stages/Tick.h"
