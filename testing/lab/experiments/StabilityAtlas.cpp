@@ -153,21 +153,27 @@ std::string varied(const char* what, double x)
   return std::string("device=D1 vary=") + what + " " + caseName({ { "x", x } });
 }
 
-void varyLinear(Table& table)
+/// The ends and the middle of an axis in a quick run.
+std::vector<double> along(const Conditions& conditions, const std::vector<double>& all)
+{
+  return conditions.size == Size::Quick ? std::vector<double>{ all.front(), all[all.size() / 2], all.back() } : all;
+}
+
+void varyLinear(const Conditions& conditions, Table& table)
 {
   for (const Chain& chain : chains())
   {
-    for (const double rate : { 20.0, 60.0, 125.0, 250.0, 500.0, 1000.0, 2000.0, 4000.0, 8000.0 })
+    for (const double rate : along(conditions, { 20.0, 60.0, 125.0, 250.0, 500.0, 1000.0, 2000.0, 4000.0, 8000.0 }))
     {
       judgeLinear(varied("rate", rate), chain, FreeDevice{}, 1.0 / rate, table);
     }
-    for (const int delay : { 0, 1, 2, 3 })
+    for (const double delay : along(conditions, { 0.0, 1.0, 2.0, 3.0 }))
     {
       FreeDevice device;
-      device.delay_ticks = delay;
+      device.delay_ticks = static_cast<int>(delay);
       judgeLinear(varied("delay", delay), chain, device, period_s, table);
     }
-    for (const double damping : { 0.05, 0.2, 0.5, 1.0, 2.0, 5.0 })
+    for (const double damping : along(conditions, { 0.05, 0.2, 0.5, 1.0, 2.0, 5.0 }))
     {
       FreeDevice device;
       device.model.damping_Ns_per_m = damping;
@@ -176,18 +182,18 @@ void varyLinear(Table& table)
   }
 }
 
-void varyEncoderAndFriction(Table& table)
+void varyEncoderAndFriction(const Conditions& conditions, Table& table)
 {
   for (const Chain& chain : chains())
   {
-    for (const double step_um : { 5.0, 10.0, 20.0, 50.0, 100.0, 200.0 })
+    for (const double step_um : along(conditions, { 5.0, 10.0, 20.0, 50.0, 100.0, 200.0 }))
     {
       FreeDevice device;
       device.model.friction_N = 0.05;
       device.model.encoderStep_m = 1e-6 * step_um;
       judgeRest(varied("quantisation", step_um), chain, device, table);
     }
-    for (const double friction : { 0.0, 0.02, 0.05, 0.1, 0.2, 0.4 })
+    for (const double friction : along(conditions, { 0.0, 0.02, 0.05, 0.1, 0.2, 0.4 }))
     {
       FreeDevice device;
       device.model.friction_N = friction;
@@ -238,9 +244,9 @@ void everyDevice(Table& table)
 void runStabilityAtlas(const Conditions& conditions, Table& table)
 {
   using namespace stability_atlas_experiment;
-  varyLinear(table);
+  varyLinear(conditions, table);
   conditions.progress(0.4);
-  varyEncoderAndFriction(table);
+  varyEncoderAndFriction(conditions, table);
   conditions.progress(0.8);
   everyDevice(table);
 }
