@@ -32,9 +32,9 @@ namespace palpate
   return { into(a, b.p), a.q.conjugate() * b.q };
 }
 
-/// The smallest rotation that takes the direction of one vector to that of another; both of any length but 0. It turns
-/// twice from the first to the direction halfway, which needs no decomposition and keeps the quaternion's length next to
-/// half a turn. Opposite directions have none halfway: half a turn about a direction at right angles.
+/// The smallest rotation that takes the direction of one vector to that of another; both of any length but 0. Half of
+/// the rotation leads to the direction halfway, so that no decomposition is needed and the quaternion keeps its length
+/// next to half a turn. Opposite directions have none halfway: half a turn about a direction at right angles.
 [[nodiscard]] inline Quat shortestTurn(const Vec3& from, const Vec3& to) noexcept
 {
   constexpr double opposite = 2e-8; // from there on the sum's rounding turns it less than its length

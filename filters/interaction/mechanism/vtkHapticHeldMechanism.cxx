@@ -337,14 +337,19 @@ const palpate::Vec3* vtkHapticHeldMechanism::SoftHand_W() const
   return this->Seen.Held && !this->Seen.Soft.empty() ? &this->Seen.Soft.front().shape->hand_W : nullptr;
 }
 
+bool vtkHapticHeldMechanism::IsWire() const
+{
+  return this->Inputs &&
+         std::ranges::any_of(this->Inputs->mechanism.bodies, [](const auto& body) { return body.wire != nullptr; });
+}
+
 std::string vtkHapticHeldMechanism::FeltText(bool runs) const
 {
   if (!this->Status.problem.empty())
   {
     return this->Name + " cannot be touched: " + this->Status.problem;
   }
-  const bool wire =
-    std::ranges::any_of(this->Inputs->mechanism.bodies, [](const auto& body) { return body.wire != nullptr; });
+  const bool wire = this->IsWire();
   const std::string laws =
     this->Name + ": " +
     (wire ? "a wire's beams" : std::to_string(this->Inputs->mechanism.laws.size()) + " constraints");

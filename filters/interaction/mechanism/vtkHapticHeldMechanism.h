@@ -56,6 +56,7 @@ public:
   /// A row a constraint: Constraint, Kind, A, B, Numbers, Phase, Force [N], Inside [u].
   void FillTable(vtkTable& table) const;
 
+  bool IsWire() const; ///< whether a wire is chosen
   /// The report of the tick on a wire; of another mechanism zeros.
   const palpate::WireReport& Wire() const { return this->Now.wire; }
   double WallPlace[3] = { 0.0, 0.0, 0.0 }; ///< of the largest force of the wall on a wire [u]

@@ -11,6 +11,11 @@ vtkSmartPointer<vtkHapticTouchedMechanism> vtkHapticTouchedMechanism::Of(vtkHapt
   return vtkSmartPointer<vtkHapticTouchedMechanism>::Take(new vtkHapticTouchedMechanism(session));
 }
 
+bool vtkHapticTouchedMechanism::GetIsWire() const
+{
+  return this->Behind().Mechanism.IsWire();
+}
+
 const char* vtkHapticTouchedMechanism::GetAdded() const
 {
   return this->Behind().Mechanism.Taken().c_str();

@@ -19,6 +19,7 @@ public:
   vtkAbstractTypeMacro(vtkHapticTouchedMechanism, vtkHapticSessionPart);
   static vtkSmartPointer<vtkHapticTouchedMechanism> Of(vtkHapticSession& session);
 
+  bool GetIsWire() const;       ///< whether MechanismSource is a wire
   const char* GetAdded() const; ///< whose was added last; "": none since MechanismSource is another
   void SetMoved(bool moved);    ///< whether it is drawn elsewhere than it is felt, for MechanismText to say so
   /// Moves and bends shapes; false: they are as at first.

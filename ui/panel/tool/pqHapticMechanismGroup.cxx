@@ -4,6 +4,7 @@
 #include "pqHapticButton.h"
 #include "pqHapticController.h"
 #include "pqHapticLabel.h"
+#include "pqHapticLink.h"
 #include "pqHapticNamedSource.h"
 #include "pqHapticSourceChoice.h"
 #include "pqHapticStrip.h"
@@ -67,6 +68,7 @@ pqHapticMechanismGroup::pqHapticMechanismGroup(QWidget* parent) : Superclass(tr(
   auto* changes = new QHBoxLayout;
   changes->addWidget(this->Remove, 1);
   changes->addWidget(this->Break, 1);
+  changes->addWidget(this->Regrip, 1);
   changes->addWidget(this->PutBack, 1);
   this->Form->addRow(changes);
   auto* added = new QHBoxLayout;
@@ -97,8 +99,11 @@ void pqHapticMechanismGroup::makeButtons()
     pqHapticButton(this, "mechanismRemove", tr("Remove"), tr("Remove the chosen constraint from the mechanism"));
   this->Break = pqHapticButton(this, "mechanismBreak", tr("Break"),
     tr("Break the chosen constraint, until the mechanism is held or touched anew or gets other constraints"));
-  this->PutBack = pqHapticButton(this, "mechanismPutBack", tr("Put Back"),
-    tr("Put all bodies back where the scene file has them; broken constraints are whole again"));
+  this->PutBack = pqHapticButton(this, "mechanismPutBack", {}, {});
+  this->Regrip = pqHapticButton(this, "mechanismRegrip", tr("Regrip"),
+    tr("While this is pressed in, the sheath holds the wire and the hand goes back for the next stroke (Clutch; while "
+       "Ctrl+Shift+C is held)"));
+  this->Regrip->setCheckable(true);
   this->Constraint = new QLineEdit(this);
   this->Constraint->setObjectName("mechanismConstraint");
   this->Constraint->setPlaceholderText(tr("{ \"name\": ..., \"kind\": ..., \"a\": ..., \"b\": ... }"));
@@ -110,6 +115,12 @@ void pqHapticMechanismGroup::makeButtons()
   this->connect(this->Remove, &QPushButton::clicked, this, &pqHapticMechanismGroup::removeConstraint);
   this->connect(this->Break, &QPushButton::clicked, this, &pqHapticMechanismGroup::breakConstraint);
   this->connect(this->PutBack, &QPushButton::clicked, this, &pqHapticMechanismGroup::putBack);
+}
+
+void pqHapticMechanismGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
+{
+  pqHapticLink::add(links, this->Regrip, "checked", SIGNAL(toggled(bool)), proxy, "Clutch");
+  this->Superclass::link(links, proxy);
 }
 
 QString pqHapticMechanismGroup::selected() const
@@ -191,20 +202,32 @@ void pqHapticMechanismGroup::refresh(vtkHapticSession* session)
   {
     this->Chart->clear();
   }
-  const bool chosen = held && !this->selected().isEmpty();
-  for (QWidget* const widget : QList<QWidget*>{ this->Table, this->Chart, this->Constraint, this->Add, this->PutBack })
+  this->show(held, held && session->GetMechanism()->GetIsWire());
+}
+
+void pqHapticMechanismGroup::show(bool held, bool wire)
+{
+  const QList<QWidget*> ofConstraints{ this->Table, this->Constraint, this->Add, this->Remove, this->Break };
+  for (QWidget* const widget : ofConstraints)
   {
-    widget->setVisible(held);
+    widget->setVisible(held && !wire);
   }
+  this->Chart->setVisible(held);
+  this->PutBack->setVisible(held);
+  this->PutBack->setText(wire ? tr("Pull Out") : tr("Put Back"));
+  this->PutBack->setToolTip(wire
+      ? tr("Pull the wire out of the vessel, back to the length with which it begins")
+      : tr("Put all bodies back where the scene file has them; broken constraints are whole again"));
+  this->Regrip->setVisible(wire);
   for (QPushButton* const button : { this->Remove, this->Break })
   {
-    button->setVisible(held);
-    button->setEnabled(chosen);
+    button->setEnabled(held && !this->selected().isEmpty());
   }
 }
 
 QList<QWidget*> pqHapticMechanismGroup::fields() const
 {
   return this->settings() +
-         QList<QWidget*>{ this->Table, this->Remove, this->Break, this->PutBack, this->Constraint, this->Add };
+         QList<QWidget*>{
+           this->Table, this->Remove, this->Break, this->Regrip, this->PutBack, this->Constraint, this->Add };
 }

@@ -9,7 +9,8 @@ class QTableWidget;
 class pqHapticStrip;
 
 /// The group "Mechanism" of the panel: which source the hand holds a body of, a row a constraint with its present
-/// force, constraints to be added, removed and broken, and the force over the depth.
+/// force, constraints to be added, removed and broken, and the force over the depth. A wire has neither constraints nor
+/// bodies to put back: it is regripped and pulled out.
 class pqHapticMechanismGroup : public pqHapticGroup
 {
   Q_OBJECT
@@ -18,6 +19,7 @@ class pqHapticMechanismGroup : public pqHapticGroup
 public:
   explicit pqHapticMechanismGroup(QWidget* parent = nullptr);
 
+  void link(pqPropertyLinks& links, vtkSMProxy* proxy) override;
   void refresh(vtkHapticSession* session) override;
   QList<QWidget*> fields() const override;
 
@@ -30,8 +32,9 @@ private:
   void putBack();
   QString selected() const;
   void fill(vtkHapticSession& session);
+  void show(bool held, bool wire);
 
-  QPushButton *Add, *Remove, *Break, *PutBack;
+  QPushButton *Add, *Remove, *Break, *PutBack, *Regrip;
   QLineEdit* Constraint;
   QLabel* Text;
   QTableWidget* Table;
