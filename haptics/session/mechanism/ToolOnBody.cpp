@@ -23,31 +23,38 @@ std::string nameBeside(std::string name, const std::vector<MechanismBody>& other
 } // namespace
 
 Outcome<std::shared_ptr<const MechanismInputs>> toolOnBody(const std::string& tool, const TriangleMesh& mesh_H,
-  const MechanismSoftInput& body, double friction, const std::vector<MechanismBody>& beside)
+  const MechanismSoftInput& body, double friction, const std::vector<MechanismBody>& beside,
+  double unit_m)
 {
   auto held = makeRigidMesh(mesh_H);
   if (!held.ok())
   {
     return { nullptr, held.problem };
   }
-  MechanismBody inHand, soft;
+  MechanismBody inHand;
   inHand.name = tool == body.name ? tool + " in the hand" : tool;
   inHand.kind = MechanismBodyKind::Held;
   inHand.mesh = std::move(held.value);
-  soft.name = body.name;
-  soft.kind = MechanismBodyKind::Soft;
   auto inputs = std::make_shared<MechanismInputs>();
-  inputs->mechanism.bodies = { inHand, soft };
+  inputs->mechanism.bodies = { inHand };
+  inputs->unit_m = unit_m;
+  if (body.input)
+  {
+    MechanismBody soft;
+    soft.name = body.name;
+    soft.kind = MechanismBodyKind::Soft;
+    inputs->mechanism.bodies.push_back(std::move(soft));
+    inputs->soft = { body };
+    inputs->unit_m = body.input->unit_m;
+  }
   for (const MechanismBody& each : beside)
   {
-    MechanismBody stands = each;
-    stands.name = nameBeside(each.name, inputs->mechanism.bodies);
-    inputs->mechanism.bodies.push_back(std::move(stands));
+    MechanismBody other = each;
+    other.name = nameBeside(each.name, inputs->mechanism.bodies);
+    inputs->mechanism.bodies.push_back(std::move(other));
   }
   inputs->mechanism.findsContacts = inputs->mechanism.beginsApart = true;
   inputs->mechanism.foundFriction = friction;
-  inputs->soft = { body };
-  inputs->unit_m = body.input->unit_m;
   return { std::move(inputs), "" };
 }
 
