@@ -67,7 +67,7 @@ HapticSession::Holding HapticSession::holding() const
 double HapticSession::heldLever_u() const
 {
   const bool ball = this->toolPresses() && !this->chosen<ToolTask>().tool;
-  return ball ? this->parameters_.contact.radius_u : this->heldTool().weighs_u();
+  return ball ? this->chosen_->pressing->ball_u() : this->heldTool().weighs_u();
 }
 
 /// The hand turns a tool that presses by the metric of tools, whatever torque the device has.

@@ -13,7 +13,7 @@ namespace palpate
 struct LooseSources
 {
   std::map<std::string, double> density_kg_per_m3; ///< by the name of the surface
-  double unit_m = 0.0; ///< metres a unit of the scene; 0: not known, then no surface has a mass
+  double unit_m = 0.0;                      ///< metres a unit of the scene; 0: not known, then no surface has a mass
   Vec3 gravity_m_per_s2{ 0.0, 0.0, -9.81 }; ///< in W
 
   /// Null: that surface is none of them.

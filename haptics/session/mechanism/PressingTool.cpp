@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "haptics/geometry/scene/Scene.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
 #include "haptics/session/mechanism/BallMesh.h"
 #include "haptics/session/mechanism/MechanismBodies.h"
 #include "haptics/session/mechanism/ToolOnBody.h"
@@ -17,6 +18,8 @@ namespace
 /// Without a soft body an answer takes little work. At thirty a second a hand with a ball of 5 mm would be faster than
 /// contacts are looked for from .2 m/s on.
 constexpr double leastLooseRate_Hz = 200.0;
+
+constexpr double sizeOfPoint = 0.02; ///< of the loose surface's diagonal
 
 /// The first surface of a scene that is to be loose; "": none is.
 std::string firstLoose(const Scene* scene, const LooseSources& loose)
@@ -99,6 +102,15 @@ std::string PressingTool::whyNotLoose() const
                refused + ", or touch " + this->has_.loose + " as fixed";
 }
 
+/// A mesh has a size, which a point has not.
+double PressingTool::ballNow_u() const
+{
+  const auto& bodies = this->beside_.bodies();
+  const auto loose = std::ranges::find_if(bodies, [](const MechanismBody& body) { return isLoose(body); });
+  const double point_u = loose != bodies.end() ? sizeOfPoint * loose->mesh->diagonal_u : 0.0;
+  return this->has_.tool ? 0.0 : this->has_.ball_u > 0.0 ? this->has_.ball_u : point_u;
+}
+
 void PressingTool::make()
 {
   const bool loose = !this->has_.loose.empty();
@@ -123,15 +135,17 @@ void PressingTool::make()
     this->looseRefusal_ = loose ? this->whyNotLoose() : "";
     return;
   }
+  this->ball_u_ = this->ballNow_u();
   auto made = toolOnBody(this->has_.tool ? "tool" : "ball",
-    this->has_.tool ? this->has_.tool->shape_B->mesh() : ballMesh(this->has_.ball_u),
-    { this->has_.name, this->has_.body }, this->has_.friction, this->beside_.bodies(), this->has_.unit_m);
+    this->has_.tool ? this->has_.tool->shape_B->mesh() : ballMesh(this->ball_u_), { this->has_.name, this->has_.body },
+    this->has_.friction, this->beside_.bodies(), this->has_.unit_m);
   this->made_.inputs = std::move(made.value);
   if (!made.ok())
   {
     const std::string remedy = "; hold another tool, or release it to ";
-    this->refusal_ =
-      this->has_.pair ? "the tool cannot press a soft body: " + made.problem + remedy + "press with the proxy sphere" : "";
+    this->refusal_ = this->has_.pair
+                       ? "the tool cannot press a soft body: " + made.problem + remedy + "press with the proxy sphere"
+                       : "";
     this->looseRefusal_ = loose ? "the tool cannot touch " + this->has_.loose + " as loose: " + made.problem + remedy +
                                     "touch with the proxy sphere"
                                 : "";

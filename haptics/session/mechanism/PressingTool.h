@@ -18,13 +18,14 @@ struct HandAmongBodies
   const ToolChoice& tool;
   const SoftChoice& soft;
   const LooseSources& loose;
-  double friction = 0.0; ///< Coulomb's
-  double ball_u = 0.0;   ///< radius of the ball that is in the hand without a tool
+  double friction = 0.0;        ///< Coulomb's
+  double ball_u = 0.0;          ///< radius of the ball that is in the hand without a tool
   const Scene* scene = nullptr; ///< null: there is none
 };
 
 /// The chosen tool on the chosen soft body among the other surfaces of the scene, as a mechanism (ToolOnBody.h). Where
-/// any surface is loose, the tool or the ball is in that mechanism with a soft body and without one.
+/// any surface is loose, the tool or the ball is in that mechanism with a soft body and without one; a point is a ball
+/// of a fiftieth of the loose surface's size.
 class PressingTool
 {
 public:
@@ -38,6 +39,8 @@ public:
   [[nodiscard]] bool isPair() const noexcept { return this->has_.pair; }
   /// Without `inputs`: nothing is felt as a mechanism, or that was refused.
   [[nodiscard]] const MechanismChoice& made() const noexcept { return this->made_; }
+  /// Radius of the ball that is in the hand of that mechanism; 0: a tool is.
+  [[nodiscard]] double ball_u() const noexcept { return this->ball_u_; }
   /// Why the tool cannot press the body, with the remedy; "": it can.
   [[nodiscard]] const std::string& refusal() const noexcept { return this->refusal_; }
   /// Why no surface is loose though some should be, with the remedy; "": all of these are.
@@ -59,12 +62,14 @@ private:
   };
   [[nodiscard]] static Has wanted(const HandAmongBodies& around);
   void make();
+  [[nodiscard]] double ballNow_u() const;
   [[nodiscard]] std::string whyNotBeside() const;
   [[nodiscard]] std::string whyNotLoose() const;
 
   Has has_;
   SurfacesBeside beside_;
   MechanismChoice made_;
+  double ball_u_ = 0.0;
   std::string refusal_, looseRefusal_;
 };
 

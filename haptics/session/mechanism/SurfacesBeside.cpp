@@ -82,9 +82,8 @@ bool SurfacesBeside::follow(const Scene* scene, const std::string& own, const Lo
 SurfacesBeside::Made SurfacesBeside::standing(const Source& source)
 {
   RefitResult stands = placed(source.tree, source.pose_WS);
-  auto mesh = stands.tree
-                ? makeStandingMesh(std::move(stands.tree))
-                : Outcome<std::shared_ptr<const SidedSurface>>{ nullptr, std::move(stands.refusal) };
+  auto mesh = stands.tree ? makeStandingMesh(std::move(stands.tree))
+                          : Outcome<std::shared_ptr<const SidedSurface>>{ nullptr, std::move(stands.refusal) };
   Made made;
   made.value.mesh = std::move(mesh.value);
   made.problem = std::move(mesh.problem);

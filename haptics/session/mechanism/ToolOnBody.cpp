@@ -23,8 +23,7 @@ std::string nameBeside(std::string name, const std::vector<MechanismBody>& other
 } // namespace
 
 Outcome<std::shared_ptr<const MechanismInputs>> toolOnBody(const std::string& tool, const TriangleMesh& mesh_H,
-  const MechanismSoftInput& body, double friction, const std::vector<MechanismBody>& beside,
-  double unit_m)
+  const MechanismSoftInput& body, double friction, const std::vector<MechanismBody>& beside, double unit_m)
 {
   auto held = makeRigidMesh(mesh_H);
   if (!held.ok())

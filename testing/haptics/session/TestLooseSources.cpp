@@ -233,6 +233,21 @@ TEST(LooseSources, AnotherGravityPullsItThatWay)
   EXPECT_LE((force_N + mass_kg * loose.gravity_m_per_s2).norm(), 1e-6 * weight_N);
 }
 
+TEST(LooseSources, APointPushesItAsABallOfAFiftiethOfItsSize)
+{
+  constexpr double acceleration = 1.0, friction = 0.25;
+  FreeHand hand(friction);
+  HapticParameters parameters = hand.session.parameters();
+  parameters.contact.radius_u = 0.0;
+  ASSERT_EQ(hand.session.setParameters(parameters), "");
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+  hand.session.setLoose(stones());
+  const double expected_N = mass_kg * (acceleration + friction * g_m_per_s2);
+  EXPECT_NEAR(pushed_N(hand, acceleration), expected_N, 0.02 * expected_N);
+  const double ball_m = 0.02 * 2.0 * half_m.norm();
+  EXPECT_NEAR(hand.middleOf("stone").x() - hand.session.state().proxy_W.p.x(), half_m.x() + ball_m, 0.01 * ball_m);
+}
+
 TEST(LooseSources, AToolPushesItToo)
 {
   constexpr double acceleration = 1.0, friction = 0.25;
@@ -318,7 +333,7 @@ TEST(LooseSources, ASessionIsReplayedBitForBit)
   EXPECT_GT(result.ticks, 400U);
 }
 
-/// Of a scene and what is to be loose in it; "" where it is.
+/// Why a source of a scene is not loose; "" where all are.
 std::string refusalOf(const std::vector<SurfaceInput>& surfaces, const LooseSources& loose, const SoftChoice& soft = {})
 {
   FreeHand hand;
@@ -347,7 +362,8 @@ TEST(LooseSources, ASourceThatCannotBeLooseIsNamedWithTheReasonAndTheRemedy)
       AllOf(StartsWith("stone cannot be loose: "), HasSubstr("density")))
       << density;
   }
-  EXPECT_THAT(refusalOf({ floorInput(), surfaceOf("stone", shifted(makeIcosphere(5, 0.02), Vec3(0, 0, 0.03))) }, stones()),
+  EXPECT_THAT(
+    refusalOf({ floorInput(), surfaceOf("stone", shifted(makeIcosphere(5, 0.02), Vec3(0, 0, 0.03))) }, stones()),
     AllOf(HasSubstr("20480 triangles"), HasSubstr("20000"), HasSubstr("simplify")));
   LooseSources unknown = stones();
   unknown.unit_m = 0.0;
@@ -360,8 +376,8 @@ TEST(LooseSources, TheSoftBodyIsNotLooseAsWell)
 {
   LooseSources both = stones();
   both.density_kg_per_m3["block"] = 1000.0;
-  EXPECT_THAT(refusalOf({ surfaceOf("block", makeBox(Vec3::Zero(), Vec3(0.1, 0.1, 0.05))),
-                          stoneInput(Vec3(-0.3, 0, 0)), floorInput() },
+  EXPECT_THAT(refusalOf({ surfaceOf("block", makeBox(Vec3::Zero(), Vec3(0.1, 0.1, 0.05))), stoneInput(Vec3(-0.3, 0, 0)),
+                          floorInput() },
                 both, padChoice()),
     AllOf(StartsWith("block cannot be loose: it is the soft body"), HasSubstr("touch it as one of the two")));
 }
