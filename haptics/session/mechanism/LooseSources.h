@@ -9,6 +9,10 @@
 namespace palpate
 {
 
+/// So often contacts are looked for where no body is soft, as an answer then takes little work. At thirty a second a
+/// hand with a ball of 5 mm would be faster than contacts are looked for from .2 m/s on.
+inline constexpr double leastLooseRate_Hz = 200.0;
+
 /// Surfaces of the scene that a person wants as loose bodies: rigid ones that have the mass of their volume.
 struct LooseSources
 {

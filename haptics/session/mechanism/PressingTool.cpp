@@ -15,10 +15,6 @@ namespace palpate
 namespace
 {
 
-/// Without a soft body an answer takes little work. At thirty a second a hand with a ball of 5 mm would be faster than
-/// contacts are looked for from .2 m/s on.
-constexpr double leastLooseRate_Hz = 200.0;
-
 constexpr double sizeOfPoint = 0.02; ///< of the loose surface's diagonal
 
 /// The first surface of a scene that is to be loose; "": none is.
