@@ -211,6 +211,42 @@ TEST(LooseSources, ATwiceAsDenseOneIsPushedByTwiceTheForce)
   EXPECT_NEAR(force_N[1], 2.0 * force_N[0], 0.02 * force_N[1]);
 }
 
+TEST(LooseSources, AnotherDensityWeighsAtOnceAndTheSceneMayComeAfterTheWish)
+{
+  FreeHand hand(0.3);
+  hand.session.setLoose(stones());
+  hand.at(away, 10);
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+  hand.at(away, 500);
+  EXPECT_NEAR(hand.pressOn("stone", "floor").z(), weight_N, 1e-6 * weight_N);
+  hand.session.setLoose(stones(3.0 * stone_kg_per_m3));
+  hand.at(away, 500);
+  EXPECT_NEAR(hand.pressOn("stone", "floor").z(), 3.0 * weight_N, 1e-6 * weight_N);
+}
+
+TEST(LooseSources, TheBallRubsTheFixedFloorByItsFrictionAndDoesNotRoll)
+{
+  constexpr double friction = 0.3, deep_m = 3e-4;
+  FreeHand hand(friction);
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+  hand.session.setLoose(stones());
+  Vec3 at(0.2, 0.2, fingertip_m + 1e-3);
+  hand.at(at, 200);
+  for (; at.z() > fingertip_m - deep_m; at.z() -= 1e-5)
+  {
+    hand.at(at);
+  }
+  for (int i = 0; i < 500; ++i)
+  {
+    at.y() += 2e-5;
+    hand.at(at);
+  }
+  const HapticState& state = hand.session.state();
+  EXPECT_GT(state.force_W.z(), 2.0);
+  EXPECT_NEAR(-state.force_W.y() / state.force_W.z(), friction, 0.01 * friction);
+  EXPECT_LE(state.proxy_W.q.angularDistance(Quat::Identity()), 0.1);
+}
+
 TEST(LooseSources, AFixedOneIsAWallOfTheScene)
 {
   FreeHand hand;
