@@ -184,6 +184,22 @@ class LooseSources(unittest.TestCase):
         self.hand.FinishScene()
         self.assertEqual(HapticState()["LooseText"], f"stone: loose, {MASS:.3g} kg\n")
 
+    def test_one_of_many_triangles_is_loose_once_a_simpler_surface_has_replaced_it(self):
+        radius = 20.0
+        ball = simple.Sphere(registrationName="ball", Radius=radius, ThetaResolution=460, PhiResolution=220, Center=[0, 100, radius])
+        simple.Show(ball, self.view)
+        SetHaptics(Simplify=2)  # on
+        Touched(ball, "loose", density=DENSITY, unit="mm")
+        with self.assertRaisesRegex(HapticRefusal, "ball cannot be loose: the mesh has 20[0-9]{4} triangles, .* 20000; .*simplify"):
+            Touch()
+        self.assertTrue(self.hand.FinishSimplification())
+        self.hand.Step(100)
+        said = HapticState()["LooseText"]
+        self.assertRegex(said, "ball: loose, ")
+        mass = 4 / 3 * numpy.pi * radius ** 3 * 1e-9 * DENSITY
+        self.assertAlmostEqual(float(said.split("loose, ")[1].split(" kg")[0]), mass, delta=0.02 * mass)
+        SetHaptics(Simplify=0)
+
     def test_one_that_is_deleted_while_it_is_pressed_leaves_the_hand_without_a_jump(self):
         Touched(self.stone, "loose", density=DENSITY, unit="mm")
         self.touch()

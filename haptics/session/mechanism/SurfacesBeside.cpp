@@ -118,7 +118,7 @@ void SurfacesBeside::take(const Source& source, const MechanismBody* known)
   if (source.bends || this->bodies_.size() == most)
   {
     this->reason_ = source.bends ? "it deforms"
-                                 : "such a tool touches at most " + std::to_string(most) + " other surfaces, and " +
+                                 : "the hand then touches at most " + std::to_string(most) + " other surfaces, and " +
                                      std::to_string(this->sources_.size()) + " are there";
     return;
   }

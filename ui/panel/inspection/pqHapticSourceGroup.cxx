@@ -84,7 +84,7 @@ pqHapticSourceGroup::pqHapticSourceGroup(QWidget* parent) : Superclass(tr("Activ
   this->FrictionStatic = this->addNumber("sourceFrictionStatic", tr("Its static friction"), tr("At rest"));
   this->FrictionKinetic = this->addNumber("sourceFrictionKinetic", tr("Its kinetic friction"), tr("While it slides"));
   this->connect(this->Touched, &QCheckBox::toggled, this, &pqHapticSourceGroup::setTouched);
-  this->connect(this->Kind, QOverload<int>::of(&QComboBox::activated), this, &pqHapticSourceGroup::setKind);
+  this->connect(this->Kind, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &pqHapticSourceGroup::setKind);
   this->connect(
     this->Density, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &pqHapticSourceGroup::setDensity);
   const auto changed = QOverload<double>::of(&QDoubleSpinBox::valueChanged);
@@ -123,6 +123,7 @@ void pqHapticSourceGroup::refresh(vtkHapticSession* session)
   this->Touched->setChecked(session->GetSourceTouched(name.constData()));
   const double density = session->GetMechanism()->GetDensity(name.constData());
   const bool soft = name == session->GetSettingText("SoftSource");
+  const QSignalBlocker nothingWasChosen(this->Kind);
   this->Kind->setCurrentIndex(density > 0.0 ? Kinds::Loose : soft ? Kinds::Soft : Kinds::Fixed);
   this->Density->setEnabled(density > 0.0);
   Show(this->Density, density > 0.0 ? density : densityOfWater);
