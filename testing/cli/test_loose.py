@@ -28,7 +28,7 @@ class Loose(CommandLineTest):
         self.rubs = ("--mu-static", FRICTION, "--mu-kinetic", FRICTION)
 
     def pushed(self, *options, before=HALF[0] + RADIUS + 1):
-        self.write_path([(n / 1000, SPEED * n - before, 0, HALF[2]) for n in range(1500)])
+        self.write_path([(n / 1000, SPEED * n - before, 0, HALF[2], 1, 0, 0, 0) for n in range(1500)], header="t,x,y,z,qw,qx,qy,qz")
         self.succeed(*self.scene, *self.stone, *options)
         return self.read_rows()
 

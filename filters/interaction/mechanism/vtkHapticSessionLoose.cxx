@@ -54,7 +54,10 @@ std::string vtkHapticSession::Internals::PutDensity(const std::string& source, d
 std::string vtkHapticSession::Internals::FollowLooseSettings()
 {
   this->FollowLoose();
-  this->JudgeLoose();
+  if (this->Core.looseRefusal().empty()) // a setting of all sources is not refused for one of them
+  {
+    this->JudgeLoose();
+  }
   return {};
 }
 

@@ -11,9 +11,24 @@ namespace palpate
 namespace
 {
 
+bool isNamed(const std::vector<MechanismBody>& bodies, const std::string& name)
+{
+  return std::ranges::find(bodies, name, &MechanismBody::name) != bodies.end();
+}
+
+/// The others keep their names, by which a person knows them.
+std::string nameInHand(std::string name, const std::string& body, const std::vector<MechanismBody>& beside)
+{
+  while (name == body || isNamed(beside, name))
+  {
+    name += " in the hand";
+  }
+  return name;
+}
+
 std::string nameBeside(std::string name, const std::vector<MechanismBody>& others)
 {
-  while (name.empty() || std::ranges::find(others, name, &MechanismBody::name) != others.end())
+  while (name.empty() || isNamed(others, name))
   {
     name += name.empty() ? "surface" : " too";
   }
@@ -31,7 +46,7 @@ Outcome<std::shared_ptr<const MechanismInputs>> toolOnBody(const std::string& to
     return { nullptr, held.problem };
   }
   MechanismBody inHand;
-  inHand.name = tool == body.name ? tool + " in the hand" : tool;
+  inHand.name = nameInHand(tool, body.name, beside);
   inHand.kind = MechanismBodyKind::Held;
   inHand.mesh = std::move(held.value);
   auto inputs = std::make_shared<MechanismInputs>();

@@ -270,6 +270,23 @@ TEST(LooseSources, AnotherGravityPullsItThatWay)
   EXPECT_LE((force_N + mass_kg * loose.gravity_m_per_s2).norm(), 1e-6 * weight_N);
 }
 
+TEST(LooseSources, KeepsItsNameBesideTheBallAndTheToolInTheHand)
+{
+  for (const std::string name : { "ball", "tool", "ball in the hand" })
+  {
+    FreeHand hand;
+    SurfaceInput stone = stoneInput();
+    stone.name = name;
+    hand.session.setScene(sceneOfAll({ floorInput(), stone }));
+    LooseSources loose;
+    loose.density_kg_per_m3 = { { name, stone_kg_per_m3 } };
+    loose.unit_m = 1.0;
+    hand.session.setLoose(loose);
+    hand.at(away, 300);
+    EXPECT_NEAR(hand.pressOn(name, "floor").z(), weight_N, 1e-6 * weight_N) << name;
+  }
+}
+
 TEST(LooseSources, APointPushesItAsABallOfAFiftiethOfItsSize)
 {
   constexpr double acceleration = 1.0, friction = 0.25;
