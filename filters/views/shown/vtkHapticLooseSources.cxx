@@ -56,10 +56,10 @@ vtkHapticLooseSources::Moved& vtkHapticLooseSources::MovedOf(const std::string& 
 /// Looking at all sources costs much.
 void vtkHapticLooseSources::TellUnit(vtkHapticSession& session, vtkSMProxy* view)
 {
-  const std::pair now{ session.GetSight()->GetMaterialTime(), vtkHapticVisibleRepresentations(view).size() };
+  std::pair now{ session.GetSight()->GetMaterialTime(), vtkHapticVisibleRepresentations(view) };
   if (now != this->Looked)
   {
-    this->Looked = now;
+    this->Looked = std::move(now);
     session.GetSight()->SetUnitOfFiles(vtkHapticLengthUnitOf(view).Unit.c_str());
   }
 }

@@ -39,7 +39,7 @@ private:
   void TellUnit(vtkHapticSession& session, vtkSMProxy* view);
 
   std::vector<Moved> Displays;
-  std::pair<vtkMTimeType, std::size_t> Looked{}; ///< settings, and visible displays, when the unit was told
+  std::pair<vtkMTimeType, std::vector<vtkSMProxy*>> Looked; ///< settings, and visible displays, when the unit was told
 };
 
 #endif
