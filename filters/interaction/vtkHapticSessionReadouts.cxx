@@ -113,6 +113,7 @@ const std::map<std::string_view, const char* (*)(I&)> Texts = {
   { "MaterialText", [](I& s) { return s.SayMaterialText(); } },
   { "FrictionText", [](I& s) { return s.SayFrictionText(); } },
   { "LinkText", [](I& s) { return s.SayLinkText(); } },
+  { "LooseText", [](I& s) { return s.SayLooseText(); } },
   { "MarksNote", [](I& s) { return s.Contact.MarksNote.c_str(); } },
   { "MechanismText", [](I& s) { return s.Mechanism.Text.c_str(); } },
   { "PlanText", [](I& s) { return s.SayPlanText(); } },

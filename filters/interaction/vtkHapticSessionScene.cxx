@@ -54,6 +54,7 @@ void vtkHapticSession::Internals::TakeScene(bool wait)
     return;
   }
   this->Surfaces.Took(this->Scene.worker());
+  this->JudgeLoose();
   this->FollowPlane();
   this->StayOutside(this->Scene.cameAround());
   const bool ofTouch = this->Core.running() && palpate::isOfTouch(this->Scene.built().stamp_s, this->Begun_s);

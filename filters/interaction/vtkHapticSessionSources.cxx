@@ -62,6 +62,7 @@ void vtkHapticSession::GetSourceMaterial(const char* name, double material[3]) c
 void vtkHapticSession::Internals::FollowSources()
 {
   this->Settings.put("SourcesText", this->Surfaces.Styles().ToText());
+  this->FollowLoose();
   this->MaterialTime.Modified();
   this->Session.Modified();
 }

@@ -177,10 +177,10 @@ void HapticSession::setScene(std::shared_ptr<const Scene> scene, const std::opti
     r.adapted.ballLead = r.lead;
     r.links.parameters.write({ ++this->version_, r.adapted });
   }
-  const bool heldTool = this->toolBesideSoft().empty();
+  const Holding before = this->holding();
   this->setInput<input::Scenes>(std::move(scene));
   this->pairTool();
-  this->followChoice(heldTool != this->toolBesideSoft().empty());
+  this->followChoice(before != this->holding());
 }
 
 const std::shared_ptr<const Scene>& HapticSession::scene() const noexcept

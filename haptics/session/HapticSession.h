@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "haptics/core/HapticDevice.h"
@@ -21,6 +22,7 @@ class Scene;
 enum class EventKind : std::uint8_t;
 struct EndedRecording;
 struct LoopReport;
+struct LooseSources;
 struct MechanismGrip;
 struct MechanismInputs;
 struct PressedBody;
@@ -76,8 +78,8 @@ public:
 
   /// The result of that task's worker is felt from a tick soon after on; none: nothing. Kept over stop() and start(). A
   /// tool takes the place of the ball. A soft body is felt beside the scene by a ball, or by a tool that is one; any
-  /// other tool presses it as a mechanism of these two and the other surfaces of the scene. While a mechanism is felt,
-  /// ball, tool and soft body rest. Include SessionWorkers.h for these.
+  /// other tool presses it as a mechanism of these two and the other surfaces of the scene, and so does each tool where
+  /// a surface is loose. While a mechanism is felt, ball, tool and soft body rest. Include SessionWorkers.h for these.
   template<class Task>
   void choose(const typename Task::Choice& choice);
   template<class Task>
@@ -87,9 +89,16 @@ public:
   /// Why the tool is not held or cannot touch the scene; "": it can. And how its thread does.
   [[nodiscard]] std::string toolRefusal() const;
   [[nodiscard]] std::string toolBesideSoft() const; ///< why the tool is not held beside the soft body; "": it is
-  [[nodiscard]] bool toolPresses() const;           ///< whether tool and soft body are felt as a mechanism
+  [[nodiscard]] bool toolPresses() const; ///< whether tool or ball, soft body and loose sources are a mechanism
   [[nodiscard]] const ToolReport& toolReport();
-  /// The mechanism that is chosen, or else that of the tool that presses; null: neither.
+  /// Surfaces of the scene that are loose from a tick soon after on: with them the hand is felt in a mechanism of its
+  /// tool or ball, the soft body and all surfaces. Kept over stop() and start().
+  void setLoose(const LooseSources& loose);
+  /// Why none of them is loose, with the remedy; "": all are that the scene has.
+  [[nodiscard]] const std::string& looseRefusal() const;
+  /// That mechanism begins anew, its loose bodies where their surfaces are; false: there is none.
+  bool putBack();
+  /// The mechanism that is chosen, or else that of toolPresses(); null: neither.
   [[nodiscard]] std::shared_ptr<const MechanismInputs> feltMechanism() const;
   /// The faults that a mechanism would have in this hand, or "". `atRest`: its soft bodies.
   [[nodiscard]] std::string refuseMechanism(
@@ -140,7 +149,11 @@ private:
   [[nodiscard]] double characteristic_u() const noexcept;
   [[nodiscard]] MechanismGrip grip(const HapticParameters& adapted) const noexcept;
   [[nodiscard]] const SessionWorkers* workers() const noexcept; ///< null: nothing runs
-  void pairTool();                                              ///< with the soft body and the scene
+  /// Whether the tool is held as far as the soft body is concerned, and toolPresses().
+  using Holding = std::pair<bool, bool>;
+  [[nodiscard]] Holding holding() const;
+  [[nodiscard]] double heldLever_u() const;
+  void pairTool(); ///< with the soft body and the scene
   void followChoice(bool handChanges);
   void adapt(Run& run, bool first) const;
   void orderWork(Run& run) const;

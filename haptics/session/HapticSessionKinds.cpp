@@ -33,7 +33,41 @@ ToolChoice HapticSession::heldTool() const
 void HapticSession::pairTool()
 {
   const double friction = std::min(this->parameters_.contact.friction.kinetic, largestToolFriction);
-  this->chosen_->pressing->follow(this->chosen<ToolTask>(), this->chosen<SoftTask>(), friction, this->scene().get());
+  const double ball_u = this->parameters_.contact.radius_u;
+  this->chosen_->pressing->follow({ this->chosen<ToolTask>(), this->chosen<SoftTask>(), this->chosen_->loose, friction,
+    ball_u, this->scene().get() });
+}
+
+void HapticSession::setLoose(const LooseSources& loose)
+{
+  const Holding before = this->holding();
+  this->chosen_->loose = loose;
+  this->pairTool();
+  this->followChoice(before != this->holding());
+}
+
+const std::string& HapticSession::looseRefusal() const
+{
+  return this->chosen_->pressing->looseRefusal();
+}
+
+bool HapticSession::putBack()
+{
+  const bool felt = this->toolPresses() && this->chosen_->pressing->beginAgain();
+  this->followChoice(false);
+  return felt;
+}
+
+HapticSession::Holding HapticSession::holding() const
+{
+  return { this->toolBesideSoft().empty(), this->toolPresses() };
+}
+
+/// A ball that is a mesh among loose bodies is turned about its middle; else no ball is.
+double HapticSession::heldLever_u() const
+{
+  const bool ball = this->toolPresses() && !this->chosen<ToolTask>().tool;
+  return ball ? this->chosen_->pressing->ball_u() : this->heldTool().weighs_u();
 }
 
 /// The hand turns a tool that presses by the metric of tools, whatever torque the device has.
@@ -42,7 +76,7 @@ void HapticSession::adapt(Run& run, bool first) const
   run.adapt(this->parameters_, this->characteristic_u(), first);
   if (this->toolPresses())
   {
-    const double lever_m = this->heldTool().weighs_u() / this->parameters_.map.scale_u_per_m;
+    const double lever_m = this->heldLever_u() / this->parameters_.map.scale_u_per_m;
     run.adapted.mechanismTurning_N_m_per_rad = this->parameters_.stiffness_N_per_m * lever_m * lever_m;
   }
 }
@@ -91,7 +125,7 @@ double HapticSession::characteristic_u() const noexcept
   const HapticParameters& p = this->parameters_;
   const double mechanism_m = mechanismLever_m(p.mechanismTurning_N_m_per_rad, p.stiffness_N_per_m);
   const double mechanism_u = this->chosen<MechanismTask>().inputs ? mechanism_m * p.map.scale_u_per_m : 0.0;
-  return std::max(mechanism_u, this->heldTool().weighs_u()); // a tool is in the hand until the mechanism is computed
+  return std::max(mechanism_u, this->heldLever_u()); // a tool is in the hand until the mechanism is computed
 }
 
 /// As the tick would have it without limits.
@@ -108,7 +142,7 @@ std::string HapticSession::toolBesideSoft() const
 
 bool HapticSession::toolPresses() const
 {
-  return this->chosen_->pressing->isPair() && this->toolBesideSoft().empty() && !this->chosen<MechanismTask>().inputs;
+  return this->chosen_->pressing->made().inputs && !this->chosen<MechanismTask>().inputs;
 }
 
 std::shared_ptr<const MechanismInputs> HapticSession::feltMechanism() const

@@ -6,6 +6,7 @@
 
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/background/WorkerList.h"
+#include "haptics/session/mechanism/LooseSources.h"
 #include "haptics/session/mechanism/MechanismWorker.h"
 #include "haptics/session/soft/SoftWorker.h"
 #include "haptics/session/tool/ToolWorker.h"
@@ -27,16 +28,17 @@ struct HapticSession::Chosen : SessionTasks::Choices
 {
   Chosen();
   ~Chosen();
-  std::unique_ptr<PressingTool> pressing; ///< of tool and soft body
+  std::unique_ptr<PressingTool> pressing; ///< of tool, soft body and loose sources
+  LooseSources loose;
 };
 
 template<class Task>
 void HapticSession::choose(const typename Task::Choice& choice)
 {
-  const bool heldTool = this->toolBesideSoft().empty(), pressed = this->toolPresses();
+  const Holding before = this->holding();
   std::get<typename Task::Choice>(*this->chosen_) = choice;
   this->pairTool();
-  this->followChoice(Task::isHeld || heldTool != this->toolBesideSoft().empty() || pressed != this->toolPresses());
+  this->followChoice(Task::isHeld || before != this->holding());
 }
 
 template<class Task>

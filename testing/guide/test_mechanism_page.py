@@ -54,6 +54,30 @@ class MechanismPage(unittest.TestCase):
         for proxy in [*simple.GetSources().values(), *simple.GetRenderViews()]:
             simple.Delete(proxy)
 
+    def test_a_source_that_is_loose_is_pushed_with_the_force_that_the_page_names(self):
+        view = simple.CreateView("RenderView")
+        simple.SetActiveView(view)
+        SetHaptics(DeviceName="fed", VirtualTime=1, FitOnTouch=0, Scale=1000, Stiffness=2000)
+        hand = GetHapticSession()
+        behind, middle, speed = -36, 10, 0.05  # mm, mm, mm a tick
+        hand.SetHandPosition(behind, 0, middle)
+        printed = []
+        page = commands("mechanisms.md", "A source that is loose").split("build/bin/palpate")[0]
+        exec(compile(page, "mechanisms.md", "exec"), {"print": printed.append})
+        self.assertEqual(printed, ["stone: loose, 0.12 kg\n"])
+        hand.Step(TICKS_TO_ENGAGE)
+        forces = []
+        for tick in range(800):
+            hand.SetHandPosition(behind + speed * tick, 0, middle)
+            hand.Step(1)
+            hand.Update()
+            forces.append(-hand.GetForce()[0])
+        self.assertAlmostEqual(sum(forces[-300:]) / 300, 0.353, delta=0.01)
+        LetGo()
+        SetHaptics(SourcesText="", SceneUnit=0, FrictionStatic=0, FrictionKinetic=0)
+        for proxy in [*simple.GetSources().values(), *simple.GetRenderViews()]:
+            simple.Delete(proxy)
+
     def test_the_program_checks_and_touches_it(self):
         with tempfile.TemporaryDirectory() as folder:
             way = Path(folder) / "way.csv"

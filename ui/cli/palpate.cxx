@@ -88,6 +88,13 @@ void AddTouchedBodies(CLI::App& command, vtkHapticCliTouchOptions& options)
     .add_flag("--virtual-coupling", options.VirtualCoupling,
       "With --tool: render the spring between tool and hand in place of the contact forces")
     ->needs(tool);
+  command.option_defaults()->group("Loose body");
+  CLI::Option* loose = command.add_option(
+    "--loose", options.Loose, "Closed surface that is a loose body, which has mass. One unit is 1 / --scale metres");
+  CLI::Option* density =
+    command.add_option("--density", options.Density, "With --loose: density, above 0 and at most 1e6 [kg/m3]");
+  loose->needs(density);
+  density->needs(loose);
   command.option_defaults()->group("Soft body");
   CLI::Option* young = command.add_option("--young", options.Soft.Young_Pa,
     "Make FILE (vtu or closed surface) a soft body with this Young's modulus, 10 to below 1e12 [Pa]. One unit is 1 / "
@@ -224,7 +231,8 @@ int Touch(const vtkHapticCliTouchOptions& options)
   CheckAboveZero(settings, "ToolLever", "scene units");
   settings.Check();
   const bool mechanism = vtkHapticIsMechanismFile(options.Files.front());
-  CheckEffect("--low-rate", settings.IsGiven("SoftRate"), options.Soft.Young_Pa || mechanism, "--young");
+  const bool loose = !options.Loose.empty();
+  CheckEffect("--low-rate", settings.IsGiven("SoftRate"), options.Soft.Young_Pa || mechanism || loose, "--young");
   CheckEffect("--torque-stiffness", settings.IsGiven("MechanismTurning"), !options.Tool.empty() || mechanism, "--tool");
   return vtkHapticCliTouch(options);
 }

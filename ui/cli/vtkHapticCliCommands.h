@@ -74,6 +74,8 @@ struct vtkHapticCliTouchOptions
   std::optional<double> Iso;
   bool TwoD = false; ///< lines in the plane z = 0, felt by a disc
   vtkHapticCliFieldOptions Field;
+  std::string Loose;            ///< a loose body; empty: none
+  double Density = 0.0;         ///< of that [kg/m3]
   std::string Tool;             ///< a mesh in the hand, whose frame's origin is in the hand; empty: a ball touches
   bool VirtualCoupling = false; ///< of the tool: a spring to the hand, in place of the push of the contacts
   vtkHapticCliSoftOptions Soft;

@@ -27,12 +27,14 @@ namespace
 /// none.
 void CheckKinds(const vtkHapticCliTouchOptions& options, bool mechanism)
 {
-  const bool tool = !options.Tool.empty(), soft = options.Soft.Young_Pa.has_value();
-  const std::string asked = !mechanism && !tool && !soft            ? ""
+  const bool tool = !options.Tool.empty(), soft = options.Soft.Young_Pa.has_value(), loose = !options.Loose.empty();
+  const std::string asked = !mechanism && !tool && !soft && !loose  ? ""
                             : options.Field.Any()                   ? "--field"
                             : options.TwoD                          ? "--two-d"
                             : mechanism && soft                     ? "--young"
                             : mechanism && tool                     ? "--tool"
+                            : mechanism && loose                    ? "--loose"
+                            : loose && options.VirtualCoupling      ? "--virtual-coupling"
                             : soft && options.VirtualCoupling       ? "--virtual-coupling"
                             : (mechanism || soft) && options.Iso    ? "--iso"
                             : mechanism && options.Files.size() > 1 ? "another file"
@@ -40,6 +42,7 @@ void CheckKinds(const vtkHapticCliTouchOptions& options, bool mechanism)
   if (!asked.empty())
   {
     const char* const kind = mechanism      ? "a mechanism"
+                             : loose        ? "a hand among loose bodies"
                              : tool && soft ? "a tool on a soft body"
                              : tool         ? "a tool"
                                             : "a soft body";
@@ -159,6 +162,11 @@ void AddFiles(const vtkHapticCliTouchOptions& options, palpate::SettingStore& fe
     }
     filter.AddNamed(0, file, vtkHapticCliReadData(file, vtkHapticIsImageFile(file) ? options.Iso : std::nullopt));
   }
+  if (!options.Loose.empty())
+  {
+    filter.AddNamed(6, options.Loose, vtkHapticCliReadData(options.Loose, {}));
+    filter.SetDensity(options.Density);
+  }
   if (!options.Tool.empty())
   {
     filter.AddNamed(3, "--tool: " + options.Tool, vtkHapticCliReadData(options.Tool, {}));
@@ -173,6 +181,14 @@ std::vector<std::string> NamesOf(const std::string& array)
   {
     const std::string law = of("Force of ");
     return { law + "_fx", law + "_fy", law + "_fz" };
+  }
+  if (array.starts_with("Place of "))
+  {
+    return { "loose_x", "loose_y", "loose_z" };
+  }
+  if (array.starts_with("Turn of "))
+  {
+    return { "loose_qw", "loose_qx", "loose_qy", "loose_qz" };
   }
   return array == "Turn"                   ? std::vector<std::string>{ "proxy_qw", "proxy_qx", "proxy_qy", "proxy_qz" }
          : array == "Torque"               ? std::vector<std::string>{ "torque_x", "torque_y", "torque_z" }

@@ -2,6 +2,7 @@
 #include "vtkHapticTouchedMechanism.h"
 
 #include "vtkHapticHeldMechanism.h"
+#include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
@@ -57,12 +58,24 @@ bool vtkHapticTouchedMechanism::PutBack()
 {
   vtkHapticHeldMechanism& mechanism = this->Behind().Mechanism;
   const bool held = mechanism.BeginAgain();
-  this->Behind().Refuse(held ? "" : "no mechanism is held: hold a mechanism before putting its bodies back");
   if (held)
   {
     mechanism.Choose(this->Behind().Core);
   }
-  return held;
+  const bool back = held || this->Behind().Core.putBack();
+  this->Behind().Refuse(
+    back ? "" : "no mechanism is held, and no source is loose: hold a mechanism before putting its bodies back");
+  return back;
+}
+
+bool vtkHapticTouchedMechanism::SetDensity(const char* source, double density)
+{
+  return this->Behind().PutDensity(source ? source : "", density).empty();
+}
+
+double vtkHapticTouchedMechanism::GetDensity(const char* source) const
+{
+  return this->Behind().Surfaces.Styles().Of(source ? source : "").Density;
 }
 
 bool vtkHapticTouchedMechanism::BreakConstraint(const char* name)

@@ -29,7 +29,13 @@ public:
   /// with the session's GetProblem().
   std::string GetConstraintsWith(const char* law);
   std::string GetConstraintsWithout(const char* name);
-  bool PutBack(); ///< all bodies begin anew where the scene file has them; false: no mechanism is held
+  /// All bodies begin anew where the scene file has them, loose sources where their data are; false: there are none.
+  bool PutBack();
+  /// How dense a source is [kg/m3]. Above 0 it is a loose body from the next tick on, with the mass of the volume in
+  /// its closed surface; 0: it is fixed. LooseText says how it is. False, with GetProblem(), for values that are not
+  /// allowed.
+  bool SetDensity(const char* source, double density);
+  double GetDensity(const char* source) const;
   bool BreakConstraint(const char* name); ///< it holds no more until the mechanism begins anew; false: there is none
 
 private:

@@ -46,6 +46,7 @@
   vtkHapticReadoutMacro(WireTipForce, double) \
   vtkHapticReadoutMacro(WireWallForce, double) \
   vtkHapticNumbersMacro(WireWallPosition, 3) \
+  vtkHapticTextMacro(LooseText) \
   vtkHapticTextMacro(SoftText) \
   vtkHapticReadoutMacro(SoftStrain, double) \
   vtkHapticReadoutMacro(SoftPackets, double) \

@@ -93,6 +93,8 @@ public:
 
   std::uint64_t CommitSeen = 0; ///< of the scene that marks and arrays were last compared with
   std::string MissingArrays;    ///< of that scene, a line each
+  double UnitOfFiles_m = 0.0;   ///< metres a unit of the scene, as its files say; 0: they say none
+  std::string LooseText, LooseRefused;
 
   palpate::HapticState State;
   palpate::LoopReport Report;
@@ -168,6 +170,7 @@ public:
   std::string FollowFriction();
   std::string FollowHolder();
   std::string FollowLinesAsWalls();
+  std::string FollowLooseSettings();
   std::string FollowMarksText();
   std::string FollowMaterials();
   std::string FollowMechanismConstraints();
@@ -278,6 +281,7 @@ public:
   const char* SayFrictionText();
   const char* SayMaterialText();
   const char* SayLinkText();
+  const char* SayLooseText();
   const char* SayDeviceButton();
   const char* SayPlanText();
   const char* SayToolContacts();
@@ -294,6 +298,15 @@ public:
   void FollowFelt();
   /// The styles of sources have changed.
   void FollowSources();
+  /// Empty, or why no source has that density.
+  std::string PutDensity(const std::string& source, double density);
+  /// Tells the core which surfaces are loose.
+  void FollowLoose();
+  /// Refuses loose sources that cannot be, once for a reason. Not before the scene is there that has them: with the
+  /// scene comes the unit of its lengths.
+  void JudgeLoose();
+  /// How a loose source has gone from where its data are, in W; nothing: it is where they are.
+  std::optional<palpate::Pose> LooseWay(const std::string& name) const;
   /// Where the ball touched then, or the tool most; nothing where neither did.
   std::optional<palpate::ContactPlace> PlaceOfContact(const palpate::HapticState& touched) const;
   void ForgetContact();

@@ -183,6 +183,34 @@ void vtkHapticSight::GetToolShape(vtkPolyData* shape) const
   ofMechanism ? shape->ShallowCopy(ofMechanism) : this->Behind().Tool.GetShape(shape);
 }
 
+bool vtkHapticSight::GetLooseWay(const char* name, vtkMatrix4x4* way) const
+{
+  const std::optional<palpate::Pose> gone = this->Behind().LooseWay(name ? name : "");
+  if (gone)
+  {
+    const Eigen::Isometry3d to_W = Eigen::Translation3d(gone->p) * gone->q;
+    const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> rows = to_W.matrix();
+    way->DeepCopy(rows.data());
+  }
+  return gone.has_value();
+}
+
+bool vtkHapticSight::GetHasLoose() const
+{
+  return !this->Behind().Surfaces.Styles().Densities().empty();
+}
+
+void vtkHapticSight::SetUnitOfFiles(const char* unit)
+{
+  const std::string_view known = unit ? unit : "";
+  const double unit_m = known == "um" ? 1e-6 : known == "mm" ? 1e-3 : known == "cm" ? 1e-2 : known == "m" ? 1.0 : 0.0;
+  if (unit_m != this->Behind().UnitOfFiles_m)
+  {
+    this->Behind().UnitOfFiles_m = unit_m;
+    this->Behind().FollowLoose();
+  }
+}
+
 void vtkHapticSight::GetContactForces(vtkPolyData* points) const
 {
   vtkHapticPutForces(this->Behind().ContactForces(this->Behind().State), *points);

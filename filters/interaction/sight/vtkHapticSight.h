@@ -55,6 +55,12 @@ public:
   /// The field at the proxy: patch, streamline, level, the place that is snapped to [u].
   void GetFieldShape(vtkPolyData* shape) const;
   void GetToolShape(vtkPolyData* shape) const;
+  /// How a loose source has gone from where its data are, in W; false, and unchanged: it is where they are.
+  bool GetLooseWay(const char* name, vtkMatrix4x4* way) const;
+  /// Whether any source is loose; and the unit of lengths that the files of the visible data have ("mm", "u": unknown),
+  /// by which loose sources have their mass where SceneUnit is automatic.
+  bool GetHasLoose() const;
+  void SetUnitOfFiles(const char* unit);
   /// The contacts of the tool, or of the held mesh of a mechanism, as of the last Update(): a point for each. The
   /// arrays are Force (n, 3), the force there on the tool before limits [N], along the normal where the scene is rigid;
   /// Touched (strings), the name of the surface or body that presses; and Pair (int), a number for each name. A proxy

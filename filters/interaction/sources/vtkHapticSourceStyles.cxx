@@ -8,9 +8,11 @@
 
 namespace
 {
-const std::vector<std::string> Header = { "Source", "Touched", "Stiffness", "FrictionStatic", "FrictionKinetic" };
+using Fields = std::vector<std::string>;
+const Fields Header = { "Source", "Touched", "Stiffness", "FrictionStatic", "FrictionKinetic" };
+const Fields LooseHeader = { "Source", "Touched", "Stiffness", "FrictionStatic", "FrictionKinetic", "Density" };
 
-std::string Row(const std::vector<std::string>& fields)
+std::string Row(const Fields& fields)
 {
   std::string row;
   for (const std::string& field : fields)
@@ -20,12 +22,11 @@ std::string Row(const std::vector<std::string>& fields)
   return row + "\n";
 }
 
-vtkHapticSourceStyle StyleOf(const std::vector<std::string>& row)
+vtkHapticSourceStyle StyleOf(const Fields& row, std::size_t columns)
 {
-  if (row.size() != Header.size())
+  if (row.size() != columns)
   {
-    throw std::runtime_error(
-      "it has " + std::to_string(row.size()) + " fields instead of " + std::to_string(Header.size()));
+    throw std::runtime_error("it has " + std::to_string(row.size()) + " fields instead of " + std::to_string(columns));
   }
   const double touched = vtkHapticTextRows::Number(row[1]);
   if (touched != 0.0 && touched != 1.0)
@@ -36,13 +37,24 @@ vtkHapticSourceStyle StyleOf(const std::vector<std::string>& row)
   style.Touched = touched != 0.0;
   style.Material = { vtkHapticTextRows::Number(row[2]), vtkHapticTextRows::Number(row[3]),
     vtkHapticTextRows::Number(row[4]) };
-  if (const std::string problem = style.Material.validate(); !problem.empty())
+  style.Density = columns == LooseHeader.size() ? vtkHapticTextRows::Number(row[5]) : 0.0;
+  const std::string ofMaterial = style.Material.validate();
+  if (const std::string problem = ofMaterial.empty() ? vtkHapticRefuseDensity(style.Density) : ofMaterial;
+      !problem.empty())
   {
     throw std::runtime_error(problem);
   }
   return style;
 }
 } // namespace
+
+std::string vtkHapticRefuseDensity(double density)
+{
+  constexpr double heaviest = 1e6; // no known solid is a tenth of that
+  return density >= 0.0 && density <= heaviest
+           ? ""
+           : "the density of a loose source must be above 0 and at most 1e6 kg/m3; 0 has the source fixed";
+}
 
 vtkHapticSourceStyle vtkHapticSourceStyles::Of(const std::string& name) const
 {
@@ -56,15 +68,34 @@ void vtkHapticSourceStyles::Set(const std::string& name, const vtkHapticSourceSt
   std::erase_if(this->Styles, [](const auto& each) { return each.second == vtkHapticSourceStyle(); });
 }
 
+std::map<std::string, double> vtkHapticSourceStyles::Densities() const
+{
+  std::map<std::string, double> densities;
+  for (const auto& [name, style] : this->Styles)
+  {
+    if (style.Density > 0.0)
+    {
+      densities[name] = style.Density;
+    }
+  }
+  return densities;
+}
+
 std::string vtkHapticSourceStyles::ToText() const
 {
-  std::string text = this->Styles.empty() ? "" : Row(Header);
+  const bool loose = !this->Densities().empty();
+  std::string text = this->Styles.empty() ? "" : Row(loose ? LooseHeader : Header);
   for (const auto& [name, style] : this->Styles)
   {
     const palpate::Material& material = style.Material;
-    text += Row({ vtkHapticTextRows::Quoted(name), style.Touched ? "1" : "0",
+    Fields row{ vtkHapticTextRows::Quoted(name), style.Touched ? "1" : "0",
       vtkHapticTextRows::Digits(material.stiffness_N_per_m), vtkHapticTextRows::Digits(material.frictionStatic),
-      vtkHapticTextRows::Digits(material.frictionKinetic) });
+      vtkHapticTextRows::Digits(material.frictionKinetic) };
+    if (loose)
+    {
+      row.push_back(vtkHapticTextRows::Digits(style.Density));
+    }
+    text += Row(row);
   }
   return text;
 }
@@ -76,15 +107,17 @@ std::string vtkHapticSourceStyles::FromText(std::string_view text)
   try
   {
     vtkHapticTextRows rows(text);
-    if (!text.empty() && rows.Next() != Header)
+    const Fields header = text.empty() ? Header : rows.Next();
+    if (header != Header && header != LooseHeader)
     {
-      throw std::runtime_error("its columns are not Source, Touched, Stiffness, FrictionStatic and FrictionKinetic");
+      throw std::runtime_error("its columns are not Source, Touched, Stiffness, FrictionStatic, FrictionKinetic and, "
+                               "of loose sources, Density");
     }
     while (!rows.AtEnd())
     {
-      const std::vector<std::string> row = rows.Next();
+      const Fields row = rows.Next();
       name = row.front();
-      read.Set(name, StyleOf(row));
+      read.Set(name, StyleOf(row, header.size()));
     }
   }
   catch (const std::runtime_error& error)

@@ -194,12 +194,14 @@ std::string vtkHapticTool::Sentence(palpate::HapticSession& core, const palpate:
 std::string vtkHapticTool::PressingText(const palpate::HapticSession& core, const palpate::HapticState& state) const
 {
   const palpate::MechanismNow& now = state.mechanism;
-  const std::string body = core.chosen<palpate::SoftTask>().name;
+  const auto& body = core.chosen<palpate::SoftTask>();
   if (!now.held)
   {
-    return ", " + body + " is being computed; the tool feels it rigid until then";
+    return ", " + (body.input ? body.name + " is" : "loose sources are") +
+           " being computed; the tool feels all rigid until then";
   }
-  return ", presses " + body + ContactsText(this->Chosen.weighs_u(), now.touching) +
+  return (body.input ? ", presses " + body.name : ", touches loose sources") +
+         ContactsText(this->Chosen.weighs_u(), now.touching) +
          (now.ahead ? "; the hand is faster than contacts are looked for, so that the tool stays behind" : "") +
          (now.leftOut > 0 ? "; the tool touches in more places than a tick can solve" : "") + TooFarText(state);
 }

@@ -57,3 +57,19 @@ std::vector<palpate::PathSurface> vtkHapticToPathSurfaces(vtkDataObject& data, c
   problem = surfaces.empty() ? faces.Problem : "";
   return surfaces;
 }
+
+void vtkHapticAddLoose(
+  vtkDataObject& data, const std::string& name, double density, palpate::PathInputs& inputs, std::string& problem)
+{
+  constexpr double heaviest = 1e6;
+  const vtkHapticConversionResult made = vtkHapticToMesh(&data);
+  const bool dense = density > 0.0 && density <= heaviest;
+  problem = !dense      ? name + ": cannot be loose: its density must be above 0 and at most 1e6 kg/m3"
+            : made.Mesh ? ""
+                        : name + ": cannot be loose: " + made.Problem;
+  if (problem.empty())
+  {
+    inputs.surfaces.push_back({ name, made.Mesh });
+    inputs.surfaces.back().density_kg_per_m3 = density;
+  }
+}

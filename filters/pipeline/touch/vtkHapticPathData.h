@@ -22,4 +22,8 @@ class vtkDataObject;
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<palpate::PathSurface> vtkHapticToPathSurfaces(vtkDataObject& data,
   const std::string& name, const vtkHapticMaterialSettings& materials, bool curves, std::string& problem);
 
+/// The faces of data as a loose body of that density [kg/m3], above 0; no other input, then with a problem.
+VTKHAPTICPIPELINE_EXPORT void vtkHapticAddLoose(
+  vtkDataObject& data, const std::string& name, double density, palpate::PathInputs& inputs, std::string& problem);
+
 #endif

@@ -35,12 +35,13 @@ enum Port
   Tool,
   Compared,
   Snap,
+  Loose,
   PortCount
 };
 
 /// Name in sentences of the data of each port that has no name of its own.
 constexpr const char* PortNames[PortCount] = { "the surface", "the path", "the field", "the tool", "the compared data",
-  "the snap targets" };
+  "the snap targets", "the loose body" };
 
 /// The name of ParaView's property for a setting, where it has another name.
 std::string PropertyOf(std::string_view setting)
@@ -166,6 +167,7 @@ void vtkTouchAlongPath::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeArray: " << (this->TimeArray ? this->TimeArray : "(none)") << "\n";
   os << indent << "TurnArray: " << (this->TurnArray ? this->TurnArray : "(none)") << "\n";
   os << indent << "NoSpeed: " << this->NoSpeed << "\n";
+  os << indent << "Density: " << this->Density << " kg/m3\n";
   os << indent << "WithCost: " << this->WithCost << "\n";
 }
 
@@ -305,6 +307,7 @@ struct vtkTouchAlongPath::WholeInputs
     this->Tool = this->Whole(vtkDataObject::GetData(input[Port::Tool]));
     this->Compared = this->Whole(vtkDataObject::GetData(input[Port::Compared]));
     this->Snap = this->Whole(vtkDataObject::GetData(input[Port::Snap]));
+    this->Loose = this->Whole(vtkDataObject::GetData(input[Port::Loose]));
     this->Path = vtkHapticOnePiece(vtkPolyData::GetData(input[Port::Path]));
   }
 
@@ -314,7 +317,7 @@ struct vtkTouchAlongPath::WholeInputs
   }
 
   std::vector<vtkSmartPointer<vtkDataObject>> Touched;
-  vtkSmartPointer<vtkDataObject> Field, Tool, Compared, Snap, Path;
+  vtkSmartPointer<vtkDataObject> Field, Tool, Compared, Snap, Loose, Path;
 };
 
 void vtkTouchAlongPath::ReadField(const WholeInputs& whole, palpate::PathInputs& inputs, std::string& problem) const
@@ -369,6 +372,10 @@ palpate::PathInputs vtkTouchAlongPath::Read(const WholeInputs& whole, vtkDataObj
   for (std::size_t i = first ? 0 : 1; i < whole.Touched.size() && problem.empty(); ++i)
   {
     this->ReadTouched(*whole.Touched[i], this->NameOf(Surfaces, i), inputs, problem);
+  }
+  if (whole.Loose && problem.empty())
+  {
+    vtkHapticAddLoose(*whole.Loose, this->NameOf(Port::Loose, 0), this->Density, inputs, problem);
   }
   if (whole.Tool && problem.empty())
   {

@@ -68,8 +68,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// The same as SetInputConnection(port, ...) and SetInputDataObject(port, ...): the path of the hand (port 1), the
-  /// field (2), the tool (3), other data that the values of the field are compared with (4), and data to whose points
-  /// and lines the hand snaps in place of extrema of the values (5).
+  /// field (2), the tool (3), other data that the values of the field are compared with (4), data to whose points and
+  /// lines the hand snaps in place of extrema of the values (5), and a closed surface that is a loose body (6).
   ///@{
   void SetPathConnection(vtkAlgorithmOutput* path) { this->SetInputConnection(1, path); }
   void SetPathData(vtkDataObject* path) { this->SetInputDataObject(1, path); }
@@ -81,6 +81,8 @@ public:
   void SetComparedData(vtkDataObject* compared) { this->SetInputDataObject(4, compared); }
   void SetSnapConnection(vtkAlgorithmOutput* snap) { this->SetInputConnection(5, snap); }
   void SetSnapData(vtkDataObject* snap) { this->SetInputDataObject(5, snap); }
+  void SetLooseConnection(vtkAlgorithmOutput* loose) { this->SetInputConnection(6, loose); }
+  void SetLooseData(vtkDataObject* loose) { this->SetInputDataObject(6, loose); }
   ///@}
 
   /**
@@ -126,6 +128,12 @@ public:
   /// 0, below FieldFullSpeed. Default 0.
   vtkSetMacro(NoSpeed, double);
   vtkGetMacro(NoSpeed, double);
+  ///@}
+
+  ///@{
+  /// Density of the loose body [kg/m3], > 0; one unit is 1 / Scale metres. Default 1000: as water.
+  vtkSetMacro(Density, double);
+  vtkGetMacro(Density, double);
   ///@}
 
   ///@{
@@ -177,6 +185,7 @@ private:
   char* TimeArray = nullptr;
   char* TurnArray = nullptr;
   double NoSpeed = 0.0;
+  double Density = 1000.0;
   bool WithCost = false;
 };
 

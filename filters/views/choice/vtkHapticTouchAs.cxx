@@ -8,6 +8,7 @@
 #include "vtkHapticNamedData.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticSourceParts.h"
+#include "vtkHapticTouchedMechanism.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVArrayInformation.h"
@@ -191,6 +192,7 @@ void vtkHapticTouchAs::Free()
   if (auto* const session = vtkHapticSession::SafeDownCast(this->Session->GetClientSideObject()))
   {
     session->SetSourceTouched(this->Name.c_str(), true);
+    session->GetMechanism()->SetDensity(this->Name.c_str(), 0.0);
   }
 }
 

@@ -28,7 +28,7 @@ from palpate.vtkHapticViews import vtkHapticTouchAs, vtkHapticViewScene
 
 __all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "TakeColorRange", "LetGo", "FitHand", "HapticUpdate",
            "HapticState", "Mark", "GetMarks", "Marks", "AddMark", "RemoveMark", "RenameMark", "ClearMarks", "SaveMarks",
-           "LoadMarks", "MapContact", "SetSource", "TouchAs", "HoldTool", "PressBody", "SoftText",
+           "LoadMarks", "MapContact", "SetSource", "Touched", "TouchAs", "HoldTool", "PressBody", "SoftText",
            "HoldMechanism", "Constraints", "AddConstraint", "RemoveConstraint", "BreakConstraint",
            "PutBack", "HapticWire"]
 
@@ -354,6 +354,47 @@ def SetSource(source, touched=None, stiffness=None, friction=None):
             session.SetSourceTouched(name, touched)
 
 
+def _density(name, density):
+    """Of a loose source [kg/m3], or a refusal."""
+    if isinstance(density, bool) or not _is_number(density) or not 0 < density <= 1e6:
+        raise HapticRefusal(f"{name}: a loose source needs a density above 0 and at most 1e6 kg/m3, not {density!r}; "
+                            f"for example Touched({name!r}, \"loose\", density=2500).")
+    return density
+
+
+def _put_unit(unit):
+    units = _described("SceneUnit")["choices"][1:]  # the first is automatic
+    if unit not in units:
+        raise HapticRefusal(f"A unit of lengths is one of {', '.join(units)}, not {unit!r}.")
+    _put("SceneUnit", units.index(unit) + 1)
+
+
+def Touched(source, kind="fixed", density=None, unit=None):
+    """Has a visible source (a proxy, or its name in the pipeline browser) touched as "fixed", a part of the scene; as
+    "loose", a rigid body with the mass of its volume at a density [kg/m3], which falls, slides and is pushed; or as "soft",
+    as PressBody() does. unit: of the lengths of the scene, "um", "mm", "cm" or "m"; None: that of the files, or SceneUnit."""
+    name = _source_name(source)
+    if kind not in ("fixed", "loose", "soft"):
+        raise HapticRefusal(f"{name} is touched as 'fixed', 'loose' or 'soft', not {kind!r}.")
+    if density is not None and kind != "loose":
+        raise HapticRefusal(f"{name}: only a loose source has a density here; omit the density, or touch the source as 'loose'.")
+    density = _density(name, density) if kind == "loose" else 0
+    with _Refusals() as session:
+        if kind != "fixed" and session.GetSettingText("ToolSource") == name:
+            raise HapticRefusal(f"{name} is the tool in the hand; release it with HoldTool(None) before it is touched as {kind!r}.")
+        if kind != "soft" and session.GetSettingText("SoftSource") == name:
+            _put("SoftSource", "")
+        if unit is not None:
+            _put_unit(unit)
+        session.GetMechanism().SetDensity(name, density)
+        HapticUpdate()
+        if _value("Touching"):
+            session.FinishScene()  # with which a source that cannot be loose is refused
+            session.Update()
+    if kind == "soft":
+        PressBody(source)
+
+
 def TouchAs(source, kind=None, view=None):
     """Touches a source (a proxy, or its name in the pipeline browser) as "surface", "lines", "field", "tool", "tissue",
     "mechanism" or "not at all"; None: as the kind that is most likely for its data. Returns a sentence with the
@@ -461,7 +502,7 @@ def BreakConstraint(name):
 
 def PutBack():
     """Puts the bodies of the mechanism back where the scene file has them: loose bodies at rest, needles outside, and
-    broken constraints whole."""
+    broken constraints whole. Loose sources are put back where their data are."""
     with _Refusals() as session:
         session.GetMechanism().PutBack()
         HapticUpdate()

@@ -3,14 +3,15 @@
 #define vtkHapticHandedSources_h
 
 #include "vtkHapticFollowingArms.h"
+#include "vtkHapticLooseSources.h"
 #include "vtkHapticMechanismSource.h"
 #include "vtkHapticSoftSource.h"
 #include "vtkHapticToolSource.h"
 
 #include <tuple>
 
-/// Sources that are more than a surface for a session: its tool, its soft body and its mechanism, which it names, and
-/// the arms that are drawn at its hand.
+/// Sources that are more than a surface for a session: its tool, its soft body and its mechanism, which it names, those
+/// that are loose, and the arms that are drawn at its hand.
 class vtkHapticHandedSources
 {
 public:
@@ -29,7 +30,9 @@ public:
   }
 
 private:
-  std::tuple<vtkHapticToolSource, vtkHapticMechanismSource, vtkHapticSoftSource, vtkHapticFollowingArms> Sources;
+  std::tuple<vtkHapticToolSource, vtkHapticMechanismSource, vtkHapticSoftSource, vtkHapticLooseSources,
+    vtkHapticFollowingArms>
+    Sources;
 };
 
 #endif

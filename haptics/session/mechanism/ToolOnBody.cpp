@@ -11,9 +11,24 @@ namespace palpate
 namespace
 {
 
+bool isNamed(const std::vector<MechanismBody>& bodies, const std::string& name)
+{
+  return std::ranges::find(bodies, name, &MechanismBody::name) != bodies.end();
+}
+
+/// The others keep their names, by which a person knows them.
+std::string nameInHand(std::string name, const std::string& body, const std::vector<MechanismBody>& beside)
+{
+  while (name == body || isNamed(beside, name))
+  {
+    name += " in the hand";
+  }
+  return name;
+}
+
 std::string nameBeside(std::string name, const std::vector<MechanismBody>& others)
 {
-  while (name.empty() || std::ranges::find(others, name, &MechanismBody::name) != others.end())
+  while (name.empty() || isNamed(others, name))
   {
     name += name.empty() ? "surface" : " too";
   }
@@ -23,31 +38,37 @@ std::string nameBeside(std::string name, const std::vector<MechanismBody>& other
 } // namespace
 
 Outcome<std::shared_ptr<const MechanismInputs>> toolOnBody(const std::string& tool, const TriangleMesh& mesh_H,
-  const MechanismSoftInput& body, double friction, const std::vector<MechanismBody>& beside)
+  const MechanismSoftInput& body, double friction, const std::vector<MechanismBody>& beside, double unit_m)
 {
   auto held = makeRigidMesh(mesh_H);
   if (!held.ok())
   {
     return { nullptr, held.problem };
   }
-  MechanismBody inHand, soft;
-  inHand.name = tool == body.name ? tool + " in the hand" : tool;
+  MechanismBody inHand;
+  inHand.name = nameInHand(tool, body.name, beside);
   inHand.kind = MechanismBodyKind::Held;
   inHand.mesh = std::move(held.value);
-  soft.name = body.name;
-  soft.kind = MechanismBodyKind::Soft;
   auto inputs = std::make_shared<MechanismInputs>();
-  inputs->mechanism.bodies = { inHand, soft };
+  inputs->mechanism.bodies = { inHand };
+  inputs->unit_m = unit_m;
+  if (body.input)
+  {
+    MechanismBody soft;
+    soft.name = body.name;
+    soft.kind = MechanismBodyKind::Soft;
+    inputs->mechanism.bodies.push_back(std::move(soft));
+    inputs->soft = { body };
+    inputs->unit_m = body.input->unit_m;
+  }
   for (const MechanismBody& each : beside)
   {
-    MechanismBody stands = each;
-    stands.name = nameBeside(each.name, inputs->mechanism.bodies);
-    inputs->mechanism.bodies.push_back(std::move(stands));
+    MechanismBody other = each;
+    other.name = nameBeside(each.name, inputs->mechanism.bodies);
+    inputs->mechanism.bodies.push_back(std::move(other));
   }
   inputs->mechanism.findsContacts = inputs->mechanism.beginsApart = true;
   inputs->mechanism.foundFriction = friction;
-  inputs->soft = { body };
-  inputs->unit_m = body.input->unit_m;
   return { std::move(inputs), "" };
 }
 

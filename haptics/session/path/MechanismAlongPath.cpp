@@ -3,6 +3,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "haptics/session/mechanism/BallMesh.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
 #include "haptics/session/mechanism/SurfacesBeside.h"
 #include "haptics/session/mechanism/ToolOnBody.h"
@@ -62,6 +63,7 @@ public:
   {
     const MechanismPlan& plan = this->touch_->plan();
     const MechanismResult result = this->touch_->next(sample.time_s, sample.hand_W);
+    this->pose_W_ = result.pose_W;
     tick.proxy_W = result.pose_W[plan.held];
     tick.wrench_W = result.wrench_W;
     tick.contacts = 0;
@@ -104,6 +106,8 @@ public:
 
 protected:
   [[nodiscard]] const MechanismTouch& touch() const noexcept { return *this->touch_; }
+  /// Of a body in the last tick.
+  [[nodiscard]] const Pose& pose_W(std::size_t body) const noexcept { return this->pose_W_[body]; }
 
 private:
   void tellEvents(const MechanismResult& result, double time_s)
@@ -136,6 +140,7 @@ private:
 
   std::unique_ptr<MechanismTouch> touch_;
   Mechanism mechanism_;
+  decltype(MechanismResult::pose_W) pose_W_{};
   std::vector<BodyPair> before_;
   std::vector<std::string> events_;
   std::vector<std::string> overlaps_;
@@ -144,109 +149,178 @@ private:
   int crowded_ = 0;
 };
 
-/// A mesh in the hand on one soft body, with the columns of a tool.
-class ToolOnBodyAlongPath final : public MechanismAlongPath
+/// A tool or a ball among a soft body and loose ones, with the columns of a tool and the places of the loose ones.
+class HandAmongBodiesAlongPath final : public MechanismAlongPath
 {
 public:
-  ToolOnBodyAlongPath(std::unique_ptr<MechanismTouch> touch, const MechanismInputs& inputs)
-    : MechanismAlongPath(std::move(touch), inputs.mechanism), bodyName_(inputs.soft.front().name)
+  HandAmongBodiesAlongPath(std::unique_ptr<MechanismTouch> touch, const MechanismInputs& inputs)
+    : MechanismAlongPath(std::move(touch), inputs.mechanism), bodyName_(inputs.soft.empty() ? "" : inputs.soft[0].name)
   {
+    for (std::size_t b = 0; b < inputs.mechanism.bodies.size(); ++b)
+    {
+      if (isLoose(inputs.mechanism.bodies[b]))
+      {
+        this->loose_.push_back({ inputs.mechanism.bodies[b].name, b });
+      }
+    }
   }
 
   [[nodiscard]] std::vector<PathColumn> columns() const override
   {
-    return { { "Turn", 4 }, { "Torque", 3 }, { "Angle", 1 } };
+    std::vector<PathColumn> columns{ { "Turn", 4 }, { "Torque", 3 }, { "Angle", 1 } };
+    for (const auto& [name, body] : this->loose_)
+    {
+      columns.insert(columns.end(), { { "Place of " + name, 3 }, { "Turn of " + name, 4 } });
+    }
+    return columns;
   }
 
-  [[nodiscard]] const BodyMaker* body() const override { return &this->touch().bodies().maker(0); }
+  [[nodiscard]] const BodyMaker* body() const override
+  {
+    return this->bodyName_.empty() ? nullptr : &this->touch().bodies().maker(0);
+  }
 
   void next(const PathSample& sample, PathTick& tick) override
   {
     constexpr double degreesPerRadian = 180.0 / std::numbers::pi;
     MechanismAlongPath::next(sample, tick);
     tick.more.back() = degreesPerRadian * sample.hand_W.q.angularDistance(tick.proxy_W.q); // in place of the residual
+    for (const auto& [name, body] : this->loose_)
+    {
+      const auto& [p, q] = this->pose_W(body);
+      tick.more.insert(tick.more.end(), { p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z() });
+    }
   }
 
   void finish(PathReport& report) const override
   {
     MechanismAlongPath::finish(report);
-    if (this->body()->wentThroughItself())
+    if (this->body() && this->body()->wentThroughItself())
     {
       report.notes.push_back(this->bodyName_ + ": " + throughItselfText);
     }
   }
 
 private:
-  std::string bodyName_;
+  std::string bodyName_; ///< of the soft one; "": there is none
+  std::vector<std::pair<std::string, std::size_t>> loose_;
 };
 
-constexpr const char* withoutTool = "; omit this input, or touch the soft body without a tool";
-
-/// A tool that presses a soft body feels that body and surfaces: any other input would be lost.
-std::string lostBesideToolOnBody(const PathInputs& inputs)
+/// "a tool that presses a soft body", "a hand among loose bodies".
+std::string handOf(const PathInputs& inputs)
 {
+  return inputs.tool && inputs.body ? "a tool that presses a soft body" : "a hand among loose bodies";
+}
+
+/// Such a hand feels bodies: any other input would be lost.
+std::string lostAmongBodies(const PathInputs& inputs)
+{
+  const std::string ball = inputs.tool ? "" : "Radius";
   const std::string lost = setBeside(inputs.settings,
-    { "Stiffness", "Scale", "FrictionStatic", "FrictionKinetic", "ToolLever", "MechanismTurning", "SoftRate" });
-  return !lost.empty()  ? lost + " has no effect on a tool that presses a soft body; omit this option"
-         : inputs.field ? inputs.field->name + ": a tool that presses a soft body feels no field" + withoutTool
+    { "Stiffness", "Scale", "FrictionStatic", "FrictionKinetic", "ToolLever", "MechanismTurning", "SoftRate", ball });
+  const std::string hand = handOf(inputs);
+  return !lost.empty()  ? lost + " has no effect on " + hand + "; omit this option"
+         : inputs.field ? inputs.field->name + ": " + hand + " feels no field; omit this input"
                         : "";
 }
 
-/// The surfaces that tool and soft body touch; fewer with a refusal.
-std::vector<MechanismBody> surfacesBeside(const PathInputs& inputs, PathReport& report)
+LooseSources looseOf(const PathInputs& inputs)
+{
+  LooseSources loose;
+  loose.unit_m = inputs.body ? inputs.body->input->unit_m : 1.0 / inputs.settings.number("Scale");
+  for (const PathSurface& each : inputs.surfaces)
+  {
+    if (each.density_kg_per_m3 != 0.0)
+    {
+      loose.density_kg_per_m3[each.name] = each.density_kg_per_m3;
+    }
+  }
+  return loose;
+}
+
+/// The surfaces that the hand and a soft body touch; fewer with a refusal.
+std::vector<MechanismBody> surfacesBeside(const PathInputs& inputs, const LooseSources& loose, PathReport& report)
 {
   const auto scene = inputs.surfaces.empty() ? nullptr : pathScene(inputs, report);
   SurfacesBeside beside;
-  (void)beside.follow(scene.get(), "");
+  (void)beside.follow(scene.get(), "", loose);
   if (report.refusal.empty() && !beside.reason().empty())
   {
-    report.refusal =
-      beside.refused() + ": cannot be touched by a tool on a soft body: " + beside.reason() + withoutTool;
+    const std::string way = beside.refusedLoose()        ? "be loose"
+                            : inputs.tool && inputs.body ? "be touched by a tool on a soft body"
+                                                         : "be touched by a hand among loose bodies";
+    report.refusal = beside.refused() + ": cannot " + way + ": " + beside.reason() + "; omit this input" +
+                     (loose.density_kg_per_m3.empty() ? ", or touch the soft body without a tool" : "");
   }
   return beside.bodies();
 }
 
-/// As the metric of a tool has it: its lever is that of the tool about the hand, unless one is set.
-MechanismHold mechanismHoldOf(const ToolHold& hold, const ToolMesh& tool, double lowRate_Hz)
+/// As the metric of a tool has it: its lever is that of the tool about the hand, or the radius of a ball, unless one is
+/// set.
+MechanismHold mechanismHoldOf(const ToolHold& hold, double own_u, double lowRate_Hz)
 {
-  const double arm_m = hold.characteristic_u.value_or(tool.gyration_u) / hold.scale_u_per_m;
+  const double arm_m = hold.characteristic_u.value_or(own_u) / hold.scale_u_per_m;
   return { hold.stiffness_N_per_m, hold.stiffness_N_per_m * arm_m * arm_m, hold.scale_u_per_m, lowRate_Hz };
+}
+
+/// The mesh in the hand, and the lever that it has by itself [u].
+struct InHand
+{
+  std::string name;
+  std::shared_ptr<const TriangleMesh> mesh_H;
+  double lever_u = 0.0;
+};
+
+/// A mesh that cannot be a tool on surfaces is none among bodies either.
+Outcome<InHand> inHand(const PathInputs& inputs)
+{
+  if (!inputs.tool)
+  {
+    const double radius_u = inputs.settings.number("Radius");
+    return { { "ball", std::make_shared<const TriangleMesh>(ballMesh(radius_u)), radius_u },
+      radius_u > 0.0 ? "" : "{Radius}: a point cannot push a loose body; set a radius above 0, or add a tool" };
+  }
+  const Outcome<ToolMesh> tool = makeTool(*inputs.tool->mesh, Vec3(Vec3::Zero()));
+  return { { inputs.tool->name, inputs.tool->mesh, tool.value.gyration_u },
+    tool.ok() ? "" : inputs.tool->name + ": cannot be held: " + tool.problem };
 }
 
 } // namespace
 
-/// A mesh that cannot be a tool on surfaces is none on a soft body either.
-std::unique_ptr<PathKind> toolOnBodyAlongPath(const PathInputs& inputs, PathReport& report)
+std::unique_ptr<PathKind> handAmongBodiesAlongPath(const PathInputs& inputs, PathReport& report)
 {
   const ToolHold hold = toolHoldOf(inputs.settings);
-  report.refusal = lostBesideToolOnBody(inputs);
+  report.refusal = lostAmongBodies(inputs);
   report.refusal = report.refusal.empty() ? refuseHold(hold) : report.refusal;
   if (!report.refusal.empty())
   {
     return nullptr;
   }
-  const std::vector<MechanismBody> beside = surfacesBeside(inputs, report);
+  const LooseSources loose = looseOf(inputs);
+  const std::vector<MechanismBody> beside = surfacesBeside(inputs, loose, report);
+  const Outcome<InHand> held = report.refusal.empty() ? inHand(inputs) : Outcome<InHand>{};
+  report.refusal += held.problem;
   if (!report.refusal.empty())
   {
     return nullptr;
   }
-  const Outcome<ToolMesh> tool = makeTool(*inputs.tool->mesh, Vec3(Vec3::Zero()));
-  const auto made =
-    toolOnBody(inputs.tool->name, *inputs.tool->mesh, { inputs.body->name, inputs.body->input }, hold.friction, beside);
-  report.refusal = !tool.ok() ? tool.problem : made.problem;
-  if (!report.refusal.empty())
+  const MechanismSoftInput body =
+    inputs.body ? MechanismSoftInput{ inputs.body->name, inputs.body->input } : MechanismSoftInput{};
+  const auto made = toolOnBody(held.value.name, *held.value.mesh_H, body, hold.friction, beside, loose.unit_m);
+  if (!made.ok())
   {
-    report.refusal = inputs.tool->name + ": cannot be held: " + report.refusal;
+    report.refusal = held.value.name + ": cannot be held: " + made.problem;
     return nullptr;
   }
-  auto touch = MechanismTouch::make(
-    *made.value, mechanismHoldOf(hold, tool.value, inputs.settings.number("SoftRate")), report.refusal);
-  const std::string left = touch ? touch->bodies().maker(0).checked().report.summary() : "";
+  const double asked_Hz = inputs.settings.number("SoftRate");
+  const double rate_Hz = inputs.body || asked_Hz == 0.0 ? asked_Hz : std::max(asked_Hz, leastLooseRate_Hz);
+  auto touch = MechanismTouch::make(*made.value, mechanismHoldOf(hold, held.value.lever_u, rate_Hz), report.refusal);
+  const std::string left = touch && inputs.body ? touch->bodies().maker(0).checked().report.summary() : "";
   if (!left.empty())
   {
     report.notes.push_back(inputs.body->name + ": " + left);
   }
-  return touch ? std::make_unique<ToolOnBodyAlongPath>(std::move(touch), *made.value) : nullptr;
+  return touch ? std::make_unique<HandAmongBodiesAlongPath>(std::move(touch), *made.value) : nullptr;
 }
 
 std::unique_ptr<PathKind> mechanismAlongPath(const PathInputs& inputs, PathReport& report)

@@ -30,6 +30,7 @@ struct PathSurface
   std::vector<std::size_t> holeEdges = {}; ///< see SurfaceInput
   std::string materialNote = {};           ///< the arrays that are used
   std::string materialProblem = {};        ///< why an array could not be used; "": none was asked for, or all were used
+  double density_kg_per_m3 = 0.0;          ///< of a loose body; 0: it is fixed
 };
 
 struct PathField
@@ -58,7 +59,8 @@ struct PathMechanism
   std::shared_ptr<const MechanismInputs> inputs;
 };
 
-/// The input of a path that is known before. A mechanism is felt alone; a tool feels surfaces and a soft body.
+/// The input of a path that is known before. A mechanism is felt alone; a tool feels surfaces and a soft body. Where a
+/// surface is loose, a unit is 1 / {Scale} metres.
 struct PathInputs
 {
   SettingStore settings = pathSettings();

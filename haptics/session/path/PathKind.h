@@ -29,7 +29,8 @@ public:
 /// Each gives null with a refusal in the report.
 [[nodiscard]] std::unique_ptr<PathKind> ballAlongPath(const PathInputs& inputs, PathReport& report);
 [[nodiscard]] std::unique_ptr<PathKind> toolAlongPath(const PathInputs& inputs, PathReport& report);
-[[nodiscard]] std::unique_ptr<PathKind> toolOnBodyAlongPath(const PathInputs& inputs, PathReport& report);
+/// Of a tool on a soft body, or of a tool or a ball among loose bodies.
+[[nodiscard]] std::unique_ptr<PathKind> handAmongBodiesAlongPath(const PathInputs& inputs, PathReport& report);
 [[nodiscard]] std::unique_ptr<PathKind> mechanismAlongPath(const PathInputs& inputs, PathReport& report);
 /// The columns of a mechanism that is a wire.
 [[nodiscard]] std::unique_ptr<PathKind> wireAlongPath(std::unique_ptr<MechanismTouch> touch);

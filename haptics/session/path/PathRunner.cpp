@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/path/PathRunner.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,10 +22,12 @@ std::unique_ptr<PathKind> kindOf(const PathInputs& inputs, PathReport& report)
   {
     return nullptr;
   }
-  return inputs.mechanism             ? mechanismAlongPath(inputs, report)
-         : inputs.tool && inputs.body ? toolOnBodyAlongPath(inputs, report)
-         : inputs.tool                ? toolAlongPath(inputs, report)
-                                      : ballAlongPath(inputs, report);
+  const bool loose =
+    std::ranges::any_of(inputs.surfaces, [](const PathSurface& each) { return each.density_kg_per_m3 != 0.0; });
+  return inputs.mechanism                        ? mechanismAlongPath(inputs, report)
+         : loose || (inputs.tool && inputs.body) ? handAmongBodiesAlongPath(inputs, report)
+         : inputs.tool                           ? toolAlongPath(inputs, report)
+                                                 : ballAlongPath(inputs, report);
 }
 
 } // namespace

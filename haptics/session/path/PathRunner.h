@@ -26,7 +26,8 @@ struct PathTick
 struct PathColumn
 {
   std::string name; ///< Turn (w x y z), Torque [N m], Angle [degrees], Residual [u], Force of, Phase of, Inside of a
-                    ///< constraint; of a wire Pushed [u], Turned [rad], Tip Force, Wall Force [N], Wall Place [u]
+                    ///< constraint; Place of [u], Turn of a loose body; of a wire Pushed [u], Turned [rad], Tip Force,
+                    ///< Wall Force [N], Wall Place [u]
   int components = 1;
 };
 

@@ -60,6 +60,8 @@ const Readout readouts[] = {
   { "WireTipForce", Number, "N", "", "Force of the wall on the last beam of a held wire" },
   { "WireWallForce", Number, "N", "", "Largest force of the wall on a held wire" },
   { "WireWallPosition", Number, "u", "", "Where the largest force of the wall on a held wire is (world frame)", 3 },
+  { "LooseText", Text, "", "",
+    "Loose sources, one per line: mass, or the reason why the source is touched as fixed; empty if none is loose" },
   { "SoftText", Text, "", "",
     "Soft body: model, solver rate and strain, or the reason why it cannot be touched; empty if none is chosen" },
   { "SoftStrain", Number, "1", "",

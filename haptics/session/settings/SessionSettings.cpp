@@ -126,11 +126,13 @@ const Setting settings[] = {
   at({ .group = "lines" },
     amount("PointRadius", "u", "Radius of points",
       "Sphere radius for the points of a cloud. 0: points are not touchable", 0.0, none, NextScene)),
-  at({ .group = "scene" },
-    choice("SceneUnit", "Unit of lengths",
-      "Unit of the scene's lengths where the panel shows them. Automatic: the unit of the files, and u where they have "
-      "none",
-      0, { "Automatic", "u", "um", "mm", "cm", "m" }, NextFrame)),
+  at({ .group = "scene" }, choice("SceneUnit", "Unit of lengths",
+                             "Unit of the scene's lengths where the panel shows them, and for the mass of loose "
+                             "sources. Automatic: the unit of "
+                             "the files, and u where they have none",
+                             0, { "Automatic", "u", "um", "mm", "cm", "m" }, NextFrame)),
+  at({ .group = "scene" }, { "Gravity", Number, "m/s2", "Gravity", "Acceleration of loose sources (world frame)",
+                             NextScene, { 0.0, 0.0, -9.81 }, {}, -100.0, 100.0 }),
   at({ .group = "scene" }, count("ServerLimit", "", "Server whole up to",
                              "Fetch remote surfaces whole up to this many triangles. Of larger surfaces only the "
                              "part around the hand is fetched, again up to this many",
@@ -401,7 +403,7 @@ const Setting settings[] = {
     AtOnce),
   text("SourcesText", "",
     "Per-source overrides as CSV: Source, Touched (0/1), Stiffness (inf = session value), FrictionStatic, "
-    "FrictionKinetic (-1 = session value)",
+    "FrictionKinetic (-1 = session value); where any source is loose, Density (kg/m3; 0 = fixed)",
     NextScene),
   text("RecordFile", "",
     "File for recordings, from the next touch on; empty: a temporary file until the recording is saved", NextTouch),

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sources that are loose bodies.
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "haptics/core/PoseMath.h"
+#include "haptics/session/SessionWorkers.h"
+#include "haptics/session/mechanism/MechanismBodies.h"
+#include "vtkCommand.h"
+#include "vtkHapticSceneSurfaces.h"
+#include "vtkHapticSessionInternals.h"
+
+namespace
+{
+/// Of the choices of SceneUnit but the first: u has no length that is known.
+constexpr std::array Units_m = { 0.0, 1e-6, 1e-3, 1e-2, 1.0 };
+
+/// Null: no body of that mechanism is the loose one of that name.
+const palpate::MechanismBody* LooseOf(const palpate::MechanismInputs& inputs, const std::string& name)
+{
+  const auto& bodies = inputs.mechanism.bodies;
+  const auto found = std::find_if(bodies.begin(), bodies.end(),
+    [&name](const palpate::MechanismBody& body) { return body.name == name && palpate::isLoose(body); });
+  return found != bodies.end() ? &*found : nullptr;
+}
+
+std::string MassText(double mass_kg)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << mass_kg << " kg";
+  return text.str();
+}
+} // namespace
+
+std::string vtkHapticSession::Internals::PutDensity(const std::string& source, double density)
+{
+  const std::string refused = vtkHapticRefuseDensity(density);
+  const std::string problem = refused.empty() ? refused : source + ": " + refused;
+  this->Refuse(problem);
+  this->Follow("density of " + source, problem);
+  vtkHapticSourceStyle style = this->Surfaces.Styles().Of(source);
+  if (problem.empty() && style.Density != density)
+  {
+    style.Density = density;
+    this->Surfaces.Styles().Set(source, style);
+    this->FollowSources();
+    this->Session.InvokeEvent(vtkCommand::PropertyModifiedEvent);
+  }
+  return problem;
+}
+
+std::string vtkHapticSession::Internals::FollowLooseSettings()
+{
+  this->FollowLoose();
+  if (this->Core.looseRefusal().empty()) // a setting of all sources is not refused for one of them
+  {
+    this->JudgeLoose();
+  }
+  return {};
+}
+
+void vtkHapticSession::Internals::FollowLoose()
+{
+  const int chosen = this->Settings.whole("SceneUnit");
+  palpate::LooseSources loose;
+  loose.density_kg_per_m3 = this->Surfaces.Styles().Densities();
+  loose.unit_m = chosen == 0 ? this->UnitOfFiles_m : Units_m.at(static_cast<std::size_t>(chosen) - 1);
+  loose.gravity_m_per_s2 = palpate::Vec3(this->Settings.of("Gravity").numbers.data());
+  this->Core.setLoose(loose);
+}
+
+void vtkHapticSession::Internals::JudgeLoose()
+{
+  const std::string& problem = this->Core.looseRefusal();
+  if (problem != this->LooseRefused)
+  {
+    this->LooseRefused = problem;
+    this->Refuse(problem);
+    this->Follow("loose sources", problem);
+  }
+}
+
+std::optional<palpate::Pose> vtkHapticSession::Internals::LooseWay(const std::string& name) const
+{
+  const auto inputs = this->Core.toolPresses() ? this->Core.feltMechanism() : nullptr;
+  const palpate::MechanismBody* const body = inputs ? LooseOf(*inputs, name) : nullptr;
+  const palpate::MechanismNow& now = this->State.mechanism;
+  if (!body || !now.held || now.revision != this->Core.status<palpate::MechanismTask>().plan)
+  {
+    return std::nullopt;
+  }
+  const auto place = static_cast<std::size_t>(body - inputs->mechanism.bodies.data());
+  const palpate::Quat turn_W = now.pose_W[place].q * body->pose_W.q.conjugate();
+  return palpate::Pose{ now.pose_W[place].p - turn_W * body->pose_W.p, turn_W };
+}
+
+const char* vtkHapticSession::Internals::SayLooseText()
+{
+  const auto inputs = this->Core.toolPresses() ? this->Core.feltMechanism() : nullptr;
+  const palpate::MechanismStatus status =
+    inputs ? this->Core.status<palpate::MechanismTask>() : palpate::MechanismStatus();
+  const bool mechanism = this->Core.chosen<palpate::MechanismTask>().inputs != nullptr;
+  std::ostringstream lines;
+  for (const auto& [name, density] : this->Surfaces.Styles().Densities())
+  {
+    const palpate::MechanismBody* const body = inputs ? LooseOf(*inputs, name) : nullptr;
+    lines << name << ": "
+          << (body         ? "loose, " + MassText(body->mass.mass_Ns2_per_u / inputs->unit_m)
+               : mechanism ? "fixed while a mechanism is held; hold none to touch it as loose"
+                           : "to be loose, but not among the touched surfaces; show the source, and press Touch");
+    for (const auto& [a, b] : status.check.overlaps)
+    {
+      if (body && (a == name || b == name))
+      {
+        lines << "; overlaps " << (a == name ? b : a) << " where it begins, and is pushed out slowly; move one of them";
+      }
+    }
+    lines << "\n";
+  }
+  const std::string& refusal = this->Core.looseRefusal();
+  const std::string problem = refusal.empty() ? status.problem : refusal;
+  this->LooseText = problem.empty() || lines.str().empty() ? lines.str() : problem + "\n";
+  return this->LooseText.c_str();
+}

@@ -1,0 +1,540 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces of a scene that are loose bodies. Judges: statics and Newton's law of blocks of which mass and friction are
+// known.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "haptics/core/PoseMath.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
+#include "haptics/mechanism/sided/SidedSurface.h"
+#include "haptics/recording/Recording.h"
+#include "haptics/session/mechanism/BallMesh.h"
+#include "haptics/session/path/PathRunner.h"
+#include "testing/haptics/session/PressingHand.h"
+#include "testing/support/TemporaryFolder.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr double g_m_per_s2 = 9.81, stone_kg_per_m3 = 2500.0, tick_s = 1e-3;
+constexpr double fingertip_m = 0.005; ///< radius of the ball
+const Vec3 half_m(0.03, 0.02, 0.01);
+const double mass_kg = stone_kg_per_m3 * 8.0 * half_m.prod();
+const double weight_N = mass_kg * g_m_per_s2;
+
+SurfaceInput surfaceOf(const std::string& name, const TriangleMesh& mesh, const Pose& pose_WS = {})
+{
+  SurfaceInput input;
+  input.name = name;
+  input.mesh = std::make_shared<const TriangleMesh>(mesh);
+  input.pose_WS = pose_WS;
+  return input;
+}
+
+SurfaceInput floorInput()
+{
+  return surfaceOf("floor", makeBox(Vec3(-0.5, -0.5, -0.1), Vec3(0.5, 0.5, 0.0)));
+}
+
+/// A block that stands on the floor, whose data has its origin somewhere else.
+SurfaceInput stoneInput(const Vec3& at_W = Vec3::Zero())
+{
+  const Vec3 low(at_W.x() - half_m.x(), at_W.y() - half_m.y(), at_W.z());
+  return surfaceOf("stone", makeBox(low, low + 2.0 * half_m));
+}
+
+std::shared_ptr<const Scene> sceneOfAll(const std::vector<SurfaceInput>& surfaces)
+{
+  return SceneBuilder(1).build(surfaces).scene;
+}
+
+LooseSources stones(double density_kg_per_m3 = stone_kg_per_m3)
+{
+  LooseSources loose;
+  loose.density_kg_per_m3 = { { "stone", density_kg_per_m3 } };
+  loose.unit_m = 1.0;
+  return loose;
+}
+
+/// A ball in the hand, without a tool and a soft body.
+struct FreeHand : PressingHand
+{
+  explicit FreeHand(double friction = 0.0, const std::string& file = {}) : PressingHand(file)
+  {
+    this->session.choose<SoftTask>({});
+    HapticParameters parameters = this->session.parameters();
+    parameters.contact.radius_u = fingertip_m;
+    parameters.contact.friction = { friction, friction };
+    EXPECT_EQ(this->session.setParameters(parameters), "");
+  }
+
+  const HapticState& at(const Vec3& hand_W, int ticks = 1) { return this->hold({ hand_W, Quat::Identity() }, ticks); }
+
+  [[nodiscard]] int bodyNamed(const std::string& name)
+  {
+    const auto& bodies = this->session.feltMechanism()->mechanism.bodies;
+    const auto found = std::ranges::find(bodies, name, &MechanismBody::name);
+    return found != bodies.end() ? static_cast<int>(found - bodies.begin()) : -1;
+  }
+  /// Where the middle of a loose body is.
+  [[nodiscard]] Vec3 middleOf(const std::string& name)
+  {
+    return this->session.state().mechanism.pose_W[static_cast<std::size_t>(this->bodyNamed(name))].p;
+  }
+  /// Force on a body by another one.
+  [[nodiscard]] Vec3 pressOn(const std::string& name, const std::string& by)
+  {
+    const int body = this->bodyNamed(name), other = this->bodyNamed(by);
+    const MechanismNow& now = this->session.state().mechanism;
+    Vec3 sum_N = Vec3::Zero();
+    for (int i = 0; i < now.touching; ++i)
+    {
+      const auto& [a, b, at_W, force_W] = now.found[static_cast<std::size_t>(i)];
+      sum_N += a == body && b == other ? force_W : b == body && a == other ? Vec3(-force_W) : Vec3(Vec3::Zero());
+    }
+    return sum_N;
+  }
+};
+
+const Vec3 away(-0.3, -0.3, 0.3);
+
+TEST(LooseSources, RestsOnTheFixedFloorWithItsWeightWhereverItsDataHaveTheirOrigin)
+{
+  for (const Pose& pose : { Pose{}, Pose{ Vec3(0.1, 0.05, 0.0), Quat(std::cos(0.2), 0.0, 0.0, std::sin(0.2)) } })
+  {
+    FreeHand hand;
+    SurfaceInput stone = stoneInput(Vec3(0.02, 0.03, 0.0));
+    stone.pose_WS = pose;
+    hand.session.setScene(sceneOfAll({ floorInput(), stone }));
+    hand.session.setLoose(stones());
+    hand.at(away, 500);
+    ASSERT_TRUE(hand.session.state().mechanism.held) << hand.session.looseRefusal();
+    const Vec3 force_N = hand.pressOn("stone", "floor");
+    EXPECT_NEAR(force_N.z(), weight_N, 1e-9 * weight_N);
+    EXPECT_LE(force_N.head<2>().norm(), 1e-9 * weight_N);
+    const Vec3 expected_W = pose * Vec3(0.02, 0.03, half_m.z());
+    EXPECT_LE((hand.middleOf("stone") - expected_W).norm(), 1e-6);
+    EXPECT_EQ(hand.session.state().force_W, Vec3(Vec3::Zero()));
+  }
+}
+
+TEST(LooseSources, AUnitOfAMillimetreGivesABillionthOfTheMass)
+{
+  constexpr double perMetre = 1000.0;
+  FreeHand hand;
+  HapticParameters parameters = hand.session.parameters();
+  parameters.map.scale_u_per_m = perMetre;
+  parameters.contact.radius_u = perMetre * fingertip_m;
+  ASSERT_EQ(hand.session.setParameters(parameters), "");
+  SurfaceInput floor = floorInput(), stone = stoneInput();
+  for (SurfaceInput* const each : { &floor, &stone })
+  {
+    each->mesh = std::make_shared<const TriangleMesh>(scaled(*each->mesh, perMetre));
+  }
+  hand.session.setScene(sceneOfAll({ floor, stone }));
+  LooseSources loose = stones();
+  loose.unit_m = 1.0 / perMetre;
+  hand.session.setLoose(loose);
+  hand.at(away, 500);
+  EXPECT_NEAR(hand.pressOn("stone", "floor").z(), weight_N, 1e-9 * weight_N);
+  EXPECT_NEAR(hand.middleOf("stone").z(), perMetre * half_m.z(), 1e-3);
+}
+
+TEST(LooseSources, PressedFromAboveItGivesTheHandTheForceOfItsSpringAndTheFloorThatAndItsWeight)
+{
+  constexpr double deep_m = 5e-4;
+  FreeHand hand(0.3);
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+  hand.session.setLoose(stones());
+  const double top_m = 2.0 * half_m.z() + fingertip_m;
+  hand.at(Vec3(0.001, 0.002, top_m + 1e-3), 200);
+  for (double z = 1e-3; z > -deep_m; z -= 1e-5)
+  {
+    hand.at(Vec3(0.001, 0.002, top_m + z));
+  }
+  const Vec3 force_N = hand.at(Vec3(0.001, 0.002, top_m - deep_m), 500).force_W;
+  EXPECT_NEAR(force_N.z(), firm_N_per_m * deep_m, 1e-3 * firm_N_per_m * deep_m);
+  EXPECT_LE(force_N.head<2>().norm(), 1e-3 * force_N.z());
+  EXPECT_NEAR(hand.pressOn("stone", "floor").z(), weight_N + force_N.z(), 1e-6 * force_N.z());
+}
+
+/// A hand that pushes the stone along x from rest with that acceleration. Mean force on the hand over its last tenth.
+double pushed_N(FreeHand& hand, double acceleration)
+{
+  constexpr int ticks = 300, last = 30;
+  const double from_m = -half_m.x() - fingertip_m - 1e-5;
+  hand.at(Vec3(from_m, 0.0, half_m.z()), 200);
+  double sum_N = 0.0;
+  for (int i = 1; i <= ticks; ++i)
+  {
+    const double t = tick_s * i;
+    const Vec3 force_N = hand.at(Vec3(from_m + 0.5 * acceleration * t * t, 0.0, half_m.z())).force_W;
+    sum_N -= i > ticks - last ? force_N.x() : 0.0;
+  }
+  return sum_N / last;
+}
+
+TEST(LooseSources, TheBallPushesItByMassTimesAccelerationAndFriction)
+{
+  constexpr double acceleration = 1.5;
+  for (const double friction : { 0.0, 0.3 })
+  {
+    FreeHand hand(friction);
+    hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+    hand.session.setLoose(stones());
+    const double expected_N = mass_kg * (acceleration + friction * g_m_per_s2);
+    EXPECT_NEAR(pushed_N(hand, acceleration), expected_N, 0.02 * expected_N) << friction;
+    EXPECT_GT(hand.middleOf("stone").x(), 0.9 * 0.5 * acceleration * 0.09);
+  }
+}
+
+TEST(LooseSources, ATwiceAsDenseOneIsPushedByTwiceTheForce)
+{
+  double force_N[2] = {};
+  for (const int times : { 1, 2 })
+  {
+    FreeHand hand(0.2);
+    hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+    hand.session.setLoose(stones(times * stone_kg_per_m3));
+    force_N[times - 1] = pushed_N(hand, 1.0);
+  }
+  EXPECT_NEAR(force_N[1], 2.0 * force_N[0], 0.02 * force_N[1]);
+}
+
+TEST(LooseSources, AnotherDensityWeighsAtOnceAndTheSceneMayComeAfterTheWish)
+{
+  FreeHand hand(0.3);
+  hand.session.setLoose(stones());
+  hand.at(away, 10);
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+  hand.at(away, 500);
+  EXPECT_NEAR(hand.pressOn("stone", "floor").z(), weight_N, 1e-6 * weight_N);
+  hand.session.setLoose(stones(3.0 * stone_kg_per_m3));
+  hand.at(away, 500);
+  EXPECT_NEAR(hand.pressOn("stone", "floor").z(), 3.0 * weight_N, 1e-6 * weight_N);
+}
+
+TEST(LooseSources, TheBallRubsTheFixedFloorByItsFrictionAndDoesNotRoll)
+{
+  constexpr double friction = 0.3, deep_m = 3e-4;
+  FreeHand hand(friction);
+  hand.session.setLoose(stones());
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+  Vec3 at(0.2, 0.2, fingertip_m + 1e-3);
+  hand.at(at, 200);
+  for (; at.z() > fingertip_m - deep_m; at.z() -= 1e-5)
+  {
+    hand.at(at);
+  }
+  for (int i = 0; i < 500; ++i)
+  {
+    at.y() += 2e-5;
+    hand.at(at);
+  }
+  const HapticState& state = hand.session.state();
+  EXPECT_GT(state.force_W.z(), 2.0);
+  EXPECT_NEAR(-state.force_W.y() / state.force_W.z(), friction, 0.01 * friction);
+  EXPECT_LE(state.proxy_W.q.angularDistance(Quat::Identity()), 0.1);
+}
+
+TEST(LooseSources, AFixedOneIsAWallOfTheScene)
+{
+  FreeHand hand;
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+  hand.session.setLoose(stones());
+  hand.session.setLoose({});
+  EXPECT_FALSE(hand.session.toolPresses());
+  EXPECT_GT(pushed_N(hand, 1.0), 0.9 * firm_N_per_m * 0.5 * 0.09 * 0.9);
+  EXPECT_FALSE(hand.session.state().mechanism.held);
+}
+
+TEST(LooseSources, AnotherGravityPullsItThatWay)
+{
+  FreeHand hand(0.8);
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+  LooseSources loose = stones();
+  loose.gravity_m_per_s2 = Vec3(0.5, 0.0, -1.62);
+  hand.session.setLoose(loose);
+  hand.at(away, 500);
+  const Vec3 force_N = hand.pressOn("stone", "floor");
+  EXPECT_LE((force_N + mass_kg * loose.gravity_m_per_s2).norm(), 1e-6 * weight_N);
+}
+
+TEST(LooseSources, KeepsItsNameBesideTheBallAndTheToolInTheHand)
+{
+  for (const std::string name : { "ball", "tool", "ball in the hand" })
+  {
+    FreeHand hand;
+    SurfaceInput stone = stoneInput();
+    stone.name = name;
+    hand.session.setScene(sceneOfAll({ floorInput(), stone }));
+    LooseSources loose;
+    loose.density_kg_per_m3 = { { name, stone_kg_per_m3 } };
+    loose.unit_m = 1.0;
+    hand.session.setLoose(loose);
+    hand.at(away, 300);
+    EXPECT_NEAR(hand.pressOn(name, "floor").z(), weight_N, 1e-6 * weight_N) << name;
+  }
+}
+
+TEST(LooseSources, APointPushesItAsABallOfAFiftiethOfItsSize)
+{
+  constexpr double acceleration = 1.0, friction = 0.25;
+  FreeHand hand(friction);
+  HapticParameters parameters = hand.session.parameters();
+  parameters.contact.radius_u = 0.0;
+  ASSERT_EQ(hand.session.setParameters(parameters), "");
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+  hand.session.setLoose(stones());
+  const double expected_N = mass_kg * (acceleration + friction * g_m_per_s2);
+  EXPECT_NEAR(pushed_N(hand, acceleration), expected_N, 0.02 * expected_N);
+  const double ball_m = 0.02 * 2.0 * half_m.norm();
+  EXPECT_NEAR(hand.middleOf("stone").x() - hand.session.state().proxy_W.p.x(), half_m.x() + ball_m, 0.01 * ball_m);
+}
+
+TEST(LooseSources, AToolPushesItToo)
+{
+  constexpr double acceleration = 1.0, friction = 0.25;
+  FreeHand hand(friction);
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+  hand.session.choose<ToolTask>(toolOf(makeBox(Vec3::Constant(-fingertip_m), Vec3::Constant(fingertip_m))));
+  hand.session.setLoose(stones());
+  ASSERT_TRUE(hand.session.toolPresses()) << hand.session.looseRefusal();
+  const double expected_N = mass_kg * (acceleration + friction * g_m_per_s2);
+  EXPECT_NEAR(pushed_N(hand, acceleration), expected_N, 0.02 * expected_N);
+}
+
+TEST(LooseSources, LiesOnASoftBodyThatBearsItsWeight)
+{
+  FreeHand hand(0.3);
+  hand.session.choose<SoftTask>(padChoice());
+  const Vec3 middle = middleOfPad();
+  hand.session.setScene(sceneOfAll({ surfaceOf("block", makeBox(Vec3::Zero(), Vec3(0.1, 0.1, 0.05))),
+    stoneInput(Vec3(middle.x(), middle.y(), middle.z() + 1e-4)) }));
+  LooseSources loose = stones();
+  loose.unit_m = 0.0; // the body's counts
+  hand.session.setLoose(loose);
+  hand.at(away, 3000);
+  ASSERT_TRUE(hand.session.toolPresses()) << hand.session.looseRefusal();
+  EXPECT_NEAR(hand.pressOn("stone", "block").z(), weight_N, 0.01 * weight_N);
+  EXPECT_LT(hand.middleOf("stone").z(), middle.z() + half_m.z()) << "it has sunk in";
+}
+
+TEST(LooseSources, PutBackIsWhereItsSourceIs)
+{
+  FreeHand hand(0.3);
+  EXPECT_FALSE(hand.session.putBack());
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+  hand.session.setLoose(stones());
+  (void)pushed_N(hand, 1.0);
+  ASSERT_GT(hand.middleOf("stone").x(), 0.03);
+  hand.at(away, 1000); // where the ball comes after the hand
+  EXPECT_TRUE(hand.session.putBack());
+  hand.at(away, 200);
+  EXPECT_LE((hand.middleOf("stone") - Vec3(0, 0, half_m.z())).norm(), 1e-6);
+}
+
+TEST(LooseSources, OneThatIsDeletedWhileItIsPressedLeavesTheHandWithoutAJump)
+{
+  constexpr double deep_m = 1e-3;
+  constexpr int fades = 30; // ticks of the blend
+  FreeHand hand;
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+  hand.session.setLoose(stones());
+  const Vec3 over(0.0, 0.0, 2.0 * half_m.z() + fingertip_m);
+  hand.at(over + Vec3(0, 0, 1e-3), 200);
+  for (double z = 1e-3; z > -deep_m; z -= 1e-5)
+  {
+    hand.at(over + Vec3(0, 0, z));
+  }
+  Vec3 before_N = hand.at(over - Vec3(0, 0, deep_m), 300).force_W;
+  ASSERT_NEAR(before_N.z(), firm_N_per_m * deep_m, 0.01 * firm_N_per_m * deep_m);
+  const double most_N = 2.0 * before_N.z() / fades;
+  hand.session.setScene(sceneOfAll({ floorInput() }));
+  for (int i = 0; i < 300; ++i)
+  {
+    const Vec3 now_N = hand.at(over - Vec3(0, 0, deep_m)).force_W;
+    ASSERT_LE((now_N - before_N).norm(), most_N) << i;
+    before_N = now_N;
+  }
+  EXPECT_LE(before_N.norm(), 1e-3) << "ten time constants";
+  EXPECT_FALSE(hand.session.state().mechanism.held);
+}
+
+TEST(LooseSources, ASessionIsReplayedBitForBit)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder.file("recording");
+  {
+    FreeHand hand(0.3, file);
+    hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+    hand.session.setLoose(stones());
+    EXPECT_GT(pushed_N(hand, 1.0), 0.1);
+    EXPECT_EQ(hand.session.stop(), "");
+  }
+  const auto read = readRecording(file);
+  ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
+  const ReplayResult result = replay(std::get<Recording>(read));
+  EXPECT_EQ(result.problem + result.difference, "");
+  EXPECT_GT(result.ticks, 400U);
+}
+
+/// Why a source of a scene is not loose; "" where all are.
+std::string refusalOf(const std::vector<SurfaceInput>& surfaces, const LooseSources& loose, const SoftChoice& soft = {})
+{
+  FreeHand hand;
+  hand.session.choose<SoftTask>(soft);
+  hand.session.setScene(sceneOfAll(surfaces));
+  hand.session.setLoose(loose);
+  EXPECT_EQ(hand.session.toolPresses(), hand.session.looseRefusal().empty());
+  const std::string refusal = hand.session.looseRefusal();
+  hand.at(away, 100);
+  EXPECT_EQ(hand.session.state().mechanism.held, refusal.empty()) << "else they are touched as fixed";
+  hand.session.setLoose({});
+  EXPECT_EQ(hand.session.looseRefusal(), "");
+  return refusal;
+}
+
+TEST(LooseSources, ASourceThatCannotBeLooseIsNamedWithTheReasonAndTheRemedy)
+{
+  EXPECT_EQ(refusalOf({ floorInput(), stoneInput() }, stones()), "");
+  TriangleMesh open = *stoneInput().mesh;
+  open.triangles.pop_back();
+  EXPECT_THAT(refusalOf({ floorInput(), surfaceOf("stone", open) }, stones()),
+    AllOf(StartsWith("stone cannot be loose: the mesh is open"), HasSubstr("touch this source as fixed")));
+  for (const double density : { 0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("") })
+  {
+    EXPECT_THAT(refusalOf({ floorInput(), stoneInput() }, stones(density)),
+      AllOf(StartsWith("stone cannot be loose: "), HasSubstr("density")))
+      << density;
+  }
+  EXPECT_THAT(
+    refusalOf({ floorInput(), surfaceOf("stone", shifted(makeIcosphere(5, 0.02), Vec3(0, 0, 0.03))) }, stones()),
+    AllOf(HasSubstr("20480 triangles"), HasSubstr("20000"), HasSubstr("simplify")));
+  LooseSources unknown = stones();
+  unknown.unit_m = 0.0;
+  EXPECT_THAT(refusalOf({ floorInput(), stoneInput() }, unknown), HasSubstr("choose the unit of lengths"));
+  EXPECT_THAT(refusalOf({ surfaceOf("floor", open), stoneInput(Vec3(0.2, 0, 0)) }, stones()),
+    AllOf(StartsWith("stone cannot be loose beside floor: the mesh is open"), HasSubstr("hide floor")));
+}
+
+TEST(LooseSources, TheSoftBodyIsNotLooseAsWell)
+{
+  LooseSources both = stones();
+  both.density_kg_per_m3["block"] = 1000.0;
+  EXPECT_THAT(refusalOf({ surfaceOf("block", makeBox(Vec3::Zero(), Vec3(0.1, 0.1, 0.05))), stoneInput(Vec3(-0.3, 0, 0)),
+                          floorInput() },
+                both, padChoice()),
+    AllOf(StartsWith("block cannot be loose: it is the soft body"), HasSubstr("touch it as one of the two")));
+}
+
+TEST(LooseSources, AreNotFeltWhileAMechanismIsHeld)
+{
+  FreeHand hand;
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+  hand.session.setLoose(stones());
+  const auto inputs = hand.session.feltMechanism();
+  ASSERT_TRUE(inputs);
+  hand.session.choose<MechanismTask>({ std::make_shared<const MechanismInputs>(*inputs), "held", 30.0 });
+  EXPECT_FALSE(hand.session.toolPresses());
+  hand.session.choose<MechanismTask>({});
+  EXPECT_TRUE(hand.session.toolPresses());
+}
+
+constexpr double pathStep_m = 2e-4; ///< faster than a small ball can be at thirty answers a second
+constexpr int pathTicks = 1500;     ///< the last third of which are without a trace of the first impact
+
+/// A ball that pushes the stone along x at a constant speed.
+PathInputs ballAmongStones(double friction)
+{
+  PathInputs inputs;
+  inputs.settings.put("Scale", 1.0);
+  inputs.settings.put("Radius", fingertip_m);
+  inputs.settings.put("FrictionStatic", friction);
+  inputs.settings.put("FrictionKinetic", friction);
+  for (const SurfaceInput& surface : { floorInput(), stoneInput() })
+  {
+    inputs.surfaces.push_back({ surface.name, surface.mesh });
+  }
+  inputs.surfaces.back().density_kg_per_m3 = stone_kg_per_m3;
+  const double from_m = -half_m.x() - fingertip_m - 1e-3;
+  for (int i = 0; i < pathTicks; ++i)
+  {
+    inputs.path.push_back({ tick_s * i, { Vec3(from_m + pathStep_m * i, 0, half_m.z()), Quat::Identity() } });
+  }
+  return inputs;
+}
+
+TEST(LooseAlongPath, ABallPushesTheStoneByItsFrictionAndTheRowsHaveItsPlace)
+{
+  constexpr double friction = 0.3;
+  PathRunner runner(ballAmongStones(friction));
+  ASSERT_EQ(runner.report().refusal, "");
+  const std::vector<PathColumn> columns = runner.columns();
+  ASSERT_EQ(columns.size(), 5U);
+  EXPECT_EQ(columns[3].name, "Place of stone");
+  EXPECT_EQ(columns[4].name, "Turn of stone");
+  double sum_N = 0.0;
+  Vec3 place_W = Vec3::Zero();
+  const auto take = [&](std::size_t i, const PathSample&, const PathTick& tick)
+  {
+    sum_N -= i >= 1000 ? tick.wrench_W.force.x() : 0.0;
+    place_W = Vec3(tick.more[8], tick.more[9], tick.more[10]);
+  };
+  EXPECT_TRUE(runner.run([](double) { return true; }, take));
+  EXPECT_NEAR(sum_N / 500.0, friction * weight_N, 0.01 * friction * weight_N);
+  EXPECT_NEAR(place_W.x(), pathStep_m * (pathTicks - 1) - 1e-3, 5e-4);
+  EXPECT_NEAR(place_W.z(), half_m.z(), 1e-6);
+}
+
+TEST(LooseAlongPath, InputsThatCannotBeAreNamedWithTheRemedy)
+{
+  const auto refusal = [](const PathInputs& inputs) { return PathRunner(inputs).report().refusal; };
+  PathInputs point = ballAmongStones(0.0), open = point, heavy = point, textured = point;
+  point.settings.put("Radius", 0.0);
+  EXPECT_THAT(refusal(point), AllOf(HasSubstr("{Radius}"), HasSubstr("add a tool")));
+  TriangleMesh mesh = *stoneInput().mesh;
+  mesh.triangles.pop_back();
+  open.surfaces.back().mesh = std::make_shared<const TriangleMesh>(mesh);
+  EXPECT_THAT(refusal(open), StartsWith("stone: cannot be loose: the mesh is open"));
+  heavy.surfaces.back().density_kg_per_m3 = 1e9;
+  EXPECT_THAT(refusal(heavy), StartsWith("stone: cannot be loose: its density"));
+  textured.settings.put("TextureArray", "height");
+  EXPECT_THAT(refusal(textured), HasSubstr("{TextureArray} has no effect on a hand among loose bodies"));
+}
+
+TEST(BallMesh, IsClosedOnItsSphereAndMeetsEachAxisInAVertex)
+{
+  constexpr double radius_u = 3.0;
+  const TriangleMesh ball = ballMesh(radius_u);
+  for (const Vec3& p : ball.vertices_W)
+  {
+    EXPECT_NEAR(p.norm(), radius_u, 1e-14 * radius_u);
+  }
+  EXPECT_EQ(makeRigidMesh(ball).problem, "");
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double side : { 1.0, -1.0 })
+    {
+      EXPECT_NE(std::ranges::find(ball.vertices_W, Vec3(side * radius_u * Vec3::Unit(axis))), ball.vertices_W.end());
+    }
+  }
+  for (const auto& [a, b, c] : ball.triangles)
+  {
+    const Vec3 n = (ball.vertices_W[b] - ball.vertices_W[a]).cross(ball.vertices_W[c] - ball.vertices_W[a]);
+    EXPECT_GE(n.normalized().dot(ball.vertices_W[a]), (1.0 - 1.0 / 250.0) * radius_u) << "right-handed, and so near";
+  }
+}
+
+} // namespace
+} // namespace palpate::test
