@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -18,6 +19,10 @@ constexpr int sweepsAlone = 60; // for forty contacts of any kind these leave an
 constexpr int firstSweeps = 4;  // from the forces before, which mostly are near
 constexpr int sweepsAgain = 40; // where those did not converge, and twice as many in each round that follows
 constexpr int usualRounds = 6;
+constexpr int inARowSteps = 20;    // of Newton for contacts in a row
+constexpr int inARowSweeps = 20;   // where those did not converge
+constexpr int memory = 6;          // residuals of Newton steps for contacts in a row, up to which the next one may go
+constexpr double inARowShare = 0.1; // of their compliance
 constexpr int leftOutUpTo = 6;     // contacts: more of them seldom nearly coincide
 constexpr double rounding = 1e-14; // of the largest number in the problem
 
@@ -25,7 +30,10 @@ constexpr double rounding = 1e-14; // of the largest number in the problem
 class FrictionSteps
 {
 public:
-  FrictionSteps(const ContactProblem& problem, FrictionScratch& room) noexcept : p_(problem), room_(room) {}
+  FrictionSteps(const ContactProblem& problem, FrictionScratch& room, bool inARow = false) noexcept
+    : p_(problem), room_(room), inARow_(inARow)
+  {
+  }
 
   /// One sweep of projected Gauss-Seidel over all contacts but `without`; room.moved belongs to f before and after.
   void sweep(ContactProblem::Numbers& f, int without) const noexcept
@@ -76,15 +84,17 @@ public:
       Vec3 r = f.segment<3>(3 * c);
       r[0] -= std::max(z[0], 0.0);
       r.tail<2>() -= inCone(z.tail<2>(), this->p_.friction * std::max(z[0], 0.0));
-      r[0] *= this->normalCompliance(c);
-      r.tail<2>() *= this->acrossCompliance(c);
+      r[0] *= this->normalAim(c);
+      r.tail<2>() *= this->acrossAim(c);
       this->room_.residual.segment<3>(3 * c) = r;
     }
     return this->room_.residual.size() > 0 ? this->room_.residual.lpNorm<Eigen::Infinity>() : 0.0;
   }
 
-  /// One Newton step with a line search; false if it does not help. room.moved and room.residual belong to f.
-  [[nodiscard]] bool newton(ContactProblem::Numbers& f, double& residual) noexcept
+  /// One Newton step: the longest part of it, by halves, whose residual is below `most`. Without one it is not taken and
+  /// the answer is false; but where `most` is above the present residual the best part is. room.moved and
+  /// room.residual belong to f.
+  [[nodiscard]] bool newton(ContactProblem::Numbers& f, double& residual, double most) noexcept
   {
     this->findPressed(f);
     this->linearise(f);
@@ -97,17 +107,25 @@ public:
     {
       this->room_.step.segment<3>(3 * this->list_[a]) = this->room_.part.segment<3>(3 * a);
     }
-    for (double length = 1.0; length > 1e-3; length *= 0.5)
+    this->tried_ = 0;
+    double best = 0.0, least = std::numeric_limits<double>::infinity();
+    for (double length = 1.0; length > 1e-3 && !(least < most); length *= 0.5, ++this->tried_)
     {
       this->room_.trial = f + length * this->room_.step;
-      if (const double now = this->residual(this->room_.trial); now < residual)
+      if (const double now = this->residual(this->room_.trial); now < least)
       {
-        f = this->room_.trial;
-        residual = now;
-        return true;
+        least = now;
+        best = length;
       }
     }
-    return false;
+    if (!(least < most) && !(most > residual && best > 0.0))
+    {
+      return false;
+    }
+    this->room_.trial = f + best * this->room_.step;
+    f = this->room_.trial;
+    residual = least < most ? least : this->residual(f);
+    return true;
   }
 
   /// Derivative of forces f, which meet the laws, by small displacements, a column each, while each contact stays open,
@@ -152,6 +170,8 @@ public:
   }
 
   [[nodiscard]] int pressed() const noexcept { return this->pressed_; }
+  /// Parts of the last step whose residual was looked at.
+  [[nodiscard]] int tried() const noexcept { return this->tried_; }
 
 private:
   [[nodiscard]] static Vec2 inCone(const Vec2& across, double most) noexcept
@@ -164,10 +184,21 @@ private:
   {
     return 0.5 * (this->p_.compliance(3 * c + 1, 3 * c + 1) + this->p_.compliance(3 * c + 2, 3 * c + 2));
   }
+  /// Compliances by which forces follow displacements in aim(). For contacts in a row they are much smaller than the
+  /// contact's own, by which Newton steps take many more contacts to press than do.
+  [[nodiscard]] double normalAim(int c) const noexcept
+  {
+    return this->inARow_ ? inARowShare * this->normalCompliance(c) : this->normalCompliance(c);
+  }
+  [[nodiscard]] double acrossAim(int c) const noexcept
+  {
+    return this->inARow_ ? inARowShare * this->p_.compliance.diagonal().segment<2>(3 * c + 1).minCoeff()
+                         : this->acrossCompliance(c);
+  }
   /// The force before its projection onto the laws: the present force less the displacement over the compliance.
   [[nodiscard]] Vec3 aim(int c, const ContactProblem::Numbers& f) const noexcept
   {
-    const Vec3 per(1.0 / this->normalCompliance(c), 1.0 / this->acrossCompliance(c), 1.0 / this->acrossCompliance(c));
+    const Vec3 per(1.0 / this->normalAim(c), 1.0 / this->acrossAim(c), 1.0 / this->acrossAim(c));
     return f.segment<3>(3 * c) - per.cwiseProduct(this->room_.moved.segment<3>(3 * c));
   }
 
@@ -232,10 +263,10 @@ private:
       return law;
     }
     // wt (f_t - mu z_n e): e = z_t / |z_t|, dz_n = df_n - dd_n / wn, dz_t = df_t - dd_t / wt.
-    const double wt = this->acrossCompliance(c);
+    const double wt = this->acrossAim(c);
     const Vec2 e = z.tail<2>() / length;
     const Eigen::Matrix2d bend = most / length * (Eigen::Matrix2d::Identity() - e * e.transpose());
-    law.ofMoved.block<2, 1>(1, 0) = wt * this->p_.friction / this->normalCompliance(c) * e;
+    law.ofMoved.block<2, 1>(1, 0) = wt * this->p_.friction / this->normalAim(c) * e;
     law.ofMoved.block<2, 2>(1, 1) = bend;
     law.ofForce.block<2, 1>(1, 0) = -wt * this->p_.friction * e;
     law.ofForce.block<2, 2>(1, 1) = wt * (Eigen::Matrix2d::Identity() - bend);
@@ -244,8 +275,10 @@ private:
 
   const ContactProblem& p_;
   FrictionScratch& room_;
+  bool inARow_;
   std::array<int, ContactProblem::most> list_{};
   int pressed_ = 0;
+  int tried_ = 0;
 };
 
 /// Costs in units of ContactPlan::workBudget: a product with the compliance takes some n^2 / 3 of them.
@@ -266,30 +299,78 @@ struct Round
   int without = -1; ///< a contact that is left open
 };
 
-/// Sweeps, then Newton steps from there for as long as they help. Stops early when `budget` is used up.
-double solveRound(
-  FrictionSteps& steps, int count, const Round& round, std::uint32_t budget, ContactForces& forces) noexcept
+/// What bounds the search in a problem.
+struct Search
+{
+  int count = 0; ///< contacts
+  std::uint32_t budget = 0;
+  bool inARow = false;
+  [[nodiscard]] int newtonSteps() const noexcept
+  {
+    constexpr int usualSteps = 20;
+    return this->inARow ? inARowSteps : this->count <= newtonUpTo ? usualSteps : 0;
+  }
+  [[nodiscard]] int rounds() const noexcept
+  {
+    constexpr int inARowRounds = 4;
+    return this->inARow                  ? inARowRounds
+           : this->count > newtonUpTo   ? 1
+           : this->count <= leftOutUpTo ? usualRounds + this->count
+                                        : usualRounds;
+  }
+};
+
+/// Residuals of the last Newton steps.
+class Recent
+{
+public:
+  explicit Recent(int count) noexcept : count_(count) {}
+  void take(double residual) noexcept { this->all_[this->taken_++ % this->count_] = residual; }
+  [[nodiscard]] double largest() const noexcept
+  {
+    return *std::max_element(this->all_.begin(), this->all_.begin() + std::min(this->taken_, this->count_));
+  }
+
+private:
+  std::array<double, memory> all_{};
+  int count_;
+  int taken_ = 0;
+};
+
+/// Sweeps, then Newton steps from there for as long as they help. Stops early when the budget is used up. The forces are
+/// those of the least residual among the Newton steps.
+double solveRound(FrictionSteps& steps, const Search& search, const Round& round, FrictionScratch& room,
+  ContactForces& forces) noexcept
 {
   steps.move(*round.from);
-  for (int i = 0; i < round.sweeps && forces.work < budget; ++i)
+  for (int i = 0; i < round.sweeps && forces.work < search.budget; ++i)
   {
     steps.sweep(*round.from, round.without);
-    forces.work += workOfSweep(count);
+    forces.work += workOfSweep(search.count);
   }
   ContactProblem::Numbers& f = forces.force_N;
   f = *round.from;
-  double residual = steps.residual(f);
-  constexpr int mostNewton = 20;
-  for (int i = 0; i < mostNewton && count <= newtonUpTo && residual > forces.tolerance_u && forces.work < budget; ++i)
+  double residual = steps.residual(f), least = residual;
+  room.least = f;
+  Recent recent(search.inARow ? memory : 1);
+  for (int i = 0; i < search.newtonSteps() && least > forces.tolerance_u && forces.work < search.budget; ++i)
   {
-    const bool helps = steps.newton(f, residual);
-    forces.work += workOfNewton(count, steps.pressed());
+    recent.take(residual);
+    const bool helps = steps.newton(f, residual, recent.largest());
+    forces.work += workOfNewton(search.count, steps.pressed());
+    forces.work += search.inARow ? static_cast<std::uint32_t>(steps.tried()) * workOfSweep(search.count) : 0;
     ++forces.steps;
     if (!helps)
     {
       break;
     }
+    if (residual < least)
+    {
+      least = residual;
+      room.least = f;
+    }
   }
+  f = room.least;
   steps.project(f);
   return steps.residual(f);
 }
@@ -318,22 +399,47 @@ Round nextRound(int number, int count, FrictionScratch& room, const ContactForce
   return { &room.swept, sweepsAgain << (number - 1 - leftOut) };
 }
 
+/// Contacts in a row begin with the exact normal forces under the present tangential ones, then without those. Then
+/// the present forces are tried, and sweeps from the best ones.
+Round nextRoundInARow(
+  int number, const ContactProblem& problem, FrictionScratch& room, const ContactForces& forces, std::uint32_t& work)
+  noexcept
+{
+  if (number < 2)
+  {
+    ContactForces& normal = room.normal;
+    normal.force_N = forces.force_N;
+    if (number == 1)
+    {
+      normal.force_N.setZero();
+    }
+    closeGaps(problem, normal);
+    work += normal.work;
+    room.swept = normal.force_N;
+    return { &room.swept, 0 };
+  }
+  room.swept = number == 2 ? room.start : room.best;
+  return { &room.swept, number == 2 ? 0 : inARowSweeps };
+}
+
 } // namespace
 
-void solveFriction(
-  const ContactProblem& problem, FrictionScratch& room, ContactForces& forces, std::uint32_t budget) noexcept
+void solveFriction(const ContactProblem& problem, FrictionScratch& room, ContactForces& forces, std::uint32_t budget,
+  const FrictionSearch& how) noexcept
 {
-  FrictionSteps steps(problem, room);
+  FrictionSteps steps(problem, room, how.inARow);
+  const Search search{ problem.count, budget, how.inARow };
   forces.tolerance_u = problem.count > 0 ? rounding * problem.free.lpNorm<Eigen::Infinity>() : 0.0;
+  forces.tolerance_u = std::max(forces.tolerance_u, how.enough_u);
   forces.residual_u = std::numeric_limits<double>::infinity();
   forces.steps = 0;
   forces.work = 0;
-  room.best = forces.force_N;
-  const int rounds = problem.count > newtonUpTo ? 1 : usualRounds + (problem.count <= leftOutUpTo ? problem.count : 0);
-  for (int number = 0; number < rounds && forces.residual_u > forces.tolerance_u; ++number)
+  room.best = room.start = forces.force_N;
+  for (int number = 0; number < search.rounds() && forces.residual_u > forces.tolerance_u; ++number)
   {
-    const Round round = nextRound(number, problem.count, room, forces);
-    if (const double now = solveRound(steps, problem.count, round, budget, forces); now < forces.residual_u)
+    const Round round = search.inARow ? nextRoundInARow(number, problem, room, forces, forces.work)
+                                      : nextRound(number, problem.count, room, forces);
+    if (const double now = solveRound(steps, search, round, room, forces); now < forces.residual_u)
     {
       forces.residual_u = now;
       room.best = forces.force_N;

@@ -68,6 +68,25 @@ void WireNewton::addLoads(const Wire& wire, const WirePlaces& places_W, const Wi
     this->stiffness_.own[i].topLeftCorner<3, 3>() +=
       loads.acrossDrag_N_per_u[i] * (Mat3::Identity() - along_W * along_W.transpose());
   }
+  if (loads.ring.beam >= 0)
+  {
+    this->addRing(places_W, loads.ring);
+  }
+}
+
+void WireNewton::addRing(const WirePlaces& places_W, const WireRing& ring) noexcept
+{
+  const int first = ring.beam, second = first + 1;
+  const double ofFirst = 1.0 - ring.share, ofSecond = ring.share;
+  for (const int axis : { 1, 2 })
+  {
+    const double off_u = ofFirst * places_W[first].p[axis] + ofSecond * places_W[second].p[axis];
+    this->open_[first][axis] -= ofFirst * ring.hold_N_per_u * off_u;
+    this->open_[second][axis] -= ofSecond * ring.hold_N_per_u * off_u;
+    this->stiffness_.own[first](axis, axis) += ofFirst * ofFirst * ring.hold_N_per_u;
+    this->stiffness_.own[second](axis, axis) += ofSecond * ofSecond * ring.hold_N_per_u;
+    this->stiffness_.after[first](axis, axis) += ofFirst * ofSecond * ring.hold_N_per_u;
+  }
 }
 
 void WireNewton::hold(const WireLoads& loads) noexcept

@@ -9,6 +9,15 @@
 namespace palpate
 {
 
+/// A ring around a beam, through which it slides: its place there, between its nodes along the chord, is drawn onto the
+/// world's x axis.
+struct WireRing
+{
+  int beam = -1; ///< none
+  double share = 0.0; ///< of the second node
+  double hold_N_per_u = 0.0;
+};
+
 /// Supports, forces and springs that act on a wire.
 struct WireLoads
 {
@@ -19,6 +28,7 @@ struct WireLoads
   /// How fast those fall as their node goes along: supports that yield [N/u, N u/rad].
   WireVector falls{};
   std::array<std::uint8_t, Wire::mostNodes> held{};
+  WireRing ring;
   /// Drag towards where each step begins: no force at rest.
   double placeDrag_N_per_u = 0.0;
   double turnDrag_Nu_per_rad = 0.0;
@@ -71,6 +81,7 @@ public:
 private:
   void assemble(const Wire& wire, const WirePlaces& places_W) noexcept;
   void addLoads(const Wire& wire, const WirePlaces& places_W, const WireLoads& loads) noexcept;
+  void addRing(const WirePlaces& places_W, const WireRing& ring) noexcept;
   void hold(const WireLoads& loads) noexcept;
 
   bool firm_ = false;

@@ -36,6 +36,8 @@ constexpr double pressedAt = 0.1;
 constexpr std::uint8_t aboutX = 0b001000;
 /// Of the radius: contacts that miss their laws by no more are met.
 constexpr double metWithin = 1e-6;
+/// Likewise: so near to the laws the solver goes.
+constexpr double enough = 1e-9;
 
 /// One tick.
 class WireStep
@@ -267,7 +269,7 @@ private:
     if (this->plan_.friction > 0.0)
     {
       const std::uint32_t left = this->input_.budget - std::min(this->input_.budget, this->result_.work);
-      solveFriction(problem, this->room_.friction, forces, left);
+      solveFriction(problem, this->room_.friction, forces, left, { enough * this->plan_.radius_u, true });
     }
     else
     {
