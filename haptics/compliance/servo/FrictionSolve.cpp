@@ -22,7 +22,8 @@ constexpr int usualRounds = 6;
 constexpr int inARowSteps = 20;    // of Newton for contacts in a row
 constexpr int inARowSweeps = 20;   // where those did not converge
 constexpr int memory = 6;          // residuals of Newton steps for contacts in a row, up to which the next one may go
-constexpr double inARowShare = 0.1; // of their compliance
+/// Of their compliance, in each round: what one share does not solve another does.
+constexpr std::array inARowShares{ 0.1, 0.1, 1.0, 1.0, 0.01, 0.1 };
 constexpr int leftOutUpTo = 6;     // contacts: more of them seldom nearly coincide
 constexpr double rounding = 1e-14; // of the largest number in the problem
 
@@ -169,6 +170,7 @@ public:
     }
   }
 
+  void aimBy(double share) noexcept { this->share_ = share; }
   [[nodiscard]] int pressed() const noexcept { return this->pressed_; }
   /// Parts of the last step whose residual was looked at.
   [[nodiscard]] int tried() const noexcept { return this->tried_; }
@@ -188,11 +190,11 @@ private:
   /// contact's own, by which Newton steps take many more contacts to press than do.
   [[nodiscard]] double normalAim(int c) const noexcept
   {
-    return this->inARow_ ? inARowShare * this->normalCompliance(c) : this->normalCompliance(c);
+    return this->inARow_ ? this->share_ * this->normalCompliance(c) : this->normalCompliance(c);
   }
   [[nodiscard]] double acrossAim(int c) const noexcept
   {
-    return this->inARow_ ? inARowShare * this->p_.compliance.diagonal().segment<2>(3 * c + 1).minCoeff()
+    return this->inARow_ ? this->share_ * this->p_.compliance.diagonal().segment<2>(3 * c + 1).minCoeff()
                          : this->acrossCompliance(c);
   }
   /// The force before its projection onto the laws: the present force less the displacement over the compliance.
@@ -276,6 +278,7 @@ private:
   const ContactProblem& p_;
   FrictionScratch& room_;
   bool inARow_;
+  double share_ = 1.0; ///< of contacts' compliance in aim(), in a row
   std::array<int, ContactProblem::most> list_{};
   int pressed_ = 0;
   int tried_ = 0;
@@ -296,7 +299,8 @@ struct Round
 {
   ContactProblem::Numbers* from = nullptr;
   int sweeps = 0;
-  int without = -1; ///< a contact that is left open
+  int without = -1;   ///< a contact that is left open
+  double share = 1.0; ///< of contacts in a row
 };
 
 /// What bounds the search in a problem.
@@ -312,8 +316,7 @@ struct Search
   }
   [[nodiscard]] int rounds() const noexcept
   {
-    constexpr int inARowRounds = 4;
-    return this->inARow                  ? inARowRounds
+    return this->inARow                 ? static_cast<int>(inARowShares.size())
            : this->count > newtonUpTo   ? 1
            : this->count <= leftOutUpTo ? usualRounds + this->count
                                         : usualRounds;
@@ -342,6 +345,7 @@ private:
 double solveRound(FrictionSteps& steps, const Search& search, const Round& round, FrictionScratch& room,
   ContactForces& forces) noexcept
 {
+  steps.aimBy(round.share);
   steps.move(*round.from);
   for (int i = 0; i < round.sweeps && forces.work < search.budget; ++i)
   {
@@ -399,27 +403,28 @@ Round nextRound(int number, int count, FrictionScratch& room, const ContactForce
   return { &room.swept, sweepsAgain << (number - 1 - leftOut) };
 }
 
-/// Contacts in a row begin with the exact normal forces under the present tangential ones, then without those. Then
-/// the present forces are tried, and sweeps from the best ones.
+/// Contacts in a row begin with the exact normal forces under the present tangential ones, then without those; so they
+/// do again with another share, and then with sweeps from the best forces.
 Round nextRoundInARow(
-  int number, const ContactProblem& problem, FrictionScratch& room, const ContactForces& forces, std::uint32_t& work)
-  noexcept
+  int number, const ContactProblem& problem, FrictionScratch& room, std::uint32_t& work) noexcept
 {
-  if (number < 2)
+  constexpr int fromNormal = 4;
+  const double share = inARowShares[static_cast<std::size_t>(number)];
+  if (number >= fromNormal)
   {
-    ContactForces& normal = room.normal;
-    normal.force_N = forces.force_N;
-    if (number == 1)
-    {
-      normal.force_N.setZero();
-    }
-    closeGaps(problem, normal);
-    work += normal.work;
-    room.swept = normal.force_N;
-    return { &room.swept, 0 };
+    room.swept = room.best;
+    return { &room.swept, inARowSweeps, -1, share };
   }
-  room.swept = number == 2 ? room.start : room.best;
-  return { &room.swept, number == 2 ? 0 : inARowSweeps };
+  ContactForces& normal = room.normal;
+  normal.force_N = room.start;
+  if (number % 2 == 1)
+  {
+    normal.force_N.setZero();
+  }
+  closeGaps(problem, normal);
+  work += normal.work;
+  room.swept = normal.force_N;
+  return { &room.swept, 0, -1, share };
 }
 
 } // namespace
@@ -437,7 +442,7 @@ void solveFriction(const ContactProblem& problem, FrictionScratch& room, Contact
   room.best = room.start = forces.force_N;
   for (int number = 0; number < search.rounds() && forces.residual_u > forces.tolerance_u; ++number)
   {
-    const Round round = search.inARow ? nextRoundInARow(number, problem, room, forces, forces.work)
+    const Round round = search.inARow ? nextRoundInARow(number, problem, room, forces.work)
                                       : nextRound(number, problem.count, room, forces);
     if (const double now = solveRound(steps, search, round, room, forces); now < forces.residual_u)
     {

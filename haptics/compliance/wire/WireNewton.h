@@ -32,7 +32,7 @@ struct WireLoads
   /// Drag towards where each step begins: no force at rest.
   double placeDrag_N_per_u = 0.0;
   double turnDrag_Nu_per_rad = 0.0;
-  /// Of places, across the nodes' x axes: a wire that slides along itself feels none.
+  /// Of places, across the wire: one that slides along itself feels none.
   std::array<double, Wire::mostNodes> acrossDrag_N_per_u{};
   /// Springs of each node towards a place, for a hand or a vessel.
   std::array<double, Wire::mostNodes> spring_N_per_u{};
@@ -54,7 +54,7 @@ class WireNewton
 {
 public:
   /// Balance and stiffness of the wire there, and its factor. Where the stiffness is not positive definite, as beyond a
-  /// wire's buckling, drag is added until it is; `firm` says whether none was needed. False: no drag was enough.
+  /// wire's buckling, drag across it is added until it is; `firm` says whether none was needed. False: no drag was enough.
   [[nodiscard]] bool linearise(const Wire& wire, const WirePlaces& places_W, const WireLoads& loads) noexcept;
   [[nodiscard]] bool firm() const noexcept { return this->firm_; }
   /// How many factors that took.

@@ -138,6 +138,7 @@ private:
       this->result_.capped = true;
       return;
     }
+    this->result_.work += newtonWork(this->plan_.wire.nodes(), newton.factors());
     newton.factor().invert();
     newton.step(this->room_.free);
     this->count(first);
@@ -265,7 +266,7 @@ private:
       problem.compliance.diagonal().segment<3>(3 * i).array() += this->own_u_per_N(touches[i].beam);
       forces.force_N.segment<3>(3 * i) = this->before_N(i);
     }
-    this->result_.work += newtonWork(this->plan_.wire.nodes(), this->room_.newton.factors(), n);
+    this->result_.work += touchWork(n);
     if (this->plan_.friction > 0.0)
     {
       const std::uint32_t left = this->input_.budget - std::min(this->input_.budget, this->result_.work);
