@@ -66,8 +66,8 @@ struct FrictionSearch
   double enough_u = 0.0; ///< a residual that is small enough; 0: only one of the size of rounding is
   /// Contacts along one body that slides as a whole, which have nearly one compliance along it, so that sweeps hardly
   /// converge. The search begins with the exact normal forces under the present tangential ones; then Newton steps may
-  /// raise the residual for a while, up to the largest of the last ones (Grippo, Lampariello & Lucidi 1986). It does
-  /// this with any number of contacts.
+  /// raise the residual for a while, up to the largest of the last ones (Grippo, Lampariello & Lucidi 1986), with any
+  /// number of contacts.
   bool inARow = false;
 };
 
