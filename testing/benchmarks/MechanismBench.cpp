@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // palpate-mechanism-bench: cost of a tick of a mechanism for the servo, beside one of a point on a rigid surface.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -18,6 +19,7 @@
 #include "testing/support/Meshes.h"
 #include "testing/support/NoisySphere.h"
 #include "testing/support/WireScenes.h"
+#include "testing/support/WireTube.h"
 
 namespace palpate::test
 {
@@ -29,6 +31,8 @@ namespace
 constexpr double mostOfTurned = 31.0, mostOfNeedle = 13.0, mostOfBlock = 125.0, mostOfSliding = 42.0;
 /// Likewise for the stiffness, factor and compliance of wires.
 constexpr double mostOfWire = 45.0, mostOfLongWire = 140.0;
+/// Likewise for a whole tick of a wire of 64 beams in a tube.
+constexpr double mostOfPushed = 2000.0;
 /// Ticks of a ball on tissue that one beside a bone may be, and answers: twice the numbers seen.
 constexpr double mostBeside = 2.5, mostAnswersBeside = 20.0;
 
@@ -281,6 +285,27 @@ Seen wire(int ticks, int beams, int contacts)
   return ended(cost, {});
 }
 
+/// A wire of 64 beams that is pushed through a tube with a bend, within a session's budget.
+Seen pushedWire(double friction)
+{
+  constexpr int ticks = 1700;
+  constexpr double way_mm = 0.1;
+  const Tube tube{ .angle_rad = 2.36, .last_mm = 60.0, .around = 24, .ring_mm = 0.5 };
+  PushedWire pushed(nitinolWire(250.0, 64, friction), tube.mesh());
+  pushed.budget = ContactPlan().workBudget;
+  const ProcessorClock clock;
+  CostSample cost(ticks, clock);
+  Seen seen;
+  for (int tick = 0; tick < ticks; ++tick)
+  {
+    const WireResult* r = nullptr;
+    cost.time([&] { r = &pushed.tick(way_mm * tick); });
+    seen.mostWork = std::max(seen.mostWork, r->work);
+    seen.capped += r->capped ? 1 : 0;
+  }
+  return ended(cost, seen);
+}
+
 bool tell(const char* name, const Seen& seen, const Seen& rigid, double mostOfRigid)
 {
   const double ratio = seen.p50_us / rigid.p50_us;
@@ -310,6 +335,8 @@ int main(int argc, char** argv)
   within = tell("the same, sliding without end", block(500, 0.6), rigid, mostOfSliding) && within;
   within = tell("wire of 20 beams with 9 contacts: its rows", wire(5000, 20, 9), rigid, mostOfWire) && within;
   within = tell("wire of 64 beams with 20 contacts: its rows", wire(2000, 64, 20), rigid, mostOfLongWire) && within;
+  within = tell("wire of 64 beams pushed through a bend", pushedWire(0.0), rigid, mostOfPushed) && within;
+  within = tell("the same with friction", pushedWire(0.1), rigid, mostOfPushed) && within;
   within = tellBeside(6000) && within;
   return within || !withAssertions ? 0 : 1;
 }

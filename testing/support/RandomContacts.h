@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "haptics/compliance/servo/ContactProblem.h"
 #include "haptics/core/PoseMath.h"
 #include "testing/support/Random.h"
@@ -30,6 +32,31 @@ inline void makeRandomContacts(Random& random, int n, ContactProblem& problem)
   {
     problem.free.segment<3>(3 * c) = Vec3(random.uniform(-1.0, 0.4), random.uniform(-1, 1), random.uniform(-1, 1));
   }
+}
+
+/// By how much forces miss the laws of Signorini and Coulomb: judged from the laws alone [u].
+[[nodiscard]] inline double missed(const ContactProblem& p, const ContactProblem::Numbers& f)
+{
+  double most = 0.0;
+  const Eigen::VectorXd d = Eigen::VectorXd(p.free) + Eigen::MatrixXd(p.compliance) * Eigen::VectorXd(f);
+  for (int c = 0; c < p.count; ++c)
+  {
+    const Vec3 force = f.segment<3>(3 * c);
+    const Vec3 moved = d.segment<3>(3 * c);
+    const double across = force.tail<2>().norm();
+    const double slip = moved.tail<2>().norm();
+    most = std::max({ most, -moved[0], -force[0], across - p.friction * force[0], std::abs(force[0] * moved[0]) });
+    if (across < p.friction * force[0] * (1.0 - 1e-9))
+    {
+      most = std::max(most, slip); // it sticks
+    }
+    else if (force[0] > 0.0)
+    {
+      // It slips against its force.
+      most = std::max(most, (force.tail<2>() * slip + moved.tail<2>() * across).norm() / across);
+    }
+  }
+  return most;
 }
 
 } // namespace palpate::test

@@ -96,6 +96,7 @@ const WireResult& PushedWire::tick(double hand_mm, double turn_rad)
   input.hand_W = { hand_mm * along, Quat(Eigen::AngleAxisd(turn_rad, along)) };
   input.coupling_N_per_u = this->coupling_N_per_mm;
   input.turning_Nu_per_rad = this->turning_Nmm_per_rad;
+  input.budget = this->budget;
   return this->ticks.step(input);
 }
 

@@ -42,6 +42,7 @@ public:
 
   double coupling_N_per_mm = 1.0;
   double turning_Nmm_per_rad = 0.0;
+  std::uint32_t budget = std::numeric_limits<std::uint32_t>::max(); ///< of a tick
   PlannedWire planned;
   WireTick ticks;
 };

@@ -41,6 +41,8 @@ struct ContactForces
 /// exact but for rounding: a contact whose normal depends on those of others replaces one of them, and one
 /// that conflicts with the others gets no force. Tangential forces are 0. Real-time safe.
 void solveGaps(const ContactProblem& problem, ContactForces& forces) noexcept;
+/// The same for the normal forces alone, under the tangential ones of forces.force_N, which stay.
+void closeGaps(const ContactProblem& problem, ContactForces& forces) noexcept;
 
 /// Workspace of the friction solver, owned by the caller.
 struct FrictionScratch
@@ -51,9 +53,22 @@ struct FrictionScratch
   ContactProblem::Numbers part;
   ContactProblem::Numbers step;
   ContactProblem::Numbers trial;
+  ContactProblem::Numbers least;
   ContactProblem::Numbers best;
   ContactProblem::Numbers swept;
   ContactProblem::Numbers start;
+  ContactForces normal;
+};
+
+/// How forces with friction are searched for.
+struct FrictionSearch
+{
+  double enough_u = 0.0; ///< a residual that is small enough; 0: only one of the size of rounding is
+  /// Contacts along one body that slides as a whole, which have nearly one compliance along it, so that sweeps hardly
+  /// converge. The search begins with the exact normal forces under the present tangential ones; then Newton steps may
+  /// raise the residual for a while, up to the largest of the last ones (Grippo, Lampariello & Lucidi 1986), with any
+  /// number of contacts.
+  bool inARow = false;
 };
 
 /// Signorini and Coulomb: in contact either no slip within the cone, or slip against the force on the cone. Begins with
@@ -62,7 +77,7 @@ struct FrictionScratch
 /// contacts sweeps alone, which are then cheaper. The best forces are kept and lie in their cones, also where
 /// `budget` ended the solution, in the unit of ContactPlan::workBudget. Real-time safe.
 void solveFriction(const ContactProblem& problem, FrictionScratch& room, ContactForces& forces,
-  std::uint32_t budget = std::numeric_limits<std::uint32_t>::max()) noexcept;
+  std::uint32_t budget = std::numeric_limits<std::uint32_t>::max(), const FrictionSearch& how = {}) noexcept;
 
 /// Derivative of forces that meet the laws by small displacements of the rows [u], a column each, while each contact
 /// stays open, stuck or slipping, into `answer_N`, of the same size. False, and zeros, where that is not determined.

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
-#include "haptics/compliance/servo/ContactProblem.h"
-#include "haptics/compliance/servo/DenseSolve.h"
+#include "haptics/compliance/servo/FrictionSteps.h"
 
 namespace palpate
 {
 namespace
 {
-
-using Vec2 = Eigen::Vector2d;
 
 constexpr int newtonUpTo = 20;  // contacts: sweeps are cheaper from there on
 constexpr int sweepsAlone = 60; // for forty contacts of any kind these leave an error below a hundred thousandth
@@ -21,232 +19,11 @@ constexpr int usualRounds = 6;
 constexpr int leftOutUpTo = 6;     // contacts: more of them seldom nearly coincide
 constexpr double rounding = 1e-14; // of the largest number in the problem
 
-/// The solver's steps on one problem. room.moved is kept at free + compliance force.
-class FrictionSteps
-{
-public:
-  FrictionSteps(const ContactProblem& problem, FrictionScratch& room) noexcept : p_(problem), room_(room) {}
-
-  /// One sweep of projected Gauss-Seidel over all contacts but `without`; room.moved belongs to f before and after.
-  void sweep(ContactProblem::Numbers& f, int without) const noexcept
-  {
-    for (int c = 0; c < this->p_.count; ++c)
-    {
-      const double normal = this->normalCompliance(c);
-      if (normal <= 0.0 || c == without)
-      {
-        continue;
-      }
-      const auto columns = this->p_.compliance.middleCols<3>(3 * c);
-      const Vec3 before = f.segment<3>(3 * c);
-      Vec3 after = before;
-      after[0] = std::max(0.0, before[0] - this->room_.moved[3 * c] / normal);
-      const Vec2 moved = this->room_.moved.segment<2>(3 * c + 1) +
-                         (after[0] - before[0]) * columns.middleRows<3>(3 * c).col(0).tail<2>();
-      after.tail<2>() = inCone(before.tail<2>() - moved / this->acrossCompliance(c), this->p_.friction * after[0]);
-      if (after != before)
-      {
-        f.segment<3>(3 * c) = after;
-        this->room_.moved += columns.lazyProduct(after - before);
-      }
-    }
-  }
-
-  /// Computes room.moved anew, without accumulated rounding.
-  void move(const ContactProblem::Numbers& f) const noexcept
-  {
-    this->room_.moved = this->p_.free;
-    for (int c = 0; c < this->p_.count; ++c)
-    {
-      if (const Vec3 force = f.segment<3>(3 * c); force != Vec3::Zero())
-      {
-        this->room_.moved += this->p_.compliance.middleCols<3>(3 * c).lazyProduct(force);
-      }
-    }
-  }
-
-  /// Residual of the laws in units of displacement; fills room.moved and room.residual.
-  [[nodiscard]] double residual(const ContactProblem::Numbers& f) const noexcept
-  {
-    this->move(f);
-    this->room_.residual.resize(f.size());
-    for (int c = 0; c < this->p_.count; ++c)
-    {
-      const Vec3 z = this->aim(c, f);
-      Vec3 r = f.segment<3>(3 * c);
-      r[0] -= std::max(z[0], 0.0);
-      r.tail<2>() -= inCone(z.tail<2>(), this->p_.friction * std::max(z[0], 0.0));
-      r[0] *= this->normalCompliance(c);
-      r.tail<2>() *= this->acrossCompliance(c);
-      this->room_.residual.segment<3>(3 * c) = r;
-    }
-    return this->room_.residual.size() > 0 ? this->room_.residual.lpNorm<Eigen::Infinity>() : 0.0;
-  }
-
-  /// One Newton step with a line search; false if it does not help. room.moved and room.residual belong to f.
-  [[nodiscard]] bool newton(ContactProblem::Numbers& f, double& residual) noexcept
-  {
-    this->findPressed(f);
-    this->linearise(f);
-    if (!solveInPlace(this->room_.jacobian, this->room_.part))
-    {
-      return false;
-    }
-    this->room_.step = -f; // for contacts that open
-    for (int a = 0; a < this->pressed_; ++a)
-    {
-      this->room_.step.segment<3>(3 * this->list_[a]) = this->room_.part.segment<3>(3 * a);
-    }
-    for (double length = 1.0; length > 1e-3; length *= 0.5)
-    {
-      this->room_.trial = f + length * this->room_.step;
-      if (const double now = this->residual(this->room_.trial); now < residual)
-      {
-        f = this->room_.trial;
-        residual = now;
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /// Derivative of forces f, which meet the laws, by small displacements, a column each, while each contact stays open,
-  /// stuck or slipping.
-  [[nodiscard]] bool answer(const ContactProblem::Numbers& f, const Eigen::Ref<const Eigen::MatrixXd>& displaced,
-    Eigen::Ref<Eigen::MatrixXd> answer) noexcept
-  {
-    (void)this->residual(f);
-    this->findPressed(f);
-    this->linearise(f);
-    for (int a = 0; a < this->pressed_; ++a)
-    {
-      const int c = this->list_[a];
-      const Mat3 ofMoved = this->lawAt(c, f).ofMoved;
-      for (Eigen::Index w = 0; w < displaced.cols(); ++w)
-      {
-        answer.col(w).segment<3>(3 * a) = -(ofMoved * displaced.col(w).segment<3>(3 * c));
-      }
-    }
-    auto part = answer.topRows(3 * this->pressed_);
-    const bool regular = solveInPlace(this->room_.jacobian, part);
-    for (int c = this->p_.count - 1, a = this->pressed_ - 1; c >= 0; --c) // each to its own rows, from the last on
-    {
-      const bool presses = regular && a >= 0 && this->list_[a] == c;
-      for (Eigen::Index w = 0; w < answer.cols(); ++w)
-      {
-        const Vec3 own = presses ? Vec3(answer.col(w).segment<3>(3 * a)) : Vec3(Vec3::Zero());
-        answer.col(w).segment<3>(3 * c) = own;
-      }
-      a -= presses ? 1 : 0;
-    }
-    return regular;
-  }
-
-  void project(ContactProblem::Numbers& f) const noexcept
-  {
-    for (int c = 0; c < this->p_.count; ++c)
-    {
-      f[3 * c] = std::max(f[3 * c], 0.0);
-      f.segment<2>(3 * c + 1) = inCone(f.segment<2>(3 * c + 1), this->p_.friction * f[3 * c]);
-    }
-  }
-
-  [[nodiscard]] int pressed() const noexcept { return this->pressed_; }
-
-private:
-  [[nodiscard]] static Vec2 inCone(const Vec2& across, double most) noexcept
-  {
-    const double length = across.norm();
-    return length > most ? Vec2(across * (most / length)) : across;
-  }
-  [[nodiscard]] double normalCompliance(int c) const noexcept { return this->p_.compliance(3 * c, 3 * c); }
-  [[nodiscard]] double acrossCompliance(int c) const noexcept
-  {
-    return 0.5 * (this->p_.compliance(3 * c + 1, 3 * c + 1) + this->p_.compliance(3 * c + 2, 3 * c + 2));
-  }
-  /// The force before its projection onto the laws: the present force less the displacement over the compliance.
-  [[nodiscard]] Vec3 aim(int c, const ContactProblem::Numbers& f) const noexcept
-  {
-    const Vec3 per(1.0 / this->normalCompliance(c), 1.0 / this->acrossCompliance(c), 1.0 / this->acrossCompliance(c));
-    return f.segment<3>(3 * c) - per.cwiseProduct(this->room_.moved.segment<3>(3 * c));
-  }
-
-  /// Finds the contacts that the laws press: the others open, so that their step is known.
-  void findPressed(const ContactProblem::Numbers& f) noexcept
-  {
-    this->pressed_ = 0;
-    for (int c = 0; c < this->p_.count; ++c)
-    {
-      if (this->aim(c, f)[0] > 0.0)
-      {
-        this->list_[this->pressed_++] = c;
-      }
-    }
-  }
-
-  /// Derivative of residual() by the forces of the pressed contacts, and the right-hand side for their step.
-  void linearise(const ContactProblem::Numbers& f) const noexcept
-  {
-    this->room_.jacobian.resize(3 * this->pressed_, 3 * this->pressed_);
-    this->room_.part.resize(3 * this->pressed_);
-    for (int a = 0; a < this->pressed_; ++a)
-    {
-      const int c = this->list_[a];
-      const Law law = this->lawAt(c, f);
-      Vec3 right = -this->room_.residual.segment<3>(3 * c);
-      for (int d = 0, b = 0; d < this->p_.count; ++d)
-      {
-        Mat3 block = law.ofMoved * this->p_.compliance.block<3, 3>(3 * c, 3 * d);
-        if (d == c)
-        {
-          block += law.ofForce;
-        }
-        if (b < this->pressed_ && this->list_[b] == d)
-        {
-          this->room_.jacobian.block<3, 3>(3 * a, 3 * b++) = block;
-        }
-        else
-        {
-          right += block * f.segment<3>(3 * d);
-        }
-      }
-      this->room_.part.segment<3>(3 * a) = right;
-    }
-  }
-
-  /// Derivatives of a pressed contact's residual by its displacement and by its own force.
-  struct Law
-  {
-    Mat3 ofMoved = Mat3::Identity();
-    Mat3 ofForce = Mat3::Zero();
-  };
-
-  [[nodiscard]] Law lawAt(int c, const ContactProblem::Numbers& f) const noexcept
-  {
-    Law law;
-    const Vec3 z = this->aim(c, f);
-    const double most = this->p_.friction * z[0];
-    const double length = z.tail<2>().norm();
-    if (length <= most)
-    {
-      return law;
-    }
-    // wt (f_t - mu z_n e): e = z_t / |z_t|, dz_n = df_n - dd_n / wn, dz_t = df_t - dd_t / wt.
-    const double wt = this->acrossCompliance(c);
-    const Vec2 e = z.tail<2>() / length;
-    const Eigen::Matrix2d bend = most / length * (Eigen::Matrix2d::Identity() - e * e.transpose());
-    law.ofMoved.block<2, 1>(1, 0) = wt * this->p_.friction / this->normalCompliance(c) * e;
-    law.ofMoved.block<2, 2>(1, 1) = bend;
-    law.ofForce.block<2, 1>(1, 0) = -wt * this->p_.friction * e;
-    law.ofForce.block<2, 2>(1, 1) = wt * (Eigen::Matrix2d::Identity() - bend);
-    return law;
-  }
-
-  const ContactProblem& p_;
-  FrictionScratch& room_;
-  std::array<int, ContactProblem::most> list_{};
-  int pressed_ = 0;
-};
+constexpr int inARowSteps = 20;  // of Newton for contacts in a row
+constexpr int inARowSweeps = 20; // where those did not converge
+constexpr int memory = 6;        // residuals of the last steps, up to which the next one may go
+/// Of their compliance, in each round: where one share fails another helps.
+constexpr std::array inARowShares{ 0.1, 0.1, 1.0, 1.0, 0.01, 0.1 };
 
 /// Costs in units of ContactPlan::workBudget: a product with the compliance takes some n^2 / 3 of them.
 std::uint32_t workOfSweep(int contacts) noexcept
@@ -263,33 +40,82 @@ struct Round
 {
   ContactProblem::Numbers* from = nullptr;
   int sweeps = 0;
-  int without = -1; ///< a contact that is left open
+  int without = -1;   ///< a contact that is left open
+  double share = 1.0; ///< of contacts in a row
 };
 
-/// Sweeps, then Newton steps from there for as long as they help. Stops early when `budget` is used up.
-double solveRound(
-  FrictionSteps& steps, int count, const Round& round, std::uint32_t budget, ContactForces& forces) noexcept
+/// Bounds of the search in a problem.
+struct Search
 {
+  int count = 0; ///< contacts
+  std::uint32_t budget = 0;
+  bool inARow = false;
+  [[nodiscard]] int newtonSteps() const noexcept
+  {
+    constexpr int usualSteps = 20;
+    return this->inARow ? inARowSteps : this->count <= newtonUpTo ? usualSteps : 0;
+  }
+  [[nodiscard]] int rounds() const noexcept
+  {
+    return this->inARow                 ? static_cast<int>(inARowShares.size())
+           : this->count > newtonUpTo   ? 1
+           : this->count <= leftOutUpTo ? usualRounds + this->count
+                                        : usualRounds;
+  }
+};
+
+/// Residuals of the last Newton steps.
+class Recent
+{
+public:
+  explicit Recent(int count) noexcept : count_(count) {}
+  void take(double residual) noexcept { this->all_[this->taken_++ % this->count_] = residual; }
+  [[nodiscard]] double largest() const noexcept
+  {
+    return *std::max_element(this->all_.begin(), this->all_.begin() + std::min(this->taken_, this->count_));
+  }
+
+private:
+  std::array<double, memory> all_{};
+  int count_;
+  int taken_ = 0;
+};
+
+/// Sweeps, then Newton steps from there for as long as they help. Stops early when the budget is used up. The forces are
+/// those of the least residual among the Newton steps.
+double solveRound(FrictionSteps& steps, const Search& search, const Round& round, FrictionScratch& room,
+  ContactForces& forces) noexcept
+{
+  steps.aimBy(round.share);
   steps.move(*round.from);
-  for (int i = 0; i < round.sweeps && forces.work < budget; ++i)
+  for (int i = 0; i < round.sweeps && forces.work < search.budget; ++i)
   {
     steps.sweep(*round.from, round.without);
-    forces.work += workOfSweep(count);
+    forces.work += workOfSweep(search.count);
   }
   ContactProblem::Numbers& f = forces.force_N;
   f = *round.from;
-  double residual = steps.residual(f);
-  constexpr int mostNewton = 20;
-  for (int i = 0; i < mostNewton && count <= newtonUpTo && residual > forces.tolerance_u && forces.work < budget; ++i)
+  double residual = steps.residual(f), least = residual;
+  room.least = f;
+  Recent recent(search.inARow ? memory : 1);
+  for (int i = 0; i < search.newtonSteps() && least > forces.tolerance_u && forces.work < search.budget; ++i)
   {
-    const bool helps = steps.newton(f, residual);
-    forces.work += workOfNewton(count, steps.pressed());
+    recent.take(residual);
+    const bool helps = steps.newton(f, residual, recent.largest());
+    forces.work += workOfNewton(search.count, steps.pressed());
+    forces.work += search.inARow ? static_cast<std::uint32_t>(steps.tried()) * workOfSweep(search.count) : 0;
     ++forces.steps;
     if (!helps)
     {
       break;
     }
+    if (residual < least)
+    {
+      least = residual;
+      room.least = f;
+    }
   }
+  f = room.least;
   steps.project(f);
   return steps.residual(f);
 }
@@ -318,22 +144,48 @@ Round nextRound(int number, int count, FrictionScratch& room, const ContactForce
   return { &room.swept, sweepsAgain << (number - 1 - leftOut) };
 }
 
+/// Contacts in a row begin with the exact normal forces under the present tangential ones, then without those; so they
+/// do again with another share, and then with sweeps from the best forces.
+Round nextRoundInARow(
+  int number, const ContactProblem& problem, FrictionScratch& room, std::uint32_t& work) noexcept
+{
+  constexpr int fromNormal = 4;
+  const double share = inARowShares[static_cast<std::size_t>(number)];
+  if (number >= fromNormal)
+  {
+    room.swept = room.best;
+    return { &room.swept, inARowSweeps, -1, share };
+  }
+  ContactForces& normal = room.normal;
+  normal.force_N = room.start;
+  if (number % 2 == 1)
+  {
+    normal.force_N.setZero();
+  }
+  closeGaps(problem, normal);
+  work += normal.work;
+  room.swept = normal.force_N;
+  return { &room.swept, 0, -1, share };
+}
+
 } // namespace
 
-void solveFriction(
-  const ContactProblem& problem, FrictionScratch& room, ContactForces& forces, std::uint32_t budget) noexcept
+void solveFriction(const ContactProblem& problem, FrictionScratch& room, ContactForces& forces, std::uint32_t budget,
+  const FrictionSearch& how) noexcept
 {
-  FrictionSteps steps(problem, room);
+  FrictionSteps steps(problem, room, how.inARow);
+  const Search search{ problem.count, budget, how.inARow };
   forces.tolerance_u = problem.count > 0 ? rounding * problem.free.lpNorm<Eigen::Infinity>() : 0.0;
+  forces.tolerance_u = std::max(forces.tolerance_u, how.enough_u);
   forces.residual_u = std::numeric_limits<double>::infinity();
   forces.steps = 0;
   forces.work = 0;
-  room.best = forces.force_N;
-  const int rounds = problem.count > newtonUpTo ? 1 : usualRounds + (problem.count <= leftOutUpTo ? problem.count : 0);
-  for (int number = 0; number < rounds && forces.residual_u > forces.tolerance_u; ++number)
+  room.best = room.start = forces.force_N;
+  for (int number = 0; number < search.rounds() && forces.residual_u > forces.tolerance_u; ++number)
   {
-    const Round round = nextRound(number, problem.count, room, forces);
-    if (const double now = solveRound(steps, problem.count, round, budget, forces); now < forces.residual_u)
+    const Round round = search.inARow ? nextRoundInARow(number, problem, room, forces.work)
+                                      : nextRound(number, problem.count, room, forces);
+    if (const double now = solveRound(steps, search, round, room, forces); now < forces.residual_u)
     {
       forces.residual_u = now;
       room.best = forces.force_N;

@@ -26,6 +26,33 @@ double shareOf(const Wire& wire, const WireVector& motion) noexcept
   return mostTurn_rad / most;
 }
 
+/// Projection across a wire at a node: across the chord between its neighbours.
+Mat3 acrossWire(const Wire& wire, const WirePlaces& places_W, int node) noexcept
+{
+  const Vec3 along_W =
+    (places_W[std::min(node + 1, wire.count)].p - places_W[std::max(node - 1, 0)].p).normalized();
+  return Mat3::Identity() - along_W * along_W.transpose();
+}
+
+bool isHeld(std::uint8_t held, int motion) noexcept
+{
+  return (held >> motion & 1) != 0;
+}
+
+/// Leaves held motions of a node at 0.
+void holdOwn(std::uint8_t held, NodeBlock& own) noexcept
+{
+  for (int m = 0; m < 6; ++m)
+  {
+    if (isHeld(held, m))
+    {
+      own.row(m).setZero();
+      own.col(m).setZero();
+      own(m, m) = 1.0;
+    }
+  }
+}
+
 } // namespace
 
 WireLoads::WireLoads() noexcept
@@ -64,9 +91,26 @@ void WireNewton::addLoads(const Wire& wire, const WirePlaces& places_W, const Wi
     own += loads.falls[i];
     own.head<3>().array() += loads.spring_N_per_u[i] + loads.placeDrag_N_per_u;
     own.tail<3>().array() += loads.turnDrag_Nu_per_rad;
-    const Vec3 along_W = places_W[i].q * Vec3::UnitX();
-    this->stiffness_.own[i].topLeftCorner<3, 3>() +=
-      loads.acrossDrag_N_per_u[i] * (Mat3::Identity() - along_W * along_W.transpose());
+    this->stiffness_.own[i].topLeftCorner<3, 3>() += loads.acrossDrag_N_per_u[i] * acrossWire(wire, places_W, i);
+  }
+  if (loads.ring.beam >= 0)
+  {
+    this->addRing(places_W, loads.ring);
+  }
+}
+
+void WireNewton::addRing(const WirePlaces& places_W, const WireRing& ring) noexcept
+{
+  const int first = ring.beam, second = first + 1;
+  const double ofFirst = 1.0 - ring.share, ofSecond = ring.share;
+  for (const int axis : { 1, 2 })
+  {
+    const double off_u = ofFirst * places_W[first].p[axis] + ofSecond * places_W[second].p[axis];
+    this->open_[first][axis] -= ofFirst * ring.hold_N_per_u * off_u;
+    this->open_[second][axis] -= ofSecond * ring.hold_N_per_u * off_u;
+    this->stiffness_.own[first](axis, axis) += ofFirst * ofFirst * ring.hold_N_per_u;
+    this->stiffness_.own[second](axis, axis) += ofSecond * ofSecond * ring.hold_N_per_u;
+    this->stiffness_.after[first](axis, axis) += ofFirst * ofSecond * ring.hold_N_per_u;
   }
 }
 
@@ -75,13 +119,11 @@ void WireNewton::hold(const WireLoads& loads) noexcept
   WireMatrix& k = this->stiffness_;
   for (int i = 0; i < k.nodes; ++i)
   {
-    for (int m = 0; loads.held[i] != 0 && m < 6; ++m)
+    holdOwn(loads.held[i], k.own[i]);
+    for (int m = 0; m < 6; ++m)
     {
-      if ((loads.held[i] >> m & 1) != 0)
+      if (isHeld(loads.held[i], m))
       {
-        k.own[i].row(m).setZero();
-        k.own[i].col(m).setZero();
-        k.own[i](m, m) = 1.0;
         this->open_[i][m] = 0.0;
         if (i > 0)
         {
@@ -122,9 +164,11 @@ bool WireNewton::linearise(const Wire& wire, const WirePlaces& places_W, const W
     {
       const WireBeam& beam = wire.beams[std::min(node, wire.count - 1)];
       const double turning_Nu = share * beam.section.bend_Nu2 / beam.length_u;
-      auto own = this->stiffness_.own[node].diagonal();
-      own.head<3>().array() += 12.0 * turning_Nu / (beam.length_u * beam.length_u);
-      own.tail<3>().array() += turning_Nu;
+      NodeBlock& own = this->stiffness_.own[node];
+      own.topLeftCorner<3, 3>() +=
+        12.0 * turning_Nu / (beam.length_u * beam.length_u) * acrossWire(wire, places_W, node);
+      own.diagonal().tail<3>().array() += turning_Nu;
+      holdOwn(loads.held[node], own);
     }
     firm = this->factor_.factor(this->stiffness_);
     ++this->factors_;

@@ -9,6 +9,15 @@
 namespace palpate
 {
 
+/// A ring around a beam, through which it slides: its place there, between its nodes along the chord, is drawn onto the
+/// world's x axis.
+struct WireRing
+{
+  int beam = -1; ///< none
+  double share = 0.0; ///< of the second node
+  double hold_N_per_u = 0.0;
+};
+
 /// Supports, forces and springs that act on a wire.
 struct WireLoads
 {
@@ -19,10 +28,11 @@ struct WireLoads
   /// How fast those fall as their node goes along: supports that yield [N/u, N u/rad].
   WireVector falls{};
   std::array<std::uint8_t, Wire::mostNodes> held{};
+  WireRing ring;
   /// Drag towards where each step begins: no force at rest.
   double placeDrag_N_per_u = 0.0;
   double turnDrag_Nu_per_rad = 0.0;
-  /// Of places, across the nodes' x axes: a wire that slides along itself feels none.
+  /// Of places, across the wire: one that slides along itself feels none.
   std::array<double, Wire::mostNodes> acrossDrag_N_per_u{};
   /// Springs of each node towards a place, for a hand or a vessel.
   std::array<double, Wire::mostNodes> spring_N_per_u{};
@@ -44,7 +54,7 @@ class WireNewton
 {
 public:
   /// Balance and stiffness of the wire there, and its factor. Where the stiffness is not positive definite, as beyond a
-  /// wire's buckling, drag is added until it is; `firm` says whether none was needed. False: no drag was enough.
+  /// wire's buckling, drag across it is added until it is; `firm` says whether none was needed. False: no drag was enough.
   [[nodiscard]] bool linearise(const Wire& wire, const WirePlaces& places_W, const WireLoads& loads) noexcept;
   [[nodiscard]] bool firm() const noexcept { return this->firm_; }
   /// How many factors that took.
@@ -71,6 +81,7 @@ public:
 private:
   void assemble(const Wire& wire, const WirePlaces& places_W) noexcept;
   void addLoads(const Wire& wire, const WirePlaces& places_W, const WireLoads& loads) noexcept;
+  void addRing(const WirePlaces& places_W, const WireRing& ring) noexcept;
   void hold(const WireLoads& loads) noexcept;
 
   bool firm_ = false;

@@ -179,7 +179,7 @@ PlannedWire planWire(const WireDescription& description, const TriangleMesh& ves
   check.beams = plan->wire.count;
   check.contacts = std::min(WireTouch::most, 2 * check.beams);
   check.tightest_u = 3.0 * description.beam_u();
-  check.work = newtonWork(plan->wire.nodes(), 1, check.contacts);
+  check.work = newtonWork(plan->wire.nodes(), 1) + touchWork(check.contacts);
   judgeMouth(*plan, check);
   planned.plan = check.faults.empty() ? plan : nullptr;
   return planned;

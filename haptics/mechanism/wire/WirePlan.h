@@ -77,12 +77,19 @@ struct PlannedWire
   return 1 + static_cast<std::uint32_t>(multiplyAdds / multiplyAddsPerWork);
 }
 
-/// Of a Newton step with so many factors and contacts, without the contacts' own solution: blocks of 6 x 6.
-[[nodiscard]] constexpr std::uint32_t newtonWork(int nodes, int factors, int contacts) noexcept
+/// Of linearising a wire with so many factors: blocks of 6 x 6.
+[[nodiscard]] constexpr std::uint32_t newtonWork(int nodes, int factors) noexcept
 {
   constexpr int block = 216;
-  constexpr int factor = 4 * block, inverse = 3 * block, beam = 6 * block, between = 3 * block;
-  return wireWork(nodes * (factors * factor + inverse + beam) + contacts * (contacts + 1) / 2 * between);
+  constexpr int factor = 4 * block, inverse = 3 * block, beam = 6 * block;
+  return wireWork(nodes * (factors * factor + inverse + beam));
+}
+
+/// Of the compliance between so many contacts and the motion under their forces, without the forces' own solution.
+[[nodiscard]] constexpr std::uint32_t touchWork(int contacts) noexcept
+{
+  constexpr int between = 3 * 216;
+  return wireWork(contacts * (contacts + 1) / 2 * between);
 }
 
 } // namespace palpate

@@ -9,9 +9,11 @@ namespace
 {
 
 /// Bits of WireLoads::held across x.
-constexpr std::uint8_t acrossX = 0b110110;
+constexpr std::uint8_t acrossX = 0b110110, placeAcrossX = 0b000110;
 /// From that share of a beam behind the mouth on a node is held for good.
 constexpr double deep = 0.9999;
+/// Of a beam's stiffness across itself: so stiff the mouth is.
+constexpr double firmly = 1e4;
 
 /// Of beams behind the mouth.
 double behind(const Wire& wire, const WirePlaces& places_M, int node) noexcept
@@ -37,27 +39,55 @@ void holdFading(const WireBeam& beam, double share, const Pose& pose, NodeVector
   falls << 0.0, place_N_per_u, place_N_per_u, 0.0, turn_Nu_per_rad, turn_Nu_per_rad;
 }
 
+/// The first node that is not in the sheath: one that came back beside it is not either.
+int firstOut(const Wire& wire, const WirePlaces& places_M) noexcept
+{
+  int node = 0;
+  while (node < wire.nodes() && places_M[node].p.x() <= 0.0)
+  {
+    ++node;
+  }
+  return node;
+}
+
+/// The mouth holds the beam that leaves it.
+WireRing ringAt(const WireBeam& beam, int index, const WirePlaces& places_M) noexcept
+{
+  const double a_u = places_M[index].p.x(), b_u = places_M[index + 1].p.x();
+  const double across_N_per_u = 12.0 * beam.section.bend_Nu2 / (beam.length_u * beam.length_u * beam.length_u);
+  return { index, -a_u / (b_u - a_u), firmly * across_N_per_u };
+}
+
 } // namespace
 
 void holdInSheath(const Wire& wire, WirePlaces& places_M, WireLoads& loads) noexcept
 {
-  bool sheathed = true;
+  const int out = firstOut(wire, places_M);
   for (int i = 0; i < wire.nodes(); ++i)
   {
     loads.held[i] = 0;
     loads.falls[i].setZero();
     loads.force[i].setZero();
-    const double share = behind(wire, places_M, i);
-    sheathed = sheathed && share > 0.0; // a node that came back beside the sheath is not in it
-    if (sheathed && (i == 0 || share >= deep))
+    const double share = i < out ? behind(wire, places_M, i) : 0.0;
+    if (i < out && (i == 0 || i < out - 1 || share >= deep))
     {
       loads.held[i] = acrossX;
       bringOntoAxis(places_M[i]);
     }
-    else if (sheathed)
+    else if (i < out)
     {
       holdFading(wire.beams[i - 1], share, places_M[i], loads.force[i], loads.falls[i]);
     }
+  }
+  loads.ring = {};
+  if (out < wire.nodes() && out > 0)
+  {
+    loads.ring = ringAt(wire.beams[out - 1], out - 1, places_M);
+  }
+  else if (out == wire.nodes() && loads.held[wire.count] == 0)
+  {
+    loads.held[wire.count] = placeAcrossX;
+    places_M[wire.count].p.tail<2>().setZero();
   }
 }
 

@@ -36,6 +36,8 @@ constexpr double pressedAt = 0.1;
 constexpr std::uint8_t aboutX = 0b001000;
 /// Of the radius: contacts that miss their laws by no more are met.
 constexpr double metWithin = 1e-6;
+/// Likewise: so near to the laws the solver goes.
+constexpr double enough = 1e-9;
 
 /// One tick.
 class WireStep
@@ -136,6 +138,7 @@ private:
       this->result_.capped = true;
       return;
     }
+    this->result_.work += newtonWork(this->plan_.wire.nodes(), newton.factors());
     newton.factor().invert();
     newton.step(this->room_.free);
     this->count(first);
@@ -263,11 +266,11 @@ private:
       problem.compliance.diagonal().segment<3>(3 * i).array() += this->own_u_per_N(touches[i].beam);
       forces.force_N.segment<3>(3 * i) = this->before_N(i);
     }
-    this->result_.work += newtonWork(this->plan_.wire.nodes(), this->room_.newton.factors(), n);
+    this->result_.work += touchWork(n);
     if (this->plan_.friction > 0.0)
     {
       const std::uint32_t left = this->input_.budget - std::min(this->input_.budget, this->result_.work);
-      solveFriction(problem, this->room_.friction, forces, left);
+      solveFriction(problem, this->room_.friction, forces, left, { enough * this->plan_.radius_u, true });
     }
     else
     {

@@ -286,19 +286,19 @@ void WireVessel::findOf(
   const Around& around = this->around_[beam];
   contacts.away_u[beam] = std::max(std::min(needed_u, around.all_u - moved_u), 0.0);
   const SurfaceData& vessel = plan.vessel->data();
-  const auto each = [&](const auto& take)
+  int count = 0;
+  for (int i = 0; i < around.count && around.near[i].away_u - moved_u <= needed_u; ++i)
   {
-    for (int i = 0; i < around.count && around.near[i].away_u - moved_u <= needed_u; ++i)
+    const std::uint32_t triangle = around.near[i].triangle;
+    const std::array<Vec3, 3> corners = vessel.cornersOf(triangle);
+    if (beyondPlane(axis.first_M, axis.second_M, corners[0], vessel.plane(triangle).normal_W) <= needed_u &&
+        leastAway(axis.first_M, axis.second_M, corners) <= needed_u)
     {
-      const std::uint32_t triangle = around.near[i].triangle;
-      const std::array<Vec3, 3> corners = vessel.cornersOf(triangle);
-      if (beyondPlane(axis.first_M, axis.second_M, corners[0], vessel.plane(triangle).normal_W) <= needed_u &&
-          leastAway(axis.first_M, axis.second_M, corners) <= needed_u)
-      {
-        take(corners);
-      }
+      this->corners_[count++] = corners;
     }
-  };
+  }
+  const auto each = [this, count](const auto& take)
+  { std::for_each(this->corners_.begin(), this->corners_.begin() + count, take); };
   Nearest nearest;
   NearestOfBeam{ plan.radius_u, reach_u, beam, axis.first_M, axis.second_M, axis.from }.find(
     each, nearest, contacts.away_u[beam]);

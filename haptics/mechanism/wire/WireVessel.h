@@ -35,7 +35,7 @@ struct WireContacts
 
 /// Finds where a wire touches its vessel. Each beam keeps the triangles near it with the distance for which they are
 /// all; the tree is asked again when the beam has gone that far. Answers do not depend on the questions before. Some
-/// 140 kB: not for the stack. Real-time safe.
+/// 160 kB: not for the stack. Real-time safe.
 class WireVessel
 {
 public:
@@ -76,6 +76,7 @@ private:
   void findOf(const WirePlan& plan, int beam, const Axis& axis, double reach_u, WireContacts& contacts) noexcept;
 
   std::array<Around, Wire::mostBeams> around_;
+  std::array<std::array<Vec3, 3>, mostNear> corners_; ///< of the triangles within reach of the beam that is looked at
 };
 
 } // namespace palpate

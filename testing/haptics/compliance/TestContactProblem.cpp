@@ -147,31 +147,6 @@ TEST(ContactProblem, APlaneThatContradictsTheOthersGetsNoForceAndTheyKeepTheirs)
   EXPECT_NEAR(forces.residual_u, 1.0, 1e-15); // and it is said
 }
 
-/// By how much forces miss the laws of Signorini and Coulomb: judged from the laws alone [u].
-double missed(const ContactProblem& p, const ContactProblem::Numbers& f)
-{
-  double most = 0.0;
-  const Eigen::VectorXd d = Eigen::VectorXd(p.free) + Eigen::MatrixXd(p.compliance) * Eigen::VectorXd(f);
-  for (int c = 0; c < p.count; ++c)
-  {
-    const Vec3 force = f.segment<3>(3 * c);
-    const Vec3 moved = d.segment<3>(3 * c);
-    const double across = force.tail<2>().norm();
-    const double slip = moved.tail<2>().norm();
-    most = std::max({ most, -moved[0], -force[0], across - p.friction * force[0], std::abs(force[0] * moved[0]) });
-    if (across < p.friction * force[0] * (1.0 - 1e-9))
-    {
-      most = std::max(most, slip); // it sticks
-    }
-    else if (force[0] > 0.0)
-    {
-      // It slips against its force.
-      most = std::max(most, (force.tail<2>() * slip + moved.tail<2>() * across).norm() / across);
-    }
-  }
-  return most;
-}
-
 TEST(ContactProblem, UpToTenContactsWithFrictionAreSolvedToRounding)
 {
   Random random(testSeed(188));
@@ -215,6 +190,34 @@ TEST(ContactProblem, FortyContactsAreSweptCloseToTheirLaws)
     forces.force_N.setZero(3 * ContactProblem::most);
     solveFriction(*problem, *room, forces);
     EXPECT_LE(missed(*problem, forces.force_N), 1e-5);
+  }
+}
+
+TEST(ContactProblem, GapsCloseUnderTangentialForcesThatStay)
+{
+  Random random(testSeed(191));
+  const auto problem = std::make_unique<ContactProblem>();
+  for (std::size_t trial = 0; trial < testCount(60); ++trial)
+  {
+    constexpr int n = 8;
+    makeRandomContacts(random, n, *problem);
+    ContactForces forces;
+    forces.force_N.setZero(3 * n);
+    for (int c = 0; c < n; ++c)
+    {
+      forces.force_N.segment<2>(3 * c + 1) = Eigen::Vector2d(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+    }
+    const Eigen::VectorXd before = forces.force_N;
+    closeGaps(*problem, forces);
+    const Eigen::VectorXd f = forces.force_N;
+    const Eigen::VectorXd moved = Eigen::VectorXd(problem->free) + Eigen::MatrixXd(problem->compliance) * f;
+    for (int c = 0; c < n; ++c)
+    {
+      EXPECT_EQ(Eigen::Vector2d(f.segment<2>(3 * c + 1)), Eigen::Vector2d(before.segment<2>(3 * c + 1)));
+      EXPECT_GE(f[3 * c], 0.0);
+      EXPECT_GE(moved[3 * c], -1e-12);
+      EXPECT_LE(f[3 * c] * moved[3 * c], 1e-12);
+    }
   }
 }
 

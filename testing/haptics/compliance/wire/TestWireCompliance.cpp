@@ -9,6 +9,7 @@
 #include "testing/haptics/compliance/wire/RandomBeams.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Linear.h"
+#include "testing/support/RandomContacts.h"
 #include "testing/support/WireCapstan.h"
 #include "testing/support/WireScenes.h"
 
@@ -167,6 +168,101 @@ TEST(WireCompliance, ALimpWireRoundADrumPullsByTheRatioOfItsBends)
     EXPECT_NEAR(capstanRatio(friction, bends), truth, 1e-6 * truth) << friction << ", " << bends;
   }
   EXPECT_NEAR(capstanRatio(0.2, 12), 1.8815, 5e-5);
+}
+
+/// A wire that is pressed at so many places by walls around it while a hand's spring pushes it along.
+void makeTouchedWire(Random& random, int contacts, ContactProblem& problem)
+{
+  constexpr int beams = 64;
+  constexpr double radius = 0.25, length = 250.0;
+  WireRig rig(straightPoints(beams, length), roundSection(radius, 60e3, 0.3));
+  rig.loads.held[0] = 0b111110;
+  rig.loads.spring_N_per_u[0] = 1.0;
+  ASSERT_TRUE(rig.newton->linearise(rig.wire, rig.places_W, rig.loads));
+  rig.newton->factor().invert();
+  std::vector<WireTouch> touches;
+  for (int i = 0; i < contacts; ++i)
+  {
+    const int beam = beams - 1 - (contacts - 1 - i) * 2;
+    const double turn = random.uniform(0.0, 2.0 * std::numbers::pi);
+    const Vec3 inward(0.0, std::cos(turn), std::sin(turn)), along = Vec3::UnitX();
+    touches.push_back({ beam, 1.0, -radius * inward, (Mat3() << inward, along, inward.cross(along)).finished() });
+  }
+  problem.resize(contacts);
+  problem.friction = random.uniform(0.05, 0.3);
+  problem.compliance.setZero();
+  addWireCompliance(rig.newton->factor(), touches, problem.compliance);
+  const double pushed = random.uniform(-0.1, 0.1), turned = random.uniform(-0.01, 0.01);
+  for (int i = 0; i < contacts; ++i)
+  {
+    problem.compliance.diagonal().segment<3>(3 * i).array() += 2e-6; // of the contact's own
+    problem.free.segment<3>(3 * i) = Vec3(random.uniform(-0.2, 0.1), pushed, turned);
+  }
+}
+
+/// Of walls that close in on a wire in so many ticks, each of which begins with the forces of the one before.
+struct ClosingIn
+{
+  int sticks = 0;
+  int slides = 0;
+  int missed = 0; ///< solutions that do not meet the laws
+  int untold = 0; ///< of these, those whose residual does not tell it
+};
+
+ClosingIn closeIn(const ContactProblem& last, const FrictionSearch& how)
+{
+  constexpr int ticks = 20;
+  constexpr double met = 1e-7;
+  const auto problem = std::make_unique<ContactProblem>(last);
+  const auto room = std::make_unique<FrictionScratch>();
+  ContactForces forces;
+  forces.force_N.setZero(3 * last.count);
+  ClosingIn seen;
+  for (int tick = 1; tick <= ticks; ++tick)
+  {
+    problem->free = last.free * tick / ticks;
+    const AllocationGuard guard;
+    solveFriction(*problem, *room, forces, 60000, how);
+    EXPECT_EQ(guard.allocations(), 0u);
+    const bool isMissed = missed(*problem, forces.force_N) > met;
+    seen.missed += isMissed ? 1 : 0;
+    seen.untold += isMissed && !(forces.residual_u > 1e-10) ? 1 : 0;
+    for (int c = 0; c < last.count; ++c)
+    {
+      const double normal = forces.force_N[3 * c];
+      const bool inside = forces.force_N.segment<2>(3 * c + 1).norm() < 0.999 * problem->friction * normal;
+      seen.sticks += normal > 0.0 && inside ? 1 : 0;
+      seen.slides += normal > 0.0 && !inside ? 1 : 0;
+    }
+  }
+  return seen;
+}
+
+/// The laws are judged apart from the solver.
+TEST(WireCompliance, ContactsAlongASlidingWireMeetTheirLawsThreeTimesAsOftenAsByTheUsualSearchAndElseItIsTold)
+{
+  Random random(testSeed(190));
+  const auto problem = std::make_unique<ContactProblem>();
+  ClosingIn all;
+  int usual = 0;
+  for (std::size_t trial = 0; trial < testCount(10); ++trial)
+  {
+    for (const int n : { 1, 6, 12, WireTouch::most })
+    {
+      makeTouchedWire(random, n, *problem);
+      const ClosingIn seen = closeIn(*problem, { 0.0, true });
+      all.sticks += seen.sticks;
+      all.slides += seen.slides;
+      all.missed += seen.missed;
+      EXPECT_EQ(seen.untold, 0) << n << " contacts, trial " << trial;
+      usual += closeIn(*problem, {}).missed;
+    }
+  }
+  RecordProperty("missed", all.missed);
+  RecordProperty("usual", usual);
+  EXPECT_GT(usual, 3 * all.missed + static_cast<int>(testCount(10)));
+  EXPECT_GT(all.slides, 0);
+  EXPECT_GT(all.sticks, 0);
 }
 
 } // namespace

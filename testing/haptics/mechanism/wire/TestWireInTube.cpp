@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "haptics/contact/view/ContactPlan.h"
 #include "haptics/tool/motion/Turn.h"
 #include "testing/oracles/tube/RodInChannel.h"
 #include "testing/support/AllocationGuard.h"
@@ -112,6 +113,70 @@ TEST(WireInTube, WithoutFrictionItsMeanForceInTheBendIsThatOfTenTimesThePieces)
   RecordProperty("mean", std::to_string(wire_N / truth_N));
   EXPECT_NEAR(wire_N / truth_N, 1.0, 0.02);
   EXPECT_LE(ways.rms(), 0.05);
+}
+
+/// Of 1700 ticks, which lead the tip through the bend and on.
+struct Seen
+{
+  double residual_mm = 0.0;
+  double deepest_mm = 0.0;
+  std::uint32_t work = 0;
+  int pressed = 0;
+  int crowded = 0; ///< ticks with more contacts than there is room for
+
+  void see(const WireResult& result)
+  {
+    this->residual_mm = std::max(this->residual_mm, result.residual_u);
+    this->deepest_mm = std::max(this->deepest_mm, result.deepest_u);
+    this->work = std::max(this->work, result.work);
+    this->pressed = std::max(this->pressed, result.pressCount);
+    this->crowded += result.leftOut > 0 ? 1 : 0;
+  }
+};
+
+constexpr int wholeWay = 1700; // ticks
+
+TEST(WireInTube, ASessionsBudgetIsEnoughForEveryTickOf64BeamsWithFrictionAndChangesNoBit)
+{
+  const TriangleMesh vessel = bentTube().mesh();
+  PushedWire wire(nitinolWire(length_mm, 64, 0.1), vessel), unbounded(nitinolWire(length_mm, 64, 0.1), vessel);
+  wire.budget = ContactPlan().workBudget;
+  Seen seen;
+  for (int i = 0; i < wholeWay; ++i)
+  {
+    const WireResult& result = wire.tick(way_mm * i);
+    seen.see(result);
+    ASSERT_EQ(result.wrench_W.force, unbounded.tick(way_mm * i).wrench_W.force) << i;
+  }
+  RecordProperty("work", std::to_string(seen.work));
+  RecordProperty("deepest", std::to_string(seen.deepest_mm));
+  EXPECT_LT(seen.work, wire.budget);
+  EXPECT_LE(seen.residual_mm, 1e-6 * 0.25);
+  EXPECT_LE(seen.deepest_mm, 0.01);
+  EXPECT_GT(seen.pressed, 12);
+  EXPECT_GT(seen.crowded, 0) << "all room for contacts is used";
+}
+
+TEST(WireInTube, WhereTheBudgetIsUsedUpItsSkinStaysOutOfTheWallAllTheSame)
+{
+  for (const std::uint32_t budget : { 5000u, 20000u })
+  {
+    PushedWire wire(nitinolWire(length_mm, 64, 0.1), bentTube().mesh());
+    wire.budget = budget;
+    Seen seen;
+    int told = 0;
+    double most_N = 0.0;
+    for (int i = 0; i < wholeWay; ++i)
+    {
+      const WireResult& result = wire.tick(way_mm * i);
+      seen.see(result);
+      told += result.capped ? 1 : 0;
+      most_N = std::max(most_N, result.wrench_W.force.norm());
+    }
+    EXPECT_GT(told, wholeWay / 2);
+    EXPECT_LE(seen.deepest_mm, 0.03) << budget;
+    EXPECT_LE(most_N, 2.0) << "as strong as it is solved";
+  }
 }
 
 WireResult atRest(PushedWire& wire)
