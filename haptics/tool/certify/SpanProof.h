@@ -29,13 +29,17 @@ struct SpanGap
 {
   double from = 0.0, to = 0.0, dip = 0.0;
 
+  /// Lower bound of the distance at a share of the span.
+  [[nodiscard]] double at(double share) const noexcept
+  {
+    return this->from + share * (this->to - this->from) - 4.0 * share * (1.0 - share) * this->dip;
+  }
   /// Lower bound of the distance everywhere in the span.
   [[nodiscard]] double least() const noexcept { return std::min(this->from, this->to) - this->dip; }
   /// The same in the first `share` of the span.
   [[nodiscard]] double leastUntil(double share) const noexcept
   {
-    const double there = this->from + share * (this->to - this->from) - 4.0 * share * (1.0 - share) * this->dip;
-    return std::min(this->from, there) - share * share * this->dip;
+    return std::min(this->from, this->at(share)) - share * share * this->dip;
   }
   /// The share at which the line falls below a gap: only the order in which pairs are examined depends on it.
   [[nodiscard]] double crossing(double gap_u) const noexcept

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -19,6 +20,12 @@ namespace
 
 constexpr std::uint32_t largestLeaf = 4;
 constexpr double leafAgreement = 0.9; // cosine: normals that differ more have no separating plane in common
+/// Nodes with more triangles are cut in two halves of their longest side: their boxes are as thick as the body,
+/// wherever they are cut, and to weigh the cuts of a million triangles takes seconds.
+constexpr std::uint32_t largestWeighed = 2000;
+constexpr int binCount = 16;              // along an axis: a cut lies between two of them
+constexpr double thinnest = 0.1;          // of the longest axis: a thinner one is not cut
+constexpr std::uint32_t smallestPart = 8; // an eighth of the triangles, so that the tree is not deep
 
 /// Moments that determine the axes of a box: area, centroid and second moments of triangles.
 struct Spread
@@ -33,10 +40,14 @@ struct Spread
     this->first += more.first;
     this->second += more.second;
   }
-  [[nodiscard]] Mat3 axes() const
+  [[nodiscard]] Mat3 covariance() const
   {
     const Vec3 mean = this->first / this->area;
-    const Mat3 covariance = this->second / this->area - mean * mean.transpose();
+    return this->second / this->area - mean * mean.transpose();
+  }
+  [[nodiscard]] Mat3 axes() const
+  {
+    const Mat3 covariance = this->covariance();
     const double scale = covariance.cwiseAbs().maxCoeff();
     if (!(scale > 0.0))
     {
@@ -48,6 +59,54 @@ struct Spread
     axes.col(2) = axes.col(0).cross(axes.col(1));
     return axes;
   }
+  /// How large its box is [u^2]: the box's faces, and its volume, so that two thin boxes count less than two thick ones
+  /// of equal faces. `length_u`: of the box that is cut.
+  [[nodiscard]] double boxCost(double length_u) const
+  {
+    constexpr double thickness = 3.0; // 1 to 10 make no difference
+    const Mat3 c = this->covariance();
+    const double faces4 = c(0, 0) * c(1, 1) + c(1, 1) * c(2, 2) + c(2, 2) * c(0, 0) - c(0, 1) * c(0, 1) -
+                          c(1, 2) * c(1, 2) - c(2, 0) * c(2, 0);
+    const double volume_u3 = std::sqrt(std::max(0.0, c.determinant()));
+    return std::sqrt(std::max(0.0, faces4)) + thickness * std::sqrt(volume_u3 * length_u);
+  }
+};
+
+/// Triangles of one of the equal parts of a node's extent along an axis.
+struct Bin
+{
+  Spread spread;
+  std::uint32_t count = 0;
+
+  void operator+=(const Bin& more)
+  {
+    this->spread += more.spread;
+    this->count += more.count;
+  }
+};
+
+/// The parts of a node along one of its axes.
+struct BinnedAxis
+{
+  Vec3 axis = Vec3::Zero();
+  double low_u = std::numeric_limits<double>::infinity(), high_u = -low_u;
+  std::array<Bin, binCount> bins;
+
+  [[nodiscard]] double length_u() const { return this->high_u - this->low_u; }
+  [[nodiscard]] int binOf(const Vec3& p) const
+  {
+    const double share = (this->axis.dot(p) - this->low_u) / this->length_u();
+    return std::clamp(static_cast<int>(share * binCount), 0, binCount - 1);
+  }
+};
+
+/// Where to cut a node.
+struct Cut
+{
+  int axis = -1; ///< none found
+  int bin = 0;   ///< the first of the second half
+  Bin low, high;
+  double cost = std::numeric_limits<double>::infinity();
 };
 
 class Builder
@@ -64,36 +123,110 @@ public:
       this->order_[t] = t;
       this->middles_[t] = (c[0] + c[1] + c[2]) / 3.0;
     }
-    this->build(0, static_cast<std::uint32_t>(this->order_.size()));
+    const auto count = static_cast<std::uint32_t>(this->order_.size());
+    this->build(0, count, this->spreadOf(0, count));
   }
 
   [[nodiscard]] const std::vector<std::uint32_t>& order() const noexcept { return this->order_; }
 
 private:
-  Spread build(std::uint32_t first, std::uint32_t count)
+  using Things = std::span<std::uint32_t>;
+
+  void build(std::uint32_t first, std::uint32_t count, const Spread& spread)
   {
     const std::uint32_t node = static_cast<std::uint32_t>(this->nodes_.size());
     this->nodes_.emplace_back();
-    Spread spread;
+    const Mat3 axes = spread.axes();
+    this->nodes_[node].box = this->boxOf(axes, first, count);
     if (this->isLeaf(first, count))
     {
-      for (std::uint32_t i = first; i < first + count; ++i)
-      {
-        spread += this->spreadOf(this->order_[i]);
-      }
       this->nodes_[node].second = first;
       this->nodes_[node].count = count;
+      return;
     }
-    else
+    const auto [low, high] = this->cut(Things(this->order_).subspan(first, count), axes, spread);
+    this->build(first, low.count, low.spread);
+    this->nodes_[node].second = static_cast<std::uint32_t>(this->nodes_.size());
+    this->build(first + low.count, high.count, high.spread);
+  }
+
+  /// Orders the triangles by halves: where the boxes of both are smallest, in small nodes.
+  std::pair<Bin, Bin> cut(Things things, const Mat3& axes, const Spread& spread)
+  {
+    if (things.size() <= largestWeighed)
     {
-      const auto half = static_cast<std::uint32_t>(splitAtMedian(std::span(this->order_).subspan(first, count),
-        [this](std::uint32_t t) -> const Vec3& { return this->middles_[t]; }));
-      spread = this->build(first, half);
-      this->nodes_[node].second = static_cast<std::uint32_t>(this->nodes_.size());
-      spread += this->build(first + half, count - half);
+      const std::array<BinnedAxis, 3> binned = this->binned(things, axes);
+      const Cut best = bestCut(binned, static_cast<std::uint32_t>(things.size()), spread);
+      if (best.axis >= 0)
+      {
+        std::stable_partition(things.begin(), things.end(),
+          [&](std::uint32_t t) { return binned[best.axis].binOf(this->middles_[t]) < best.bin; });
+        return { best.low, best.high };
+      }
     }
-    this->nodes_[node].box = this->boxOf(spread.axes(), first, count);
-    return spread;
+    const auto half = static_cast<std::uint32_t>(
+      splitAtMedian(things, [this](std::uint32_t t) -> const Vec3& { return this->middles_[t]; }));
+    const auto first = static_cast<std::uint32_t>(things.data() - this->order_.data());
+    const auto rest = static_cast<std::uint32_t>(things.size()) - half;
+    return { { this->spreadOf(first, half), half }, { this->spreadOf(first + half, rest), rest } };
+  }
+
+  [[nodiscard]] std::array<BinnedAxis, 3> binned(Things things, const Mat3& axes) const
+  {
+    std::array<BinnedAxis, 3> binned;
+    for (int k = 0; k < 3; ++k)
+    {
+      binned[k].axis = axes.col(k);
+      for (const std::uint32_t t : things)
+      {
+        const double height = binned[k].axis.dot(this->middles_[t]);
+        binned[k].low_u = std::min(binned[k].low_u, height);
+        binned[k].high_u = std::max(binned[k].high_u, height);
+      }
+    }
+    const auto longest = std::ranges::max_element(binned, {}, &BinnedAxis::length_u);
+    const double least_u = thinnest * longest->length_u();
+    for (const std::uint32_t t : things)
+    {
+      const Bin one{ this->spreadOf(t), 1 };
+      for (BinnedAxis& axis : binned)
+      {
+        if (axis.length_u() > least_u)
+        {
+          axis.bins[axis.binOf(this->middles_[t])] += one;
+        }
+      }
+    }
+    return binned;
+  }
+
+  static Cut bestCut(const std::array<BinnedAxis, 3>& binned, std::uint32_t count, const Spread& spread)
+  {
+    const std::uint32_t least = std::max(1u, count / smallestPart);
+    const double length_u = std::sqrt(spread.covariance().trace());
+    Cut best;
+    for (int k = 0; k < 3; ++k)
+    {
+      if (binned[k].bins[0].count == 0) // too thin to be cut
+      {
+        continue;
+      }
+      std::array<Bin, binCount> above; // all from this one on
+      std::partial_sum(binned[k].bins.rbegin(), binned[k].bins.rend(), above.rbegin(),
+        [](Bin sum, const Bin& more) { return sum += more, sum; });
+      Bin low;
+      for (int bin = 1; bin < binCount; ++bin)
+      {
+        low += binned[k].bins[bin - 1];
+        const Bin& high = above[bin];
+        if (binned[k].bins[bin - 1].count > 0 && std::min(low.count, high.count) >= least)
+        {
+          const double cost = low.count * low.spread.boxCost(length_u) + high.count * high.spread.boxCost(length_u);
+          best = cost < best.cost ? Cut{ k, bin, low, high, cost } : best;
+        }
+      }
+    }
+    return best;
   }
 
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t t) const
@@ -111,6 +244,16 @@ private:
     const Vec3 normal = unitNormal(this->corners(this->order_[first]));
     return std::all_of(this->order_.begin() + first, this->order_.begin() + first + count,
       [&](std::uint32_t t) { return std::abs(normal.dot(unitNormal(this->corners(t)))) >= leafAgreement; });
+  }
+
+  [[nodiscard]] Spread spreadOf(std::uint32_t first, std::uint32_t count) const
+  {
+    Spread spread;
+    for (std::uint32_t i = first; i < first + count; ++i)
+    {
+      spread += this->spreadOf(this->order_[i]);
+    }
+    return spread;
   }
 
   [[nodiscard]] Spread spreadOf(std::uint32_t t) const

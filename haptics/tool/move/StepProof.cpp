@@ -96,7 +96,7 @@ private:
   template<class AnyPair>
   void note(AnyPair& pair, const SpanGap& gap, bool leaf, std::uint32_t index)
   {
-    this->near_.learn(pair, gap.from);
+    this->near_.learn(pair, gap);
     if (!(gap.least() >= this->clearance_.gap_u))
     {
       this->verdict_.doubtful.push_back({ gap.crossing(this->clearance_.gap_u), gap.to, leaf, index });
@@ -156,6 +156,7 @@ private:
     }
     if (this->near_.findPlane(pair, this->verdict_.share, this->clearance_.gap_u))
     {
+      this->near_.learn(pair, this->near_.gapOf(pair));
       return;
     }
     const std::size_t first = this->near_.triangles().size();
@@ -192,6 +193,10 @@ private:
     {
       this->verdict_.share = this->budget_.left() > 0 ? proven : std::max(proven, this->shareBy(known));
       this->verdict_.blocking = static_cast<int>(index);
+    }
+    else if (pair.plane.kind != PlaneKind::None)
+    {
+      this->near_.learn(pair, this->gapOf(index));
     }
   }
 

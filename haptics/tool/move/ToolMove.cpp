@@ -17,7 +17,6 @@ constexpr double provenGap = 0.5;    // of the rest gap; the other half allows f
 constexpr double endOfMotion = 0.05; // of the rest gap
 constexpr double leastMargin = 16.0; // rest gaps
 constexpr double marginOfWay = 1.5;  // times the usual motion in an update
-constexpr double marginGrowth = 1.4; // for each gathering within an update; a factor of 2 overshoots
 constexpr double roomLeft = 0.4;     // of the margin: with less left the pairs are gathered anew
 constexpr int mostSteps = 60, mostRounds = 12, idleSteps = 2;
 /// Most doublings of the work after updates that leave a tool where it is: a step in a close fit costs many times the
@@ -124,7 +123,7 @@ bool ToolMove::makeScratch(WorkBudget& budget)
   if (!this->gathering_)
   {
     this->near_.rebuild(this->front_->near(), this->front_->way_u(), this->front_->margin_u());
-    this->margin_u_ = (this->front_->near().empty() ? 2.0 : marginGrowth) * this->front_->margin_u();
+    this->margin_u_ = (this->front_->near().empty() ? 2.0 : 1.0) * this->front_->margin_u();
   }
   return !this->gathering_;
 }
@@ -260,7 +259,7 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
     return budget.left() == 0 ? Advance::Spent : Advance::Blocked;
   }
   const ScrewStep taken{ this->pose_W_, share * found.planned.step.v_W, share * found.planned.step.w_W };
-  this->commit(taken, this->usefulShare(found.planned, taken, led.device_W));
+  this->commit(taken, this->usefulShare(found.planned, taken, led.device_W), share);
   if (this->idle_ >= idleSteps)
   {
     return Advance::Rests;
@@ -318,13 +317,14 @@ ToolContacts ToolMove::contacts() const
   return set;
 }
 
-void ToolMove::commit(const ScrewStep& step, double share)
+void ToolMove::commit(const ScrewStep& step, double share, double proven)
 {
   if (this->sink_ != nullptr)
   {
     this->sink_->step(step, share);
   }
   this->front_->moved(share * step.displacement_u(this->tool_.reach_u), share * step.w_W.norm());
+  this->near_.made(proven * share, this->front_->way_u());
   this->pose_W_ = step.end_W(share);
 }
 

@@ -92,7 +92,8 @@ private:
   [[nodiscard]] ProvenStep planProven(const Vec6& wish, WorkBudget& budget);
   [[nodiscard]] Advance advance(const Pose& device_W, WorkBudget& budget);
   [[nodiscard]] double usefulShare(const PlannedStep& planned, const ScrewStep& step, const Pose& device_W);
-  void commit(const ScrewStep& step, double share);
+  /// Makes a share of a step, which is the `proven` share of the one that was asked for last.
+  void commit(const ScrewStep& step, double share, double proven);
 
   ToolMesh tool_;
   std::shared_ptr<const BoxedMesh> scene_W_;

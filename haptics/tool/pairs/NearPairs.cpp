@@ -170,6 +170,20 @@ void NearPairs::setStep(const ScrewStep& step, double way_u)
   this->way_u_ = way_u;
 }
 
+void NearPairs::made(double share, double way_u) noexcept
+{
+  this->way_u_ = way_u;
+  const auto keep = [&](auto& pair)
+  {
+    if (pair.stepped.step == this->steps_)
+    {
+      this->learn(pair, pair.stepped.gap.at(share));
+    }
+  };
+  std::for_each(this->leaves_.begin(), this->leaves_.end(), keep);
+  std::for_each(this->triangles_.begin(), this->triangles_.end(), keep);
+}
+
 const NearPairs::UsedCorner& NearPairs::at(std::uint32_t corner) noexcept
 {
   UsedCorner& used = this->corners_[corner];

@@ -11,6 +11,13 @@
 namespace palpate
 {
 
+/// The gap of a pair along its plane over a step, until the tool has made that step.
+struct StepGap
+{
+  SpanGap gap;
+  std::uint64_t step = 0; ///< NearPairs' number of the step; 0: none
+};
+
 /// Two leaves that are near, with one plane of the scene between them if there is one.
 struct LeafPair
 {
@@ -19,6 +26,7 @@ struct LeafPair
   Vec3 n_W = Vec3::Zero();                        ///< zero: no plane is known
   double below_u = 0.0;                           ///< largest height of the scene's leaf along n
   double key_u = 0.0;                             ///< known gap, plus the path length of the tool at that time
+  StepGap stepped;                                ///< along its plane
   bool split = false;                             ///< its triangles are examined one by one
   bool featureless = false;                       ///< all flat, on both sides: no feature of it can touch
 };
@@ -30,6 +38,7 @@ struct NearTriangles
   std::array<std::uint32_t, 3> vertices{}; ///< the tool's, as numbers of the corners in use
   CachedPlane plane;
   double key_u = 0.0; ///< likewise
+  StepGap stepped;    ///< likewise
 };
 
 /// The near pairs, against which a step is proven. The tool's corners are posed once per step, for all pairs.
@@ -62,6 +71,16 @@ public:
   {
     pair.key_u = std::max(pair.key_u, this->way_u_ + gap_u);
   }
+  /// Notes the gap along a plane over the step.
+  template<class AnyPair>
+  void learn(AnyPair& pair, const SpanGap& gap) const noexcept
+  {
+    this->learn(pair, gap.from);
+    pair.stepped = { gap, this->steps_ };
+  }
+  /// The tool made this share of the step: gaps that planes showed are known at its new pose, `way_u` along its path.
+  /// Without this each pair would be as near as the motion is long, also one that slides along its plane.
+  void made(double share, double way_u) noexcept;
   /// The gap along the plane between two leaves over the whole step.
   [[nodiscard]] SpanGap gapOf(const LeafPair& pair) noexcept
   {

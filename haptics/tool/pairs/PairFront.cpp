@@ -10,7 +10,7 @@ namespace
 
 constexpr double touchingWithin = 16.0; // rest gaps
 /// Leaves, and twice those that touch. To make a list of thousands takes most of the work of an update.
-constexpr std::size_t mostNear = 700;
+constexpr std::size_t mostNear = 500;
 constexpr std::size_t mostGrowth = 4000;
 constexpr double soonReached = 4.0; // margins: a plane is kept for pairs that are no further away
 
