@@ -98,7 +98,8 @@ void pqHapticMechanismGroup::makeButtons()
   this->Break = pqHapticButton(this, "mechanismBreak", tr("Break"),
     tr("Break the chosen constraint, until the mechanism is held or touched anew or gets other constraints"));
   this->PutBack = pqHapticButton(this, "mechanismPutBack", tr("Put Back"),
-    tr("Put all bodies back where the scene file has them; broken constraints are whole again"));
+    tr("Put all bodies back where the scene file has them, and loose sources where their data are; broken constraints "
+       "are whole again"));
   this->Constraint = new QLineEdit(this);
   this->Constraint->setObjectName("mechanismConstraint");
   this->Constraint->setPlaceholderText(tr("{ \"name\": ..., \"kind\": ..., \"a\": ..., \"b\": ... }"));
@@ -192,10 +193,11 @@ void pqHapticMechanismGroup::refresh(vtkHapticSession* session)
     this->Chart->clear();
   }
   const bool chosen = held && !this->selected().isEmpty();
-  for (QWidget* const widget : QList<QWidget*>{ this->Table, this->Chart, this->Constraint, this->Add, this->PutBack })
+  for (QWidget* const widget : QList<QWidget*>{ this->Table, this->Chart, this->Constraint, this->Add })
   {
     widget->setVisible(held);
   }
+  this->PutBack->setVisible(held || (session && *session->GetLooseText() != '\0'));
   for (QPushButton* const button : { this->Remove, this->Break })
   {
     button->setVisible(held);
