@@ -128,8 +128,7 @@ const Setting settings[] = {
       "Sphere radius for the points of a cloud. 0: points are not touchable", 0.0, none, NextScene)),
   at({ .group = "scene" }, choice("SceneUnit", "Unit of lengths",
                              "Unit of the scene's lengths where the panel shows them, and for the mass of loose "
-                             "sources. Automatic: the unit of "
-                             "the files, and u where they have none",
+                             "sources. Automatic: the unit of the files, and u where they have none",
                              0, { "Automatic", "u", "um", "mm", "cm", "m" }, NextFrame)),
   at({ .group = "scene" }, count("ServerLimit", "", "Server whole up to",
                              "Fetch remote surfaces whole up to this many triangles. Of larger surfaces only the "
