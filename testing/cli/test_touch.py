@@ -99,7 +99,7 @@ class OnAPlane(CommandLineTest):
     def test_the_help_lists_its_options_in_groups(self):
         groups = re.split(r"^([A-Z][\w ]*):$", self.succeed("touch", "--help").stdout, flags=re.MULTILINE)
         options = dict(zip(map(str.capitalize, groups[1::2]), groups[2::2]))  # some releases of CLI11 write the first two in capitals
-        self.assertEqual(list(options), ["Positionals", "Options", "Input", "Contact", "Material", "Field", "Tool", "Soft body", "Mechanism", "Output"])
+        self.assertEqual(list(options), ["Positionals", "Options", "Input", "Contact", "Material", "Field", "Tool", "Loose body", "Soft body", "Mechanism", "Output"])
         for group, option in (("Input", "--path"), ("Contact", "--radius"), ("Material", "--mu-static"), ("Material", "--friction-array"),
                               ("Field", "--snap-reach"), ("Field", "--mode"), ("Tool", "--lever"), ("Soft body", "--poisson"),
                               ("Mechanism", "--torque-stiffness"), ("Output", "--csv")):

@@ -128,11 +128,8 @@ const Setting settings[] = {
       "Sphere radius for the points of a cloud. 0: points are not touchable", 0.0, none, NextScene)),
   at({ .group = "scene" }, choice("SceneUnit", "Unit of lengths",
                              "Unit of the scene's lengths where the panel shows them, and for the mass of loose "
-                             "sources. Automatic: the unit of "
-                             "the files, and u where they have none",
+                             "sources. Automatic: the unit of the files, and u where they have none",
                              0, { "Automatic", "u", "um", "mm", "cm", "m" }, NextFrame)),
-  at({ .group = "scene" }, { "Gravity", Number, "m/s2", "Gravity", "Acceleration of loose sources (world frame)",
-                             NextScene, { 0.0, 0.0, -9.81 }, {}, -100.0, 100.0 }),
   at({ .group = "scene" }, count("ServerLimit", "", "Server whole up to",
                              "Fetch remote surfaces whole up to this many triangles. Of larger surfaces only the "
                              "part around the hand is fetched, again up to this many",
@@ -203,6 +200,8 @@ const Setting settings[] = {
     { "WireTurn", Number, "deg", "Wire turned by",
       "Turn of a held wire about its sheath beside the hand's own rotation; reached at one turn in a second", NextTick,
       { 0.0 }, {}, -36000.0, 36000.0 }),
+  at({ .group = "mechanism" }, { "Gravity", Number, "m/s2", "Gravity", "Acceleration of loose sources (world frame)",
+                                 NextScene, { 0.0, 0.0, -9.81 }, {}, -100.0, 100.0 }),
   at({ .group = "soft" }, flag("ShowSoftHand", "Show its hand",
                             "Draw a grey ball at the hand position used by the last soft-body solve, next to the hand "
                             "and the proxy. For a mechanism: a ghost of the held body",

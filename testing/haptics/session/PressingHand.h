@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "devices/FedDevice.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/SessionWorkers.h"
 #include "testing/haptics/compliance/Blocks.h"
@@ -16,6 +17,15 @@ namespace palpate::test
 {
 
 inline constexpr double firm_N_per_m = 1e4, ball_m = 0.03;
+
+inline SurfaceInput surfaceOf(const std::string& name, const TriangleMesh& mesh, const Pose& pose_WS = {})
+{
+  SurfaceInput input;
+  input.name = name;
+  input.mesh = std::make_shared<const TriangleMesh>(mesh);
+  input.pose_WS = pose_WS;
+  return input;
+}
 
 inline SoftChoice padChoice()
 {

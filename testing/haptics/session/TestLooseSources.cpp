@@ -26,20 +26,11 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr double g_m_per_s2 = 9.81, stone_kg_per_m3 = 2500.0, tick_s = 1e-3;
+constexpr double g_m_per_s2 = 9.81, stone_kg_per_m3 = 2500.0, handTick_s = 1e-3;
 constexpr double fingertip_m = 0.005; ///< radius of the ball
 const Vec3 half_m(0.03, 0.02, 0.01);
 const double mass_kg = stone_kg_per_m3 * 8.0 * half_m.prod();
 const double weight_N = mass_kg * g_m_per_s2;
-
-SurfaceInput surfaceOf(const std::string& name, const TriangleMesh& mesh, const Pose& pose_WS = {})
-{
-  SurfaceInput input;
-  input.name = name;
-  input.mesh = std::make_shared<const TriangleMesh>(mesh);
-  input.pose_WS = pose_WS;
-  return input;
-}
 
 SurfaceInput floorInput()
 {
@@ -177,7 +168,7 @@ double pushed_N(FreeHand& hand, double acceleration)
   double sum_N = 0.0;
   for (int i = 1; i <= ticks; ++i)
   {
-    const double t = tick_s * i;
+    const double t = handTick_s * i;
     const Vec3 force_N = hand.at(Vec3(from_m + 0.5 * acceleration * t * t, 0.0, half_m.z())).force_W;
     sum_N -= i > ticks - last ? force_N.x() : 0.0;
   }
@@ -470,7 +461,7 @@ PathInputs ballAmongStones(double friction)
   const double from_m = -half_m.x() - fingertip_m - 1e-3;
   for (int i = 0; i < pathTicks; ++i)
   {
-    inputs.path.push_back({ tick_s * i, { Vec3(from_m + pathStep_m * i, 0, half_m.z()), Quat::Identity() } });
+    inputs.path.push_back({ handTick_s * i, { Vec3(from_m + pathStep_m * i, 0, half_m.z()), Quat::Identity() } });
   }
   return inputs;
 }

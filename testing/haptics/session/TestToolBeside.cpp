@@ -29,15 +29,6 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-SurfaceInput surfaceOf(const std::string& name, const TriangleMesh& mesh, const Pose& pose_WS = {})
-{
-  SurfaceInput input;
-  input.name = name;
-  input.mesh = std::make_shared<const TriangleMesh>(mesh);
-  input.pose_WS = pose_WS;
-  return input;
-}
-
 /// The block's own surface and others.
 std::shared_ptr<const Scene> besideBlock(std::vector<SurfaceInput> others, unsigned workers = 1)
 {

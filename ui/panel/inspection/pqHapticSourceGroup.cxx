@@ -59,17 +59,16 @@ void Show(QDoubleSpinBox* box, double value)
 pqHapticSourceGroup::pqHapticSourceGroup(QWidget* parent) : Superclass(tr("Active source"), "source", parent)
 {
   this->Source = this->addText("sourceName", tr("Active source of the pipeline browser"));
-  this->Touched = new QCheckBox(tr("Touch this source"), this);
+  this->Touched = new QCheckBox(tr("Touched as"), this);
   this->Touched->setObjectName("sourceTouched");
   this->Touched->setToolTip(tr("Off: the source is visible but not touchable"));
-  this->Form->addRow(this->Touched);
   this->Kind = new QComboBox(this);
   this->Kind->setObjectName("sourceKind");
   this->Kind->addItems({ tr("Fixed"), tr("Loose"), tr("Soft") });
   this->Kind->setToolTip(
     tr("Fixed: a part of the scene. Loose: a rigid body with mass, which falls and is pushed. Soft: "
        "the soft body of the page Tissue"));
-  this->Form->addRow(tr("Touched as"), this->Kind);
+  this->Form->addRow(this->Touched, this->Kind);
   this->Density = this->addNumber(
     "sourceDensity", tr("Its density"), tr("Density of a loose source; with the volume of its surface, its mass"));
   this->Density->setSuffix(" kg/m\u00b3");
@@ -125,7 +124,8 @@ void pqHapticSourceGroup::refresh(vtkHapticSession* session)
   const bool soft = name == session->GetSettingText("SoftSource");
   const QSignalBlocker nothingWasChosen(this->Kind);
   this->Kind->setCurrentIndex(density > 0.0 ? Kinds::Loose : soft ? Kinds::Soft : Kinds::Fixed);
-  this->Density->setEnabled(density > 0.0);
+  this->Density->setVisible(density > 0.0); // the page fits its place
+  this->Form->labelForField(this->Density)->setVisible(density > 0.0);
   Show(this->Density, density > 0.0 ? density : densityOfWater);
   pqHapticSay(this->Loose, QString::fromUtf8(session->GetLooseText()).trimmed());
   double material[3];

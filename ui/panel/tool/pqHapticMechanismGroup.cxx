@@ -202,10 +202,11 @@ void pqHapticMechanismGroup::refresh(vtkHapticSession* session)
   {
     this->Chart->clear();
   }
-  this->show(held, held && session->GetMechanism()->GetIsWire());
+  this->showRows(held, held && session->GetMechanism()->GetIsWire());
+  this->PutBack->setVisible(held || (session && *session->GetLooseText() != '\0'));
 }
 
-void pqHapticMechanismGroup::show(bool held, bool wire)
+void pqHapticMechanismGroup::showRows(bool held, bool wire)
 {
   const QList<QWidget*> ofConstraints{ this->Table, this->Constraint, this->Add, this->Remove, this->Break };
   for (QWidget* const widget : ofConstraints)
@@ -213,12 +214,12 @@ void pqHapticMechanismGroup::show(bool held, bool wire)
     widget->setVisible(held && !wire);
   }
   this->Chart->setVisible(held);
-  this->PutBack->setVisible(held);
+  this->Regrip->setVisible(wire);
   this->PutBack->setText(wire ? tr("Pull Out") : tr("Put Back"));
   this->PutBack->setToolTip(wire
       ? tr("Pull the wire out of the vessel, back to the length with which it begins")
-      : tr("Put all bodies back where the scene file has them; broken constraints are whole again"));
-  this->Regrip->setVisible(wire);
+      : tr("Put all bodies back where the scene file has them, and loose sources where their data are; broken "
+           "constraints are whole again"));
   for (QPushButton* const button : { this->Remove, this->Break })
   {
     button->setEnabled(held && !this->selected().isEmpty());

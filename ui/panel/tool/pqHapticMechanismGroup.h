@@ -32,7 +32,7 @@ private:
   void putBack();
   QString selected() const;
   void fill(vtkHapticSession& session);
-  void show(bool held, bool wire);
+  void showRows(bool held, bool wire);
 
   QPushButton *Add, *Remove, *Break, *PutBack, *Regrip;
   QLineEdit* Constraint;
