@@ -83,7 +83,7 @@ TEST(WireTip, PushedAndPulledAt100MillimetresASecondItFeelsTheFrictionOfAKinkedB
 /// Beams that are nearly as long as the tip: behind the mouth such a tip once turned out of the vessel.
 TEST(WireTip, TurnedInATubeAndPulledItIsAsStrongAsItsFrictionAndComesFree)
 {
-  for (const auto& [length_mm, beams] : { std::pair(100.0, 16), std::pair(200.0, 32) })
+  for (const auto& [length_mm, beams] : { std::pair(100.0, 16), std::pair(200.0, 32), std::pair(200.0, 24) })
   {
     PushedWire wire(bentWire(length_mm, beams), Tube{ .first_mm = 60.0, .around = 24, .ring_mm = 2.0 }.mesh());
     wire.turning_Nmm_per_rad = 0.5;
