@@ -81,10 +81,10 @@ private:
   int taken_ = 0;
 };
 
-/// Sweeps, then Newton steps from there for as long as they help. Stops early when the budget is used up. The forces are
-/// those of the least residual among the Newton steps.
-double solveRound(FrictionSteps& steps, const Search& search, const Round& round, FrictionScratch& room,
-  ContactForces& forces) noexcept
+/// Sweeps, then Newton steps from there for as long as they help. Stops early when the budget is used up. The forces
+/// are those of the least residual among the Newton steps.
+double solveRound(
+  FrictionSteps& steps, const Search& search, const Round& round, FrictionScratch& room, ContactForces& forces) noexcept
 {
   steps.aimBy(round.share);
   steps.move(*round.from);
@@ -146,8 +146,7 @@ Round nextRound(int number, int count, FrictionScratch& room, const ContactForce
 
 /// Contacts in a row begin with the exact normal forces under the present tangential ones, then without those; so they
 /// do again with another share, and then with sweeps from the best forces.
-Round nextRoundInARow(
-  int number, const ContactProblem& problem, FrictionScratch& room, std::uint32_t& work) noexcept
+Round nextRoundInARow(int number, const ContactProblem& problem, FrictionScratch& room, std::uint32_t& work) noexcept
 {
   constexpr int fromNormal = 4;
   const double share = inARowShares[static_cast<std::size_t>(number)];

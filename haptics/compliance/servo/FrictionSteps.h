@@ -79,8 +79,8 @@ public:
     return this->room_.residual.size() > 0 ? this->room_.residual.lpNorm<Eigen::Infinity>() : 0.0;
   }
 
-  /// One Newton step: the longest part of it, by halves, whose residual is below `most`. Without one it is not taken and
-  /// the answer is false; but where `most` is above the present residual the best part is. room.moved and
+  /// One Newton step: the longest part of it, by halves, whose residual is below `most`. Without one it is not taken
+  /// and the answer is false; but where `most` is above the present residual the best part is. room.moved and
   /// room.residual belong to f.
   [[nodiscard]] bool newton(ContactProblem::Numbers& f, double& residual, double most) noexcept
   {

@@ -29,8 +29,7 @@ double shareOf(const Wire& wire, const WireVector& motion) noexcept
 /// Projection across a wire at a node: across the chord between its neighbours.
 Mat3 acrossWire(const Wire& wire, const WirePlaces& places_W, int node) noexcept
 {
-  const Vec3 along_W =
-    (places_W[std::min(node + 1, wire.count)].p - places_W[std::max(node - 1, 0)].p).normalized();
+  const Vec3 along_W = (places_W[std::min(node + 1, wire.count)].p - places_W[std::max(node - 1, 0)].p).normalized();
   return Mat3::Identity() - along_W * along_W.transpose();
 }
 

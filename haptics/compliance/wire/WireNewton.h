@@ -13,7 +13,7 @@ namespace palpate
 /// world's x axis.
 struct WireRing
 {
-  int beam = -1; ///< none
+  int beam = -1;      ///< none
   double share = 0.0; ///< of the second node
   double hold_N_per_u = 0.0;
 };
@@ -54,7 +54,8 @@ class WireNewton
 {
 public:
   /// Balance and stiffness of the wire there, and its factor. Where the stiffness is not positive definite, as beyond a
-  /// wire's buckling, drag across it is added until it is; `firm` says whether none was needed. False: no drag was enough.
+  /// wire's buckling, drag across it is added until it is; `firm` says whether none was needed. False: no drag was
+  /// enough.
   [[nodiscard]] bool linearise(const Wire& wire, const WirePlaces& places_W, const WireLoads& loads) noexcept;
   [[nodiscard]] bool firm() const noexcept { return this->firm_; }
   /// How many factors that took.

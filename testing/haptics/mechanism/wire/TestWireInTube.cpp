@@ -213,8 +213,8 @@ TEST(WireInTube, WithFrictionForcesLieInTheirConesAndTheHandFeelsTheirSum)
     EXPECT_LE(press.axes_N.tail<2>().norm(), 0.1 * press.axes_N.x() * (1.0 + 1e-9));
     EXPECT_NEAR(press.axes_N.norm(), press.force_M.norm(), 1e-12);
   }
-  EXPECT_NEAR(result.wrench_W.force.x(), wallOf_N(result).x(), 1e-5);
-  EXPECT_LE(result.deepest_u, 1e-5);
+  EXPECT_NEAR(result.wrench_W.force.x(), wallOf_N(result).x(), 1e-9); // stuck contacts creep by their own compliance
+  EXPECT_LE(result.deepest_u, 1e-6);
 }
 
 TEST(WireInTube, AtRestItIsNotInTheWallAndTheHandFeelsWhatTheWallPresses)
@@ -224,7 +224,7 @@ TEST(WireInTube, AtRestItIsNotInTheWallAndTheHandFeelsWhatTheWallPresses)
   const Vec3 wall_N = wallOf_N(result);
   EXPECT_GT(result.pressCount, 3);
   EXPECT_LT(wall_N.x(), -0.05);
-  EXPECT_NEAR(result.wrench_W.force.x(), wall_N.x(), 1e-5 * std::abs(wall_N.x()));
+  EXPECT_NEAR(result.wrench_W.force.x(), wall_N.x(), 1e-12);
   EXPECT_EQ(result.wrench_W.force.tail<2>().norm(), 0.0);
   EXPECT_LE(result.deepest_u, 1e-6);
   EXPECT_GE(nearestWall_mm(*wire.planned.plan, wire.ticks.state()), 0.25 - 1e-6);

@@ -15,12 +15,12 @@ namespace palpate::test
 namespace
 {
 
-constexpr double way_mm = 0.1; // a tick: .1 m/s
-constexpr double friction = 0.1, tip_mm = 8.0;
+constexpr double step_mm = 0.1; // a tick: .1 m/s
+constexpr double tipFriction = 0.1, tip_mm = 8.0;
 
-WireDescription bentWire(double length_mm, int beams)
+WireDescription bentWire(double whole_mm, int beams)
 {
-  WireDescription wire = nitinolWire(length_mm, beams, friction);
+  WireDescription wire = nitinolWire(whole_mm, beams, tipFriction);
   wire.shape.tip = WireTip::Angled;
   wire.shape.tip_u = tip_mm;
   return wire;
@@ -48,30 +48,30 @@ struct KinkedBeam
   }
 };
 
-constexpr double radius_mm = 0.25;
+constexpr double wireRadius_mm = 0.25;
 
-double walls_N()
+double kinkWalls_N()
 {
-  const double bend_Nmm2 = roundSection(radius_mm, 60e3, 0.3).bend_Nu2;
-  return KinkedBeam{ bend_Nmm2, 1.0 - radius_mm, tip_mm, 0.25 * std::numbers::pi }.walls_N();
+  const double bend_Nmm2 = roundSection(wireRadius_mm, 60e3, 0.3).bend_Nu2;
+  return KinkedBeam{ bend_Nmm2, 1.0 - wireRadius_mm, tip_mm, 0.25 * std::numbers::pi }.walls_N();
 }
 
 TEST(WireTip, PushedAndPulledAt100MillimetresASecondItFeelsTheFrictionOfAKinkedBeamAndNoDrag)
 {
-  const double friction_N = friction * walls_N();
-  for (const auto& [length_mm, beams] : { std::pair(100.0, 25), std::pair(96.0, 48) })
+  const double friction_N = tipFriction * kinkWalls_N();
+  for (const auto& [whole_mm, beams] : { std::pair(100.0, 25), std::pair(96.0, 48) })
   {
-    PushedWire wire(bentWire(length_mm, beams), Tube{ .first_mm = 100.0, .around = 64, .ring_mm = 2.0 }.mesh());
+    PushedWire wire(bentWire(whole_mm, beams), Tube{ .first_mm = 100.0, .around = 64, .ring_mm = 2.0 }.mesh());
     double sum_N = 0.0, pulled_N = 0.0;
     constexpr int pushed = 450, last = 50;
     for (int i = 0; i < pushed; ++i)
     {
-      const double force_N = -wire.tick(way_mm * i).wrench_W.force.x();
+      const double force_N = -wire.tick(step_mm * i).wrench_W.force.x();
       sum_N += i < pushed - last ? 0.0 : force_N;
     }
     for (int i = 0; i < 2 * last; ++i)
     {
-      const double force_N = wire.tick(way_mm * (pushed - i)).wrench_W.force.x();
+      const double force_N = wire.tick(step_mm * (pushed - i)).wrench_W.force.x();
       pulled_N += i < last ? 0.0 : force_N;
     }
     EXPECT_NEAR(sum_N / last, friction_N, 0.06 * friction_N) << beams;
@@ -83,9 +83,9 @@ TEST(WireTip, PushedAndPulledAt100MillimetresASecondItFeelsTheFrictionOfAKinkedB
 /// Beams that are nearly as long as the tip: behind the mouth such a tip once turned out of the vessel.
 TEST(WireTip, TurnedInATubeAndPulledItIsAsStrongAsItsFrictionAndComesFree)
 {
-  for (const auto& [length_mm, beams] : { std::pair(100.0, 16), std::pair(200.0, 32) })
+  for (const auto& [whole_mm, beams] : { std::pair(100.0, 16), std::pair(200.0, 32), std::pair(200.0, 24) })
   {
-    PushedWire wire(bentWire(length_mm, beams), Tube{ .first_mm = 60.0, .around = 24, .ring_mm = 2.0 }.mesh());
+    PushedWire wire(bentWire(whole_mm, beams), Tube{ .first_mm = 60.0, .around = 24, .ring_mm = 2.0 }.mesh());
     wire.turning_Nmm_per_rad = 0.5;
     wire.budget = ContactPlan().workBudget;
     constexpr double deep_mm = 25.0; // from there on all three places are out of the sheath
@@ -112,15 +112,15 @@ TEST(WireTip, TurnedInATubeAndPulledItIsAsStrongAsItsFrictionAndComesFree)
     for (int i = 0; i <= pushed + turned + pulled; ++i)
     {
       const int out = std::min(i, pushed) - std::max(i - pushed - turned, 0);
-      see(wire.tick(way_mm * out, turn_rad * std::clamp(i - pushed, 0, turned)));
+      see(wire.tick(step_mm * out, turn_rad * std::clamp(i - pushed, 0, turned)));
     }
-    EXPECT_GT(most_N, 0.5 * friction * walls_N()) << beams;
-    EXPECT_LE(most_N, friction * walls_N()) << beams;
+    EXPECT_GT(most_N, 0.5 * tipFriction * kinkWalls_N()) << beams;
+    EXPECT_LE(most_N, tipFriction * kinkWalls_N()) << beams;
     EXPECT_LE(off_N, 0.01) << "the sheath neither pushes nor brakes";
     EXPECT_LE(notAtRest, (pushed + turned + pulled) / 50);
-    EXPECT_LE(far_mm, 1.0 - radius_mm) << "the tube is round, and its walls lie within";
+    EXPECT_LE(far_mm, 1.0 - wireRadius_mm) << "the tube is round, and its walls lie within";
     EXPECT_EQ(wire.ticks.state().pressCount, 0);
-    EXPECT_LE(wire.tick(-way_mm * (pulled - pushed)).wrench_W.force.norm(), 1e-9);
+    EXPECT_LE(wire.tick(-step_mm * (pulled - pushed)).wrench_W.force.norm(), 1e-9);
   }
 }
 
