@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/core/PoseMath.h"
 #include "testing/support/Meshes.h"
+#include "haptics/core/PoseMath.h"
 
 #include <cmath>
 #include <limits>

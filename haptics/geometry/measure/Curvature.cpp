@@ -78,7 +78,8 @@ std::optional<Eigen::Matrix<double, unknowns, 1>> fit(const std::vector<Vec3>& l
   return solver.solve(heights);
 }
 
-/// From the first and second fundamental form of the quadric over the origin, the second along two orthonormal tangents.
+/// From the first and second fundamental form of the quadric over the origin, the second along two orthonormal
+/// tangents.
 Curvature curvatureOf(const Eigen::Matrix<double, unknowns, 1>& k, double unit_u)
 {
   const double d = k[3], e = k[4], along2 = 1.0 + d * d, w2 = along2 + e * e;

@@ -77,8 +77,7 @@ TEST(IsoProxy, OnALinearFieldIsTheFootOfTheHandToATrillionthInTheSameTick)
     for (int i = 0; i < 50; ++i)
     {
       // The foot within a ball of 9 spacings around the middle: inside of the grid, whatever the plane's direction.
-      const Vec3 across =
-        shortestTurn(Vec3::UnitZ(), n) * Vec3(random.uniform(-4, 4), random.uniform(-4, 4), 0);
+      const Vec3 across = shortestTurn(Vec3::UnitZ(), n) * Vec3(random.uniform(-4, 4), random.uniform(-4, 4), 0);
       const Vec3 foot = through + across, p = foot - side * random.uniform(0.01, 4.0) * n;
       const IsoResult result = hand.to(p);
       EXPECT_LT((hand.x() - foot).norm(), 1e-12);

@@ -24,7 +24,8 @@ TEST(ShortestTurn, LeadsFromOneDirectionToTheOtherByTheAngleBetweenThem)
   Random random(testSeed(31));
   for (std::size_t i = 0; i < testCount(2000); ++i)
   {
-    const Vec3 from = random.uniform(0.1, 10.0) * random.direction(), to = random.uniform(0.1, 10.0) * random.direction();
+    const Vec3 from = random.uniform(0.1, 10.0) * random.direction(),
+               to = random.uniform(0.1, 10.0) * random.direction();
     const Quat turn = shortestTurn(from, to);
     EXPECT_NEAR(turn.norm(), 1.0, 4e-15);
     EXPECT_LT(angleBetween(turn * from, to), 1e-13);

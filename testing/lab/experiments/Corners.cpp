@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rows 11, 12 and 13: concave corners in one tick, valleys that are almost flat, wedges.
-#include "haptics/core/PoseMath.h"
 #include "testing/support/Corners.h"
+#include "haptics/core/PoseMath.h"
 
 #include <algorithm>
 #include <cmath>

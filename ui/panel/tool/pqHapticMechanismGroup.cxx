@@ -216,10 +216,10 @@ void pqHapticMechanismGroup::showRows(bool held, bool wire)
   this->Chart->setVisible(held);
   this->Regrip->setVisible(wire);
   this->PutBack->setText(wire ? tr("Pull Out") : tr("Put Back"));
-  this->PutBack->setToolTip(wire
-      ? tr("Pull the wire out of the vessel, back to the length with which it begins")
-      : tr("Put all bodies back where the scene file has them, and loose sources where their data are; broken "
-           "constraints are whole again"));
+  this->PutBack->setToolTip(
+    wire ? tr("Pull the wire out of the vessel, back to the length with which it begins")
+         : tr("Put all bodies back where the scene file has them, and loose sources where their data are; broken "
+              "constraints are whole again"));
   for (QPushButton* const button : { this->Remove, this->Break })
   {
     button->setEnabled(held && !this->selected().isEmpty());
@@ -228,7 +228,6 @@ void pqHapticMechanismGroup::showRows(bool held, bool wire)
 
 QList<QWidget*> pqHapticMechanismGroup::fields() const
 {
-  return this->settings() +
-         QList<QWidget*>{
-           this->Table, this->Remove, this->Break, this->Regrip, this->PutBack, this->Constraint, this->Add };
+  return this->settings() + QList<QWidget*>{ this->Table, this->Remove, this->Break, this->Regrip, this->PutBack,
+    this->Constraint, this->Add };
 }
