@@ -237,5 +237,30 @@ TEST(WireStatics, AStepAllocatesNothingAndIsBoundedAndTheSameRunHasTheSameBits)
   EXPECT_EQ(std::memcmp(once.places_W.data(), again.places_W.data(), sizeof(WirePlaces)), 0);
 }
 
+/// A wire askew to the axis that its end is held along, pushed together far beyond buckling.
+TEST(WireStatics, WhereDragIsAddedAMotionThatIsHeldStaysHeld)
+{
+  constexpr int beams = 20;
+  std::vector<Vec3> points;
+  for (const Vec3& p : straightPoints(beams, 1.0))
+  {
+    points.push_back(Eigen::AngleAxisd(0.7, Vec3::UnitZ()) * p);
+  }
+  WireRig rig(points, thinSection());
+  rig.loads.held[0] = WireLoads::clamped;
+  rig.loads.held[beams] = 0b000001;
+  rig.loads.force[beams].head<3>() = Vec3(1.0, 2.0, 3.0);
+  for (Pose& pose : rig.places_W)
+  {
+    pose.p *= 0.99;
+  }
+  ASSERT_TRUE(rig.newton->linearise(rig.wire, rig.places_W, rig.loads));
+  ASSERT_FALSE(rig.newton->firm());
+  WireVector motion;
+  rig.newton->step(motion);
+  EXPECT_EQ(motion[beams][0], 0.0);
+  EXPECT_GT(motion[beams].norm(), 0.0);
+}
+
 } // namespace
 } // namespace palpate::test
