@@ -93,10 +93,12 @@ std::shared_ptr<const palpate::PlannedWire> vtkHapticReadWire(
 std::vector<std::string> vtkHapticWireText(const palpate::WireCheck& check)
 {
   std::ostringstream beams, bends, mouth, cost;
+  bends.precision(3);
+  mouth.precision(3);
   beams << check.beams << " beams, at most " << check.contacts << " contacts at once";
-  bends << "it follows bends of a radius of " << check.tightest_u << " and more: of three beams";
-  mouth << "at the mouth " << check.clearance_u << " are free around it";
-  cost << "a tick takes two steps of " << check.work << " units of work without contacts, at most";
+  bends << "follows bends of a radius of at least " << check.tightest_u << " u, the length of three beams";
+  mouth << "clearance at the mouth " << check.clearance_u << " u";
+  cost << "a tick takes at most two steps of " << check.work << " units of work without contacts";
   std::vector<std::string> lines{ beams.str(), bends.str(), mouth.str(), cost.str() };
   lines.insert(lines.end(), check.remarks.begin(), check.remarks.end());
   return lines;

@@ -105,7 +105,8 @@ void judgeMouth(const WirePlan& plan, WireCheck& check)
   }
   if (!isClosed(*plan.vessel))
   {
-    check.remarks.emplace_back("The vessel is open: a wire may leave it there, and its side is where the mouth is.");
+    check.remarks.emplace_back(
+      "the vessel is open: the wire may leave it there, and stays on the side of the mouth elsewhere");
   }
   else if (sideOf(*plan.vessel, Vec3::Zero()) != PointSide::Inside)
   {

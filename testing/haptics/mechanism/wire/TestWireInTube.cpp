@@ -430,7 +430,7 @@ TEST(WireInTube, WhatCannotBeIsOneSentence)
   EXPECT_THAT(faultOf(nitinolWire(60.0, 20, 0.1), TriangleMesh{}), HasSubstr("vessel"));
   const PlannedWire open = planWire(nitinolWire(60.0, 20, 0.1), tube, 1);
   ASSERT_NE(open.plan, nullptr);
-  EXPECT_THAT(open.check.remarks.front(), HasSubstr("The vessel is open"));
+  EXPECT_THAT(open.check.remarks.front(), HasSubstr("the vessel is open"));
   EXPECT_NEAR(open.check.clearance_u, std::cos(std::numbers::pi / 32.0) - 0.25, 1e-3);
 }
 
