@@ -193,37 +193,57 @@ private:
     return nodeAway_u;
   }
 
+  /// Those of the least bounds first, so that most of the others are too far away.
   void lookBetween(double& away_u) noexcept
   {
-    const BeamPlace& b = this->beam_;
-    const double pressing_u = b.radius_u * (1.0 + 2.0 * almost);
-    WireContact& nearest = this->nearest_.between[0];
-    for (int i = 0; i < this->near_.count; ++i)
+    const auto begin = this->near_.all.begin(), end = begin + this->near_.count;
+    double least_u = std::numeric_limits<double>::infinity();
+    std::for_each(begin, end, [&](const BeamTriangle& t) { least_u = std::min(least_u, t.away_u); });
+    const double soon_u = least_u + almost * this->beam_.radius_u;
+    for (const bool soon : { true, false })
     {
-      const BeamTriangle& t = this->near_.all[i];
-      const double enough_u = std::max(std::min(this->needed_u_, nearest.gap_u + b.radius_u), pressing_u);
-      if (t.away_u > enough_u || beyondPlane(b.first_M, b.second_M, t.corner_M[0], *t.normal_M) > enough_u)
+      for (auto t = begin; t != end; ++t)
+      {
+        if ((t->away_u <= soon_u) == soon && this->mayCount(*t))
+        {
+          this->lookAtEdges(*t, away_u);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] double pressing_u() const noexcept { return this->beam_.radius_u * (1.0 + 2.0 * almost); }
+
+  /// Whether an edge can be the nearest one, or nearly touch the wire.
+  [[nodiscard]] bool mayCount(const BeamTriangle& t) const noexcept
+  {
+    const BeamPlace& b = this->beam_;
+    const double nearest_u = std::min(this->needed_u_, this->nearest_.between[0].gap_u + b.radius_u);
+    const double most_u = std::max(nearest_u, this->pressing_u());
+    return t.away_u <= most_u && beyondPlane(b.first_M, b.second_M, t.corner_M[0], *t.normal_M) <= most_u;
+  }
+
+  void lookAtEdges(const BeamTriangle& t, double& away_u) noexcept
+  {
+    const BeamPlace& b = this->beam_;
+    WireContact& nearest = this->nearest_.between[0];
+    ++this->looked_;
+    for (int k = 0; k < 3; ++k)
+    {
+      const SegmentPair pair = nearestOfSegments(b.first_M, b.second_M, t.corner_M[k], t.corner_M[(k + 1) % 3]);
+      away_u = std::min(away_u, pair.away_u);
+      if (!(pair.along > inside && pair.along < 1.0 - inside))
       {
         continue;
       }
-      ++this->looked_;
-      for (int k = 0; k < 3; ++k)
+      if (pair.away_u - b.radius_u <= nearest.gap_u)
       {
-        const SegmentPair pair = nearestOfSegments(b.first_M, b.second_M, t.corner_M[k], t.corner_M[(k + 1) % 3]);
-        away_u = std::min(away_u, pair.away_u);
-        if (!(pair.along > inside && pair.along < 1.0 - inside))
-        {
-          continue;
-        }
-        if (pair.away_u - b.radius_u <= nearest.gap_u)
-        {
-          const WireContact between = this->betweenAt(pair);
-          nearest = isNearer(between, nearest) ? between : nearest;
-        }
-        if (pair.away_u <= pressing_u)
-        {
-          this->room_.between[this->room_.betweens++] = pair;
-        }
+        const WireContact between = this->betweenAt(pair);
+        nearest = isNearer(between, nearest) ? between : nearest;
+      }
+      if (pair.away_u <= this->pressing_u())
+      {
+        this->room_.between[this->room_.betweens++] = pair;
       }
     }
   }

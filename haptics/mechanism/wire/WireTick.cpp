@@ -151,6 +151,7 @@ private:
   {
     const WireContacts& near = this->room_.near;
     this->result_.queries += near.queries;
+    this->result_.looked += near.looked;
     this->result_.crowded = std::max(this->result_.crowded, near.crowded);
     for (int b = 0; b < this->plan_.wire.count && first; ++b)
     {
