@@ -184,7 +184,8 @@ private:
       const WireContact end = this->endAt(wall_M);
       nodeAway_u = std::min(nodeAway_u, (wall_M - second_M).norm());
       away_u = std::min(away_u, end.gap_u + this->beam_.radius_u);
-      if (end.gap_u <= this->beam_.reach_u || this->isWithin(t))
+      const bool counts = end.gap_u <= this->beam_.reach_u + almost * this->beam_.radius_u;
+      if (end.gap_u <= this->beam_.reach_u || (counts && this->isWithin(t)))
       {
         this->room_.end[this->room_.ends++] = end;
         this->nearest_.end[0] = isNearer(end, this->nearest_.end[0]) ? end : this->nearest_.end[0];

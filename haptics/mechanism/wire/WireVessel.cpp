@@ -46,6 +46,17 @@ double awayFromEdge2(const Vec3& a, const Vec3& b) noexcept
   return (a + share * edge).squaredNorm();
 }
 
+/// Whether a place of the ball around the box may be so near to the line.
+bool mayBeNear(const Line& line, const Box& box, double reach_u) noexcept
+{
+  const Vec3 there = 0.5 * (box.low_W + box.high_W) - line.from_M;
+  const double ball_u = 0.5 * (box.high_W - box.low_W).norm();
+  const double along_u = line.along_M.dot(there);
+  const double least_u = reach_u + ball_u;
+  return (there - along_u * line.along_M).squaredNorm() <= least_u * least_u && along_u >= line.low_u - ball_u &&
+         along_u <= line.high_u + ball_u;
+}
+
 /// Distance of a triangle from the whole line, and its interval along it.
 LineBounds boundsOf(const Line& line, const std::array<Vec3, 3>& corner) noexcept
 {
@@ -175,7 +186,8 @@ void WireVessel::askAroundLine(
   const Box box = boxAround(
     axis.first_M - on_u * around.along_M, axis.second_M + on_u * around.along_M, around.all_u);
   forEachMeeting(
-    vessel, [&box](const Box& other) { return overlap(box, other); }, visit);
+    vessel,
+    [&](const Box& other) { return overlap(box, other) && mayBeNear(line, other, around.all_u); }, visit);
 }
 
 bool WireVessel::gatherFromLine(
