@@ -45,7 +45,11 @@ WireContact contactAt(int beam, double share, const Vec3& axis_M, const Vec3& wa
 /// Whether a candidate is nearer; ties go to the smaller place, so that an order of visits does not matter.
 bool isNearer(const WireContact& a, const WireContact& b) noexcept
 {
-  const auto key = [](const WireContact& c) { return std::array{ c.at_M.x(), c.at_M.y(), c.at_M.z(), c.share }; };
+  const auto key = [](const WireContact& c)
+  {
+    const Vec3 &at = c.at_M, &n = c.normal_M;
+    return std::array{ at.x(), at.y(), at.z(), c.share, n.x(), n.y(), n.z() };
+  };
   return a.gap_u != b.gap_u ? a.gap_u < b.gap_u : key(a) < key(b);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contacts of a wire from lists that are kept, against a search that keeps nothing and looks at every triangle.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -12,6 +14,7 @@
 #include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/mechanism/wire/SegmentDistance.h"
 #include "haptics/mechanism/wire/WireVessel.h"
+#include "testing/support/Random.h"
 #include "testing/support/WireTube.h"
 
 namespace palpate::test
@@ -25,7 +28,8 @@ constexpr double oneWall = 0.99996, nearly = 0.02, bulge = 1e-6, atNode = 1e-3;
 
 auto orderOf(const WireContact& c)
 {
-  return std::tuple(c.gap_u, c.at_M.x(), c.at_M.y(), c.at_M.z(), c.share);
+  const Vec3& n = c.normal_M;
+  return std::tuple(c.gap_u, c.at_M.x(), c.at_M.y(), c.at_M.z(), c.share, n.x(), n.y(), n.z());
 }
 
 auto bitsOf(const WireContact& c)
@@ -215,6 +219,58 @@ TEST(WireVessel, OfPlacesThatAreAllAsNearItTakesTheSmallestOne)
   kept->find(*wire.planned.plan, places_M, 0.55, *found);
   EXPECT_GT(found->count, 5);
   ASSERT_NO_FATAL_FAILURE(expectBitsOfPlain(*wire.planned.plan, places_M, 0.55, *found));
+}
+
+/// Nodes at random in the part of a straight tube of flat walls where no beam goes through one.
+struct RandomNodes
+{
+  const Tube& tube;
+  Random& random;
+  double along_mm = 0.0;
+  std::array<Vec3, 6> off{};
+
+  WirePlaces move()
+  {
+    const double most_mm = 0.99 * this->tube.radius_mm * std::cos(std::numbers::pi / this->tube.around);
+    const bool jump = this->random.below(8) == 0;
+    const double last_mm = this->tube.first_mm - 1e-3;
+    this->along_mm = std::clamp(this->along_mm + this->random.uniform(-0.4, 0.7), -9.0, last_mm - 20.0);
+    WirePlaces places_M{};
+    for (int i = 0; i <= 5; ++i)
+    {
+      Vec3& o = this->off[i];
+      o = jump ? Vec3(2.0 * most_mm * this->random.direction()) : Vec3(o + this->random.inCube(0.02));
+      o.x() = 0.0;
+      o *= std::min(1.0, most_mm / std::max(o.norm(), 1e-9));
+      places_M[i].p = Vec3(this->along_mm + 4.0 * i, o.y(), o.z());
+    }
+    return places_M;
+  }
+};
+
+TEST(WireVessel, ForNodesAtRandomInStraightTubesItsContactsAreThoseOfAllTriangles)
+{
+  Random random(testSeed(41));
+  const auto found = std::make_unique<WireContacts>();
+  const auto kept = std::make_unique<WireVessel>();
+  int contacts = 0;
+  for (std::size_t k = 0; k < testCount(60); ++k)
+  {
+    const Tube tube{ .radius_mm = k % 2 == 0 ? 1.0 : 4.0, .first_mm = 14.0, .blind = true,
+      .around = 4 + static_cast<int>(random.below(9)), .ring_mm = k % 3 == 0 ? 19.0 : 1.0 };
+    const PushedWire wire(nitinolWire(20.0, 5, 0.0), tube.mesh());
+    RandomNodes nodes{ tube, random };
+    kept->forget();
+    for (int i = 0; i < 60; ++i)
+    {
+      const WirePlaces places_M = nodes.move();
+      const double reach_mm = random.uniform(0.1, 0.4);
+      kept->find(*wire.planned.plan, places_M, reach_mm, *found);
+      ASSERT_NO_FATAL_FAILURE(expectBitsOfPlain(*wire.planned.plan, places_M, reach_mm, *found)) << k << " " << i;
+      contacts += found->count;
+    }
+  }
+  EXPECT_GT(contacts, 1000);
 }
 
 /// A wire of 64 beams that slides through a bend of 19,000 triangles.
