@@ -145,8 +145,8 @@ private:
   [[nodiscard]] WireContact betweenAt(const SegmentPair& pair) const noexcept
   {
     const BeamPlace& b = this->beam_;
-    return contactAt(b.beam, b.from + pair.along * (1.0 - b.from),
-      b.first_M + pair.along * (b.second_M - b.first_M), pair.on, b.radius_u);
+    return contactAt(b.beam, b.from + pair.along * (1.0 - b.from), b.first_M + pair.along * (b.second_M - b.first_M),
+      pair.on, b.radius_u);
   }
 
   [[nodiscard]] bool isWithin(const BeamTriangle& t) noexcept

@@ -29,7 +29,7 @@ struct WireContacts
   std::array<WireContact, mostFound> all{};     ///< in the order of the beams, then along each
   std::array<double, Wire::mostBeams> away_u{}; ///< no wall is nearer to the axis of this beam outside of the sheath
   int queries = 0;                              ///< of the tree, for this answer
-  int looked = 0;  ///< at triangles: distances from a beam or its nodes
+  int looked = 0;                               ///< at triangles: distances from a beam or its nodes
   int crowded = 0; ///< beams with more triangles near than are kept: contacts may be missing
 };
 
@@ -72,8 +72,8 @@ struct BeamScratch
   std::array<SegmentPair, std::size_t{ 3 } * BeamTriangles::most> between;
 };
 
-/// Adds the contacts of a beam within reach, and brings its `away_u` down to the distance of its axis from the wall. The
-/// answer is that of all triangles within radius and reach, whatever the bounds. `nodeAway_u`: of the wall from the
+/// Adds the contacts of a beam within reach, and brings its `away_u` down to the distance of its axis from the wall.
+/// The answer is that of all triangles within radius and reach, whatever the bounds. `nodeAway_u`: of the wall from the
 /// first node, if it is known, infinite beyond reach, or not a number; then that from the second. Real-time safe.
 void addContactsOfBeam(const BeamPlace& beam, const BeamTriangles& near, BeamScratch& room, WireContacts& contacts,
   double& nodeAway_u) noexcept;

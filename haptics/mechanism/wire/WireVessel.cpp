@@ -178,16 +178,14 @@ void WireVessel::askAroundLine(
     if (bounds.away_u < around.all_u)
     {
       const double slack_u = 1e-6 * (std::abs(bounds.low_u) + std::abs(bounds.high_u) + around.high_u);
-      const Near near{ triangle, down * static_cast<float>(bounds.away_u),
-        static_cast<float>(bounds.low_u - slack_u), static_cast<float>(bounds.high_u + slack_u) };
+      const Near near{ triangle, down * static_cast<float>(bounds.away_u), static_cast<float>(bounds.low_u - slack_u),
+        static_cast<float>(bounds.high_u + slack_u) };
       keep(near, mostKept, around.count, around.near, around.all_u);
     }
   };
-  const Box box = boxAround(
-    axis.first_M - on_u * around.along_M, axis.second_M + on_u * around.along_M, around.all_u);
+  const Box box = boxAround(axis.first_M - on_u * around.along_M, axis.second_M + on_u * around.along_M, around.all_u);
   forEachMeeting(
-    vessel,
-    [&](const Box& other) { return overlap(box, other) && mayBeNear(line, other, around.all_u); }, visit);
+    vessel, [&](const Box& other) { return overlap(box, other) && mayBeNear(line, other, around.all_u); }, visit);
 }
 
 bool WireVessel::gatherFromLine(
@@ -209,8 +207,9 @@ bool WireVessel::gatherFromLine(
   for (int i = 0; i < around.count && fits; ++i)
   {
     const Near& near = around.near[i];
-    const auto from = [&near](double off, double low, double high)
-    { return std::max({ near.away_u - off, near.low_u - high, low - near.high_u }); };
+    const auto from = [&near](double off, double low, double high) {
+      return std::max({ near.away_u - off, near.low_u - high, low - near.high_u });
+    };
     const double away_u = from(off_u, low_u, high_u);
     fits = away_u > needed_u || this->looked_.count < BeamTriangles::most;
     if (fits && away_u <= needed_u)
@@ -224,8 +223,7 @@ bool WireVessel::gatherFromLine(
 }
 
 /// The nearest ones of the beam as it is.
-double WireVessel::gatherAroundBeam(
-  const WirePlan& plan, const Axis& axis, double needed_u, Around& around) noexcept
+double WireVessel::gatherAroundBeam(const WirePlan& plan, const Axis& axis, double needed_u, Around& around) noexcept
 {
   const SurfaceData& vessel = plan.vessel->data();
   double all_u = needed_u;
@@ -239,8 +237,8 @@ double WireVessel::gatherAroundBeam(
                             : std::numeric_limits<double>::infinity();
     if (away_u < all_u)
     {
-      keep({ triangle, down * static_cast<float>(away_u), 0.0F, 0.0F }, BeamTriangles::most, around.count,
-        around.near, all_u);
+      keep({ triangle, down * static_cast<float>(away_u), 0.0F, 0.0F }, BeamTriangles::most, around.count, around.near,
+        all_u);
     }
   };
   const Box box = boxAround(axis.first_M, axis.second_M, needed_u);

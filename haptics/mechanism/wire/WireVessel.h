@@ -22,7 +22,7 @@ public:
   void find(const WirePlan& plan, const WirePlaces& places_M, double reach_u, WireContacts& contacts) noexcept;
 
 private:
-  static constexpr int mostKept = 512;    ///< around the line of a beam
+  static constexpr int mostKept = 512; ///< around the line of a beam
 
   /// Bounds, rounded so that they stay true.
   struct Near
@@ -42,7 +42,7 @@ private:
     double low_u = 0.0;
     double high_u = 0.0;
     Vec3 from_M = Vec3::Zero();
-    Vec3 along_M = Vec3::UnitX(); ///< unit
+    Vec3 along_M = Vec3::UnitX();    ///< unit
     std::array<Near, mostKept> near; ///< in no order
   };
   struct Axis
@@ -62,8 +62,7 @@ private:
 
   [[nodiscard]] static Beside besideOf(const Around& around, const Axis& axis) noexcept;
   [[nodiscard]] static bool covers(const Around& around, const Beside& beside, double needed_u) noexcept;
-  void askAroundLine(
-    const WirePlan& plan, int beam, const Axis& axis, double needed_u, Around& around) noexcept;
+  void askAroundLine(const WirePlan& plan, int beam, const Axis& axis, double needed_u, Around& around) noexcept;
   [[nodiscard]] bool gatherFromLine(
     const WirePlan& plan, int beam, const Axis& axis, double needed_u, WireContacts& contacts) noexcept;
   [[nodiscard]] double gatherAroundBeam(

@@ -34,8 +34,8 @@ auto orderOf(const WireContact& c)
 
 auto bitsOf(const WireContact& c)
 {
-  return std::tuple(c.beam, c.share, c.gap_u, c.at_M.x(), c.at_M.y(), c.at_M.z(), c.normal_M.x(), c.normal_M.y(),
-    c.normal_M.z());
+  return std::tuple(
+    c.beam, c.share, c.gap_u, c.at_M.x(), c.at_M.y(), c.at_M.z(), c.normal_M.x(), c.normal_M.y(), c.normal_M.z());
 }
 
 /// The contacts of one beam by all triangles.
@@ -84,8 +84,8 @@ private:
       }
       double& away = this->away_mm.back();
       ends.push_back(this->at(b, 1.0, second, nearestOnTriangle(second, corner[0], corner[1], corner[2])));
-      away = std::min({ away, ends.back().gap_u + r,
-        (nearestOnTriangle(first, corner[0], corner[1], corner[2]) - first).norm() });
+      away = std::min(
+        { away, ends.back().gap_u + r, (nearestOnTriangle(first, corner[0], corner[1], corner[2]) - first).norm() });
       for (int k = 0; k < 3; ++k)
       {
         const SegmentPair pair = nearestOfSegments(first, second, corner[k], corner[(k + 1) % 3]);
@@ -107,7 +107,8 @@ private:
     std::vector<WireContact> picked;
     for (const WireContact& c : all)
     {
-      const bool other = std::ranges::all_of(picked, [&](const auto& p) { return p.normal_M.dot(c.normal_M) < oneWall; });
+      const bool other =
+        std::ranges::all_of(picked, [&](const auto& p) { return p.normal_M.dot(c.normal_M) < oneWall; });
       const bool more = picked.empty() || picked.back().gap_u <= this->reach_mm_;
       if (picked.size() < most && other && more)
       {
@@ -175,7 +176,7 @@ void expectBitsOfPlain(const WirePlan& plan, const WirePlaces& places_M, double 
   }
 }
 
-constexpr double step_mm = 0.1; // a tick: .1 m/s
+constexpr double perTick_mm = 0.1; // a tick: .1 m/s
 
 TEST(WireVessel, PushedTurnedAndPulledItsContactsAreBitForBitThoseOfAllTriangles)
 {
@@ -192,7 +193,7 @@ TEST(WireVessel, PushedTurnedAndPulledItsContactsAreBitForBitThoseOfAllTriangles
   for (int i = 0; i < pushed + turned + pulled; ++i)
   {
     const int out = std::min(i, pushed) - std::max(i - pushed - turned, 0);
-    static_cast<void>(wire.tick(step_mm * out, 0.02 * std::clamp(i - pushed, 0, turned)));
+    static_cast<void>(wire.tick(perTick_mm * out, 0.02 * std::clamp(i - pushed, 0, turned)));
     const double reach_mm = i % 10 == 9 ? 0.3 : 0.15;
     const WirePlaces& places_M = wire.ticks.state().places_M;
     kept->find(*wire.planned.plan, places_M, reach_mm, *found);
@@ -256,8 +257,11 @@ TEST(WireVessel, ForNodesAtRandomInStraightTubesItsContactsAreThoseOfAllTriangle
   int contacts = 0;
   for (std::size_t k = 0; k < testCount(60); ++k)
   {
-    const Tube tube{ .radius_mm = k % 2 == 0 ? 1.0 : 4.0, .first_mm = 14.0, .blind = true,
-      .around = 4 + static_cast<int>(random.below(9)), .ring_mm = k % 3 == 0 ? 19.0 : 1.0 };
+    const Tube tube{ .radius_mm = k % 2 == 0 ? 1.0 : 4.0,
+      .first_mm = 14.0,
+      .blind = true,
+      .around = 4 + static_cast<int>(random.below(9)),
+      .ring_mm = k % 3 == 0 ? 19.0 : 1.0 };
     const PushedWire wire(nitinolWire(20.0, 5, 0.0), tube.mesh());
     RandomNodes nodes{ tube, random };
     kept->forget();
@@ -273,6 +277,31 @@ TEST(WireVessel, ForNodesAtRandomInStraightTubesItsContactsAreThoseOfAllTriangle
   EXPECT_GT(contacts, 1000);
 }
 
+/// Two triangles of a flat wall, 5 mm behind the mouth to 14 mm before it, whose diagonal the wire crosses at 4.5 mm.
+/// The diagonal is nearer to the beam from 4 to 8 mm than its second node is, but not nearer than the line between
+/// both.
+TEST(WireVessel, AlongAStraightWallOnlyNodesTouchAlsoWhereTheNextOneIsOutOfReach)
+{
+  const PushedWire wire(
+    nitinolWire(20.0, 5, 0.0), Tube{ .radius_mm = 4.0, .first_mm = 14.0, .around = 4, .ring_mm = 19.0 }.mesh());
+  constexpr double wall_mm = 4.0 * std::numbers::sqrt2 / 2.0, reach_mm = 0.11;
+  constexpr std::array gap_mm{ 0.04, 0.07, 0.1, 0.13, 0.16, 0.19 };
+  WirePlaces places_M{};
+  for (int i = 0; i <= 5; ++i)
+  {
+    const double off_mm = (wall_mm - wire.planned.plan->radius_u - gap_mm[i]) * std::numbers::sqrt2 / 2.0;
+    places_M[i].p = Vec3(4.0 * (i - 1), off_mm, off_mm);
+  }
+  const auto kept = std::make_unique<WireVessel>();
+  const auto found = std::make_unique<WireContacts>();
+  kept->find(*wire.planned.plan, places_M, reach_mm, *found);
+  ASSERT_EQ(found->count, 1);
+  EXPECT_EQ(found->all[0].beam, 1);
+  EXPECT_EQ(found->all[0].share, 1.0);
+  EXPECT_NEAR(found->all[0].gap_u, 0.1, 1e-12);
+  ASSERT_NO_FATAL_FAILURE(expectBitsOfPlain(*wire.planned.plan, places_M, reach_mm, *found));
+}
+
 /// A wire of 64 beams that slides through a bend of 19,000 triangles.
 struct Slide
 {
@@ -281,7 +310,7 @@ struct Slide
   PushedWire wire{ nitinolWire(250.0, 64, 0.1),
     Tube{ .angle_rad = 0.75 * std::numbers::pi, .last_mm = 60.0, .around = 24, .ring_mm = 0.5 }.mesh() };
 
-  const WireResult& tick(int i) { return this->wire.tick(step_mm * i); }
+  const WireResult& tick(int i) { return this->wire.tick(perTick_mm * i); }
 };
 
 TEST(WireVessel, AnswersDoNotDependOnTheQuestionsBefore)
