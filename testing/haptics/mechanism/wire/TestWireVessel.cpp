@@ -284,8 +284,8 @@ TEST(WireVessel, AlongAStraightWallOnlyNodesTouchAlsoWhereTheNextOneIsOutOfReach
 {
   const PushedWire wire(
     nitinolWire(20.0, 5, 0.0), Tube{ .radius_mm = 4.0, .first_mm = 14.0, .around = 4, .ring_mm = 19.0 }.mesh());
-  constexpr double wall_mm = 4.0 * std::numbers::sqrt2 / 2.0, reach_mm = 0.11;
-  constexpr std::array gap_mm{ 0.04, 0.07, 0.1, 0.13, 0.16, 0.19 };
+  constexpr double wall_mm = 4.0 * std::numbers::sqrt2 / 2.0, reach_mm = 0.103;
+  constexpr std::array gap_mm{ 0.08, 0.09, 0.1, 0.11, 0.12, 0.13 };
   WirePlaces places_M{};
   for (int i = 0; i <= 5; ++i)
   {
