@@ -131,6 +131,7 @@ private:
   {
     WireNewton& newton = this->room_.newton;
     this->room_.vessel.find(this->plan_, this->state_.places_M, this->reach_u_, this->room_.near);
+    this->result_.work += searchWork(this->room_.near.looked, this->room_.near.queries);
     this->hold();
     this->stuck_ = !newton.linearise(this->plan_.wire, this->state_.places_M, this->room_.loads);
     if (this->stuck_)
