@@ -32,7 +32,7 @@ constexpr double mostOfTurned = 31.0, mostOfNeedle = 13.0, mostOfBlock = 125.0, 
 /// Likewise for the stiffness, factor and compliance of wires.
 constexpr double mostOfWire = 45.0, mostOfLongWire = 140.0;
 /// Likewise for a whole tick of a wire of 64 beams in a tube.
-constexpr double mostOfPushed = 2000.0;
+constexpr double mostOfPushed = 950.0;
 /// Ticks of a ball on tissue that one beside a bone may be, and answers: twice the numbers seen.
 constexpr double mostBeside = 2.5, mostAnswersBeside = 20.0;
 

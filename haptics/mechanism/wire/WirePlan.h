@@ -92,4 +92,12 @@ struct PlannedWire
   return wireWork(contacts * (contacts + 1) / 2 * between);
 }
 
+/// Of distances of so many triangles from a beam or a node, and of so many questions to the tree, which bound some four
+/// hundred triangles each.
+[[nodiscard]] constexpr std::uint32_t searchWork(int looked, int queries) noexcept
+{
+  constexpr int look = 54, query = 400 * 20;
+  return wireWork(look * looked + query * queries);
+}
+
 } // namespace palpate

@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// Workspace, state and result of a tick. Some 700 kB.
+/// Workspace, state and result of a tick. Some 1 MB.
 struct WireScratch
 {
   WireState state;

@@ -131,6 +131,7 @@ private:
   {
     WireNewton& newton = this->room_.newton;
     this->room_.vessel.find(this->plan_, this->state_.places_M, this->reach_u_, this->room_.near);
+    this->result_.work += searchWork(this->room_.near.looked, this->room_.near.queries);
     this->hold();
     this->stuck_ = !newton.linearise(this->plan_.wire, this->state_.places_M, this->room_.loads);
     if (this->stuck_)
@@ -151,6 +152,7 @@ private:
   {
     const WireContacts& near = this->room_.near;
     this->result_.queries += near.queries;
+    this->result_.looked += near.looked;
     this->result_.crowded = std::max(this->result_.crowded, near.crowded);
     for (int b = 0; b < this->plan_.wire.count && first; ++b)
     {

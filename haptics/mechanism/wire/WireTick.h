@@ -72,6 +72,7 @@ struct WireResult : WireReport
   double share = 1.0;      ///< of the tick's motion that was proven and taken; below 1 the next tick goes on
   double residual_u = 0.0; ///< of the contacts
   int queries = 0;         ///< of the vessel's tree
+  int looked = 0;          ///< at triangles: distances from a beam or a node
   std::uint32_t work = 0;  ///< in the unit of ContactPlan::workBudget
   bool capped = false;     ///< the wire is not at rest yet: the next tick goes on
 };

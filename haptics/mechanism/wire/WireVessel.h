@@ -4,38 +4,15 @@
 #include <array>
 #include <cstdint>
 
-#include "haptics/compliance/wire/WireCompliance.h"
+#include "haptics/mechanism/wire/BeamContacts.h"
 #include "haptics/mechanism/wire/WirePlan.h"
 
 namespace palpate
 {
 
-/// A place where a beam is near the wall, on the wire as it is.
-struct WireContact
-{
-  int beam = 0;
-  double share = 0.0;            ///< of the beam's second node
-  double gap_u = 0.0;            ///< between the wire's skin and the wall; below 0: the skin is in the wall
-  Vec3 at_M = Vec3::Zero();      ///< on the wall
-  Vec3 normal_M = Vec3::UnitZ(); ///< from the wall to the centre line
-};
-
-/// Where the wire touches, or nearly.
-struct WireContacts
-{
-  static constexpr int mostOfBeam = 5; ///< two between its nodes, three at the second: a tick solves those that press
-  static constexpr int mostFound = mostOfBeam * Wire::mostBeams;
-
-  int count = 0;
-  std::array<WireContact, mostFound> all{};     ///< in the order of the beams, then along each
-  std::array<double, Wire::mostBeams> away_u{}; ///< no wall is nearer to the axis of this beam outside of the sheath
-  int queries = 0;                              ///< of the tree, for this answer
-  int crowded = 0; ///< beams with more triangles near than are kept: contacts may be missing
-};
-
-/// Finds where a wire touches its vessel. Each beam keeps the triangles near it with the distance for which they are
-/// all; the tree is asked again when the beam has gone that far. Answers do not depend on the questions before. Some
-/// 160 kB: not for the stack. Real-time safe.
+/// Finds where a wire touches its vessel. Each beam keeps the triangles near its line, with bounds of their distances
+/// that a motion of the beam lessens; the tree is asked again when the bounds are used up. Answers do not depend on the
+/// questions before. Some 600 kB: not for the stack. Real-time safe.
 class WireVessel
 {
 public:
@@ -45,21 +22,28 @@ public:
   void find(const WirePlan& plan, const WirePlaces& places_M, double reach_u, WireContacts& contacts) noexcept;
 
 private:
-  static constexpr int mostNear = 256;
+  static constexpr int mostKept = 512; ///< around the line of a beam
 
+  /// Bounds, rounded so that they stay true.
   struct Near
   {
     std::uint32_t triangle = 0;
-    float away_u = 0.0F; ///< rounded down, from the axis as it was
+    float away_u = 0.0F; ///< of the distance from the line
+    float low_u = 0.0F;  ///< interval along the line
+    float high_u = 0.0F;
   };
+  /// Around a line, which goes on beyond both ends of the beam as it was: a beam that slides along itself stays on it.
   struct Around
   {
     bool known = false;
+    bool crowded = false; ///< the beam alone has more triangles than are looked at, as it was seen last
     int count = 0;
-    double all_u = 0.0; ///< no other triangle was nearer to the axis
-    Vec3 first_M = Vec3::Zero();
-    Vec3 second_M = Vec3::Zero();
-    std::array<Near, mostNear> near; ///< nearest first
+    double all_u = 0.0; ///< no other triangle is nearer to the line, between the places `low_u` and `high_u` on it
+    double low_u = 0.0;
+    double high_u = 0.0;
+    Vec3 from_M = Vec3::Zero();
+    Vec3 along_M = Vec3::UnitX();    ///< unit
+    std::array<Near, mostKept> near; ///< in no order
   };
   struct Axis
   {
@@ -67,16 +51,28 @@ private:
     Vec3 second_M;
     double from = 0.0; ///< share of the second node where it is clipped
   };
+  /// A beam beside the line of its list.
+  struct Beside
+  {
+    double first_u = 0.0; ///< along the line
+    double second_u = 0.0;
+    double firstOff_u = 0.0; ///< from the line
+    double secondOff_u = 0.0;
+  };
 
-  [[nodiscard]] double movedSince(const Around& around, const Axis& axis) const noexcept;
-  void ask(const WirePlan& plan, const Axis& axis, double reach_u, Around& around) noexcept;
-  /// Has all triangles near enough around the beam, which has moved by the answer since they were asked for.
-  [[nodiscard]] double look(
+  [[nodiscard]] static Beside besideOf(const Around& around, const Axis& axis) noexcept;
+  [[nodiscard]] static bool covers(const Around& around, const Beside& beside, double needed_u) noexcept;
+  void askAroundLine(const WirePlan& plan, int beam, const Axis& axis, double needed_u, Around& around) noexcept;
+  [[nodiscard]] bool gatherFromLine(
     const WirePlan& plan, int beam, const Axis& axis, double needed_u, WireContacts& contacts) noexcept;
+  [[nodiscard]] double gatherAroundBeam(
+    const WirePlan& plan, const Axis& axis, double needed_u, Around& around) noexcept;
   void findOf(const WirePlan& plan, int beam, const Axis& axis, double reach_u, WireContacts& contacts) noexcept;
 
   std::array<Around, Wire::mostBeams> around_;
-  std::array<std::array<Vec3, 3>, mostNear> corners_; ///< of the triangles within reach of the beam that is looked at
+  BeamTriangles looked_; ///< within reach of the beam that is looked at
+  BeamScratch room_;
+  double nodeAway_u_ = 0.0; ///< of the wall from the node between the beam before and the next; not a number: unknown
 };
 
 } // namespace palpate
