@@ -9,6 +9,7 @@
 
 #include "haptics/core/PoseMath.h"
 #include "haptics/geometry/measure/RayWalk.h"
+#include "haptics/geometry/simplify/SurfaceDistance.h"
 #include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/mechanism/check/InnerVertices.h"
 #include "haptics/mechanism/check/MechanismFaults.h"
@@ -279,6 +280,28 @@ private:
   std::span<const MechanismSoft> soft_;
 };
 
+/// Of vertices of a mesh, and of their mean, in another one.
+double deepestIn(const SurfaceTree& other, const SurfaceTree& mesh)
+{
+  std::vector<Vec3> inner_W = verticesInside(mesh.mesh(), touches);
+  Vec3 mean_W = Vec3::Zero();
+  for (const Vec3& p_W : inner_W)
+  {
+    mean_W += p_W / static_cast<double>(inner_W.size());
+  }
+  inner_W.push_back(mean_W);
+  const Bounds bounds(other.data().low_W, other.data().high_W);
+  double deepest_u = 0.0;
+  for (const Vec3& p_W : inner_W)
+  {
+    if (bounds.contains(p_W) && sideOf(other, p_W) == PointSide::Inside)
+    {
+      deepest_u = std::max(deepest_u, nearestOn(other.data(), p_W).distance_u);
+    }
+  }
+  return deepest_u;
+}
+
 /// Constraints that join points hold with any force, and with none.
 bool holds(ConstraintKind kind, ConstraintPhase phase)
 {
@@ -300,6 +323,17 @@ std::vector<BodyPair> overlapsOf(const Mechanism& mechanism, std::span<const Mec
   looked.worlds = true;
   const auto moves = [&mechanism](std::size_t b) { return mechanism.bodies[b].kind != MechanismBodyKind::World; };
   return looked.pairs([&moves](std::size_t a, std::size_t b) { return moves(a) || moves(b); });
+}
+
+double overlapDepth(const Mechanism& mechanism, const BodyPair& pair)
+{
+  const auto standingAt = [&mechanism](const std::string& name)
+  {
+    const MechanismBody& body = mechanism.bodies[static_cast<std::size_t>(bodyNamed(mechanism, name))];
+    return standing(*body.mesh, { body.pose_W.p, body.pose_W.q.normalized() });
+  };
+  const StandingMesh a = standingAt(pair.first), b = standingAt(pair.second);
+  return a.tree && b.tree ? std::max(deepestIn(*a.tree, *b.tree), deepestIn(*b.tree, *a.tree)) : 0.0;
 }
 
 std::vector<BodyPair> overlapsOfHeld(

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <sstream>
 
 #include <Eigen/Eigenvalues>
 
@@ -301,6 +302,28 @@ private:
   SemidefiniteFactor<ConstraintProblem::most> factor_;
 };
 
+/// The fault of a loose body that begins deeper in another one than its contacts are found, or "".
+std::string tooDeep(const Mechanism& mechanism, const BodyPair& pair)
+{
+  const auto reach_u = [&mechanism](const std::string& name)
+  {
+    const MechanismBody& body = mechanism.bodies[static_cast<std::size_t>(bodyNamed(mechanism, name))];
+    return isLoose(body) ? SidedSurface::looseReach * body.mesh->diagonal_u : 0.0;
+  };
+  const double ofFirst_u = reach_u(pair.first), ofSecond_u = reach_u(pair.second);
+  const double deep_u = overlapDepth(mechanism, pair);
+  if (!(deep_u > ofFirst_u + ofSecond_u))
+  {
+    return "";
+  }
+  const auto& [body, other] = ofFirst_u > 0.0 ? pair : BodyPair(pair.second, pair.first);
+  std::ostringstream text;
+  text.precision(3);
+  text << body << " lies " << deep_u << " u deep in " << other << ", which pushes it out from at most "
+       << ofFirst_u + ofSecond_u << " u: move one of them.";
+  return text.str();
+}
+
 /// Bodies do not meet but where a constraint has them meet.
 void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> soft, MechanismCheck& check)
 {
@@ -316,6 +339,11 @@ void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> sof
       const auto& [body, mesh] = softNamed(soft, a) ? std::pair(a, b) : std::pair(b, a);
       check.faults.push_back(
         body + " lies in " + mesh + ", which would push it out: hide " + mesh + ", or move " + body + " out of it.");
+      continue;
+    }
+    if (const std::string fault = loose ? tooDeep(mechanism, { a, b }) : ""; !fault.empty())
+    {
+      check.faults.push_back(fault);
       continue;
     }
     check.remarks.push_back("Bodies \"" + a + "\" and \"" + b + "\" overlap in the scene file: " +

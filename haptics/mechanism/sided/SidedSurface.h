@@ -17,7 +17,10 @@ struct SidedSurface
 {
   static constexpr std::size_t mostTriangles = 20000; ///< of a body that moves: a finder looks at all of them
   static constexpr std::size_t mostStanding = 300000; ///< of one that stands: the numbers of its edges have 19 bits
-  static constexpr double sharpBelow = 0.966;         ///< cosine between the normals of an edge's triangles: 15 degrees
+  /// Of the diagonal of a loose body: so near to another one, or so deep in it, its contacts are found though neither
+  /// moved. A body that begins deeper in another one is not pushed out.
+  static constexpr double looseReach = 0.05;
+  static constexpr double sharpBelow = 0.966; ///< cosine between the normals of an edge's triangles: 15 degrees
 
   /// An edge of two triangles.
   struct Edge

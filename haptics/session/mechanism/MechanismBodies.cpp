@@ -21,8 +21,6 @@ constexpr double usualCover = 0.05;
 /// Of a soft body's size: so near to a mesh that stands, its surface may meet the mesh until the next answer but one,
 /// or touches it.
 constexpr double standingReach = 0.05, standingTouch = 0.0005;
-/// Of a loose body's size: so near to another one, both may meet though neither moved.
-constexpr double looseReach = 0.05;
 /// Of the motion since the answer before: an answer is up to two periods old, and a hand may grow faster.
 constexpr double reachOfMotion = 3.0, touchOfMotion = 2.0;
 
@@ -309,7 +307,7 @@ void MechanismBodies::reachLoose(double heldMotion_u)
     const auto b = static_cast<std::size_t>(loose.body);
     const double motion_u =
       this->looked_W_ ? motionOf(loose.radius_u, (*this->looked_W_)[b], this->told_.pose_W[b]) : 0.0;
-    this->looseReach_u_[b] = looseReach * loose.diagonal_u + reachOfMotion * (motion_u + heldMotion_u) +
+    this->looseReach_u_[b] = SidedSurface::looseReach * loose.diagonal_u + reachOfMotion * (motion_u + heldMotion_u) +
                              2.0 * loose.falls_u_per_s2 * this->period_s_ * this->period_s_;
   }
 }

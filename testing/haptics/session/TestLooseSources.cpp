@@ -119,6 +119,36 @@ TEST(LooseSources, RestsOnTheFixedFloorWithItsWeightWhereverItsDataHaveTheirOrig
   }
 }
 
+/// A block goes out of the floor from a twentieth of its diagonal, 3.7 mm, and is refused where it is deeper in it.
+TEST(LooseSources, BegunInTheFloorItGoesOutOrIsRefusedWithItsDepth)
+{
+  FreeHand near;
+  near.session.setScene(sceneOfAll({ floorInput(), stoneInput(Vec3(0.0, 0.0, -0.0035)) }));
+  near.session.setLoose(stones());
+  near.at(away, 4000);
+  EXPECT_NEAR(near.middleOf("stone").z(), half_m.z(), 1e-5);
+  FreeHand deep;
+  deep.session.setScene(sceneOfAll({ floorInput(), stoneInput(Vec3(0.0, 0.0, -0.004)) }));
+  deep.session.setLoose(stones());
+  deep.at(away, 200);
+  EXPECT_THAT(deep.session.status<MechanismTask>().problem,
+    AllOf(HasSubstr("stone lies 0.004 u deep in floor"), HasSubstr("at most 0.00374 u: move one of them")));
+}
+
+/// Of two bodies in one place no vertex lies in the other one, but the middle does: 1 cm deep.
+TEST(LooseSources, TwoInOnePlaceAreRefused)
+{
+  FreeHand hand;
+  SurfaceInput twin = stoneInput();
+  twin.name = "twin";
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput(), twin }));
+  LooseSources loose = stones();
+  loose.density_kg_per_m3["twin"] = stone_kg_per_m3;
+  hand.session.setLoose(loose);
+  hand.at(away, 200);
+  EXPECT_THAT(hand.session.status<MechanismTask>().problem, HasSubstr("lies 0.01 u deep in"));
+}
+
 TEST(LooseSources, AUnitOfAMillimetreGivesABillionthOfTheMass)
 {
   constexpr double perMetre = 1000.0;
