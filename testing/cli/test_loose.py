@@ -62,6 +62,15 @@ class Loose(CommandLineTest):
             self.refused(*self.scene, *ball, "--loose", "stone.off", "--density", density, saying=("stone.off", "density", "above 0"))
         self.refused(*self.scene, *self.stone, saying=("--radius", "above 0"))
         self.refused(*self.scene, *ball, *self.stone, "--shading", saying=("--shading", "loose bodies"))
+        for table in (self.scene[1], "./table.off"):
+            self.refused("touch", table, *self.scene[2:], *ball, "--loose", "table.off", "--density", DENSITY,
+                         saying=("table.off", "both FILE and --loose", "omit one"))
+        self.refused(*self.scene, *ball, *self.stone, "--loose", "stone.off", saying=("--loose",))
+        metres = ("--scale", 1)
+        self.refused(*self.scene[:6], *metres, *ball, *self.stone,
+                     saying=("stone.off", "beyond 1e6 N): one unit is taken as 1 m", "unit of lengths by --scale, which is 1000 for millimetres"))
+        self.refused("touch", "table.off", "--path", "path.csv", "--csv", "stone.off", *self.scene[6:], *ball, *self.stone,
+                     saying=("stone.off", "also an input"))
         self.refused(*self.scene, *ball, "--loose", "gone.off", "--density", DENSITY, saying=("gone.off",))
         self.refused("touch", "open.off", *self.scene[2:], *ball, *self.stone, saying=("open.off", "loose bodies", "omit this input"))
 

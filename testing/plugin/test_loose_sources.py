@@ -161,6 +161,9 @@ class LooseSources(unittest.TestCase):
                                 ((self.stone, "loose", float("nan")), "stone: a loose source needs a density"),
                                 ((self.stone, "loose", float("inf")), "stone: a loose source needs a density"),
                                 ((self.stone, "loose", "2500"), "stone: a loose source needs a density"),
+                                ((self.stone, "loose", True), "stone: a loose source needs a density"),
+                                ((self.stone, "loose", numpy.True_), "stone: a loose source needs a density"),
+                                ((self.stone, "loose", numpy.float32("nan")), "stone: a loose source needs a density"),
                                 ((self.stone, "fixed", 2500), "only a loose source has a density"),
                                 ((self.stone, "loose", 2500, "inch"), "A unit of lengths is one of"),
                                 ((self.stone, "soft"), "stone cannot be a soft body"),
@@ -179,7 +182,7 @@ class LooseSources(unittest.TestCase):
         self.touch()
         simple.Show(sheet, self.view)
         simple.Render(self.view)
-        with self.assertRaisesRegex(HapticRefusal, "sheet cannot be loose: the mesh is open.*touch this source as fixed"):
+        with self.assertRaisesRegex(HapticRefusal, "sheet cannot be loose: the mesh is open.*it is touched as fixed now; repair"):
             Touched(sheet, "loose", density=DENSITY, unit="mm")
         Touched(sheet)
         with self.assertRaisesRegex(HapticRefusal, "stone cannot be loose beside sheet: the mesh is open.*hide sheet"):
@@ -225,6 +228,55 @@ class LooseSources(unittest.TestCase):
             self.assertLess(abs(self.hand.GetForce()[2] - before), most)
             before = self.hand.GetForce()[2]
         self.assertLess(before, 1e-3)
+
+    def test_numbers_of_numpy_are_densities(self):
+        for kind in (numpy.int64, numpy.uint16, numpy.float32, numpy.float64):
+            Touched(self.stone, "loose", density=kind(DENSITY))
+            self.assertEqual(self.hand.GetMechanism().GetDensity("stone"), DENSITY, kind)
+            Touched(self.stone)
+
+    def test_one_that_is_not_felt_says_its_own_cause_and_the_remedy(self):
+        Touched(self.stone, "loose", density=DENSITY, unit="mm")
+        self.assertRegex(HapticState()["LooseText"], "stone: to be loose, .*press Touch\n$")
+        self.touch()
+        for change, back, said in ((lambda: SetSource(self.stone, touched=False), lambda: SetSource(self.stone, touched=True),
+                                    "stone: is not touched; switch it on in Active source"),
+                                   (lambda: HoldTool(self.stone), lambda: (HoldTool(None), simple.Show(self.stone, self.view)),
+                                    "stone: is the tool in the hand; release it first"),
+                                   (lambda: simple.Hide(self.stone, self.view), lambda: simple.Show(self.stone, self.view),
+                                    "stone: to be loose, but not among the touched surfaces; show the source, and press Touch"),
+                                   (lambda: simple.RenameSource("pebble", self.stone), lambda: simple.RenameSource("stone", self.stone),
+                                    "stone: no source is called stone; remove it from SourcesText, or give a source that name"),
+                                   (lambda: simple.Delete(self.stone), lambda: None,
+                                    "stone: no source is called stone; remove it from SourcesText, or give a source that name")):
+            with self.subTest(said=said):
+                change()
+                self.look()
+                self.assertEqual(HapticState()["LooseText"], said + "\n")
+                back()
+                self.look()
+        self.assertNotIn("kg", HapticState()["LooseText"])
+
+    def look(self):
+        simple.Render(self.view)
+        HapticUpdate()
+        self.hand.FinishScene()
+        HapticUpdate()
+
+    def test_one_with_a_weight_beyond_all_limits_says_its_unit(self):
+        Touched(self.stone, "loose", density=DENSITY, unit="m")
+        self.touch()
+        self.assertRegex(HapticState()["LooseText"], r"stone.*beyond 1e6 N\): one unit is taken as 1 m; choose the unit of lengths \(SceneUnit\)\n$")
+
+    def test_the_answer_is_of_the_source_that_was_asked(self):
+        block = simple.Box(registrationName="inner", XLength=40, YLength=40, ZLength=40, Center=[0, 150, 20])
+        soft = simple.SoftBody(registrationName="soft", Input=block, Unit=0.001, Fixed="zmin")
+        simple.Show(soft, self.view)
+        PressBody(soft)
+        Touch()
+        self.hand.GetMechanism().SetDensity("soft", DENSITY)
+        with self.assertRaisesRegex(HapticRefusal, "^stone cannot be a soft body"):
+            Touched(self.stone, "soft")
 
     def test_where_it_overlaps_another_one_as_it_begins_the_text_names_both(self):
         other = simple.Box(registrationName="other", XLength=40, YLength=40, ZLength=40, Center=[45, 0, 20])

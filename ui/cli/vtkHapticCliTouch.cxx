@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 #include "haptics/session/path/PathRunner.h"
 #include "haptics/session/settings/AutoChoice.h"
@@ -47,6 +48,19 @@ void CheckKinds(const vtkHapticCliTouchOptions& options, bool mechanism)
                              : tool         ? "a tool"
                                             : "a soft body";
     throw vtkHapticCliProblem(asked + ": " + kind + " does not feel it; omit one of the two");
+  }
+}
+
+/// Surfaces are loose by their names, so that both would be.
+void CheckLooseOnce(const vtkHapticCliTouchOptions& options)
+{
+  std::error_code ignored;
+  for (const std::string& file : options.Files)
+  {
+    if (std::filesystem::equivalent(file, options.Loose, ignored))
+    {
+      throw vtkHapticCliProblem(options.Loose + ": one file cannot be both FILE and --loose; omit one of the two");
+    }
   }
 }
 
@@ -256,6 +270,7 @@ void Run(const vtkHapticCliTouchOptions& options, vtkTouchAlongPath& filter)
 int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
 {
   CheckKinds(options, vtkHapticIsMechanismFile(options.Files.front()));
+  CheckLooseOnce(options);
   CheckPlaneAlone(options);
   palpate::SettingStore felt = options.Settings.Store();
   vtkNew<vtkTouchAlongPath> filter;
@@ -269,7 +284,7 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
   }
   std::vector<std::string> inputs = options.Files;
   inputs.insert(inputs.end(), options.Field.Surfaces.begin(), options.Field.Surfaces.end());
-  inputs.insert(inputs.end(), { options.Field.OtherFile, options.Path, options.Tool });
+  inputs.insert(inputs.end(), { options.Field.OtherFile, options.Path, options.Tool, options.Loose });
   AddFiles(options, felt, *filter);
   filter->SetSettings(felt);
   filter->AddNamed(1, options.Path, DataOf(path));

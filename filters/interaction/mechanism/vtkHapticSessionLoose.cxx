@@ -7,6 +7,7 @@
 #include "haptics/core/PoseMath.h"
 #include "haptics/session/SessionWorkers.h"
 #include "haptics/session/mechanism/MechanismBodies.h"
+#include "haptics/session/mechanism/ToolOnBody.h"
 #include "vtkCommand.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSessionInternals.h"
@@ -96,20 +97,28 @@ std::optional<palpate::Pose> vtkHapticSession::Internals::LooseWay(const std::st
   return palpate::Pose{ now.pose_W[place].p - turn_W * body->pose_W.p, turn_W };
 }
 
+std::string vtkHapticSession::Internals::WhyNotLoose(const std::string& name) const
+{
+  return this->Core.chosen<palpate::MechanismTask>().inputs
+           ? "fixed while a mechanism is held; hold none to touch it as loose"
+         : this->Settings.text("ToolSource") == name ? "is the tool in the hand; release it first"
+         : !this->Surfaces.Styles().Of(name).Touched ? "is not touched; switch it on in Active source"
+         : this->LooseGone.contains(name)
+           ? "no source is called " + name + "; remove it from SourcesText, or give a source that name"
+           : "to be loose, but not among the touched surfaces; show the source, and press Touch";
+}
+
 const char* vtkHapticSession::Internals::SayLooseText()
 {
   const auto inputs = this->Core.toolPresses() ? this->Core.feltMechanism() : nullptr;
   const palpate::MechanismStatus status =
     inputs ? this->Core.status<palpate::MechanismTask>() : palpate::MechanismStatus();
-  const bool mechanism = this->Core.chosen<palpate::MechanismTask>().inputs != nullptr;
   std::ostringstream lines;
   for (const auto& [name, density] : this->Surfaces.Styles().Densities())
   {
     const palpate::MechanismBody* const body = inputs ? LooseOf(*inputs, name) : nullptr;
     lines << name << ": "
-          << (body         ? "loose, " + MassText(body->mass.mass_Ns2_per_u / inputs->unit_m)
-               : mechanism ? "fixed while a mechanism is held; hold none to touch it as loose"
-                           : "to be loose, but not among the touched surfaces; show the source, and press Touch");
+          << (body ? "loose, " + MassText(body->mass.mass_Ns2_per_u / inputs->unit_m) : this->WhyNotLoose(name));
     for (const auto& [a, b] : status.check.overlaps)
     {
       if (body && (a == name || b == name))
@@ -120,7 +129,10 @@ const char* vtkHapticSession::Internals::SayLooseText()
     lines << "\n";
   }
   const std::string& refusal = this->Core.looseRefusal();
-  const std::string problem = refusal.empty() ? status.problem : refusal;
+  const char* const remedy = inputs && inputs->soft.empty() ? "choose the unit of lengths (SceneUnit)"
+                                                            : "choose another unit for the soft body (Unit)";
+  const std::string ofPlan = inputs ? palpate::withUnitTaken(status.problem, *inputs, remedy) : "";
+  const std::string problem = refusal.empty() ? ofPlan : refusal;
   this->LooseText = problem.empty() || lines.str().empty() ? lines.str() : problem + "\n";
   return this->LooseText.c_str();
 }

@@ -25,6 +25,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -95,6 +96,7 @@ public:
   std::string MissingArrays;    ///< of that scene, a line each
   double UnitOfFiles_m = 0.0;   ///< metres a unit of the scene, as its files say; 0: they say none
   std::string LooseText, LooseRefused;
+  std::set<std::string> LooseGone; ///< names of loose sources that the pipeline has not
 
   palpate::HapticState State;
   palpate::LoopReport Report;
@@ -282,6 +284,8 @@ public:
   const char* SayMaterialText();
   const char* SayLinkText();
   const char* SayLooseText();
+  /// Of a source that is to be loose and is not felt as such, with the remedy.
+  std::string WhyNotLoose(const std::string& name) const;
   const char* SayDeviceButton();
   const char* SayPlanText();
   const char* SayToolContacts();

@@ -211,6 +211,19 @@ void vtkHapticSight::SetUnitOfFiles(const char* unit)
   }
 }
 
+void vtkHapticSight::LookForLoose(const std::function<bool(const std::string& name)>& isThere)
+{
+  std::set<std::string>& gone = this->Behind().LooseGone;
+  gone.clear();
+  for (const auto& [name, density] : this->Behind().Surfaces.Styles().Densities())
+  {
+    if (!isThere(name))
+    {
+      gone.insert(name);
+    }
+  }
+}
+
 void vtkHapticSight::GetContactForces(vtkPolyData* points) const
 {
   vtkHapticPutForces(this->Behind().ContactForces(this->Behind().State), *points);

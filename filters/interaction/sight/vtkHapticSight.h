@@ -8,6 +8,9 @@
 
 #include "vtkHapticSessionPart.h"
 
+#include <functional>
+#include <string>
+
 struct vtkHapticFieldResult;
 class vtkCamera;
 class vtkDataObject;
@@ -61,6 +64,10 @@ public:
   /// by which loose sources have their mass where SceneUnit is automatic.
   bool GetHasLoose() const;
   void SetUnitOfFiles(const char* unit);
+#ifndef __VTK_WRAP__
+  /// Which of the loose sources the pipeline has, as LooseText says.
+  void LookForLoose(const std::function<bool(const std::string& name)>& isThere);
+#endif
   /// The contacts of the tool, or of the held mesh of a mechanism, as of the last Update(): a point for each. The
   /// arrays are Force (n, 3), the force there on the tool before limits [N], along the normal where the scene is rigid;
   /// Touched (strings), the name of the surface or body that presses; and Pair (int), a number for each name. A proxy

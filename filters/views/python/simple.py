@@ -15,6 +15,7 @@ a session, and HapticUpdate() follows the view. A refusal is raised as HapticRef
 """
 
 import json
+import numbers
 import os
 
 import paraview
@@ -61,7 +62,10 @@ def _proxy():
 
 
 class _Refusals:
-    """Raises a refusal of the session as an exception, in place of a printed error."""
+    """Raises a refusal of the session as an exception, in place of a printed error. raises: whether it is of this request."""
+
+    def __init__(self, raises=True):
+        self.raises = raises
 
     def __enter__(self):
         self.session = GetHapticSession()
@@ -74,7 +78,7 @@ class _Refusals:
 
     def __exit__(self, kind, *_):
         self.session.RemoveObserver(self.observer)
-        if self.refused and kind is None:
+        if self.refused and self.raises and kind is None:
             raise HapticRefusal(self.refused)
 
 
@@ -355,11 +359,11 @@ def SetSource(source, touched=None, stiffness=None, friction=None):
 
 
 def _density(name, density):
-    """Of a loose source [kg/m3], or a refusal."""
-    if isinstance(density, bool) or not _is_number(density) or not 0 < density <= 1e6:
+    """Of a loose source [kg/m3], or a refusal. Numbers of numpy are real ones."""
+    if isinstance(density, bool) or not isinstance(density, numbers.Real) or not 0 < density <= 1e6:
         raise HapticRefusal(f"{name}: a loose source needs a density above 0 and at most 1e6 kg/m3, not {density!r}; "
                             f"for example Touched({name!r}, \"loose\", density=2500).")
-    return density
+    return float(density)
 
 
 def _put_unit(unit):
@@ -379,7 +383,7 @@ def Touched(source, kind="fixed", density=None, unit=None):
     if density is not None and kind != "loose":
         raise HapticRefusal(f"{name}: only a loose source has a density here; omit the density, or touch the source as 'loose'.")
     density = _density(name, density) if kind == "loose" else 0
-    with _Refusals() as session:
+    with _Refusals(raises=kind == "loose") as session:  # else another source is refused, as LooseText says
         if kind != "fixed" and session.GetSettingText("ToolSource") == name:
             raise HapticRefusal(f"{name} is the tool in the hand; release it with HoldTool(None) before it is touched as {kind!r}.")
         if kind != "soft" and session.GetSettingText("SoftSource") == name:

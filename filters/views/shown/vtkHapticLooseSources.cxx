@@ -68,6 +68,8 @@ void vtkHapticLooseSources::Follow(vtkHapticSession& session, vtkSMProxy* view)
 {
   std::vector<vtkProp3D*> moved;
   vtkNew<vtkMatrix4x4> way;
+  session.GetSight()->LookForLoose(
+    [view](const std::string& name) { return !view || vtkHapticNamedProxy(view, name); });
   const bool any = view && session.GetSight()->GetHasLoose();
   if (any)
   {

@@ -91,11 +91,11 @@ std::string PressingTool::whyNotBeside() const
 std::string PressingTool::whyNotLoose() const
 {
   const std::string& refused = this->beside_.refused();
+  const bool isFull = this->beside_.bodies().size() == SurfacesBeside::most;
+  const std::string why = ": " + this->beside_.reason() + "; it is touched as fixed now; ";
   return this->beside_.refusedLoose()
-           ? refused + " cannot be loose: " + this->beside_.reason() +
-               "; repair or simplify its mesh, or touch this source as fixed"
-           : this->has_.loose + " cannot be loose beside " + refused + ": " + this->beside_.reason() + "; hide " +
-               refused + ", or touch " + this->has_.loose + " as fixed";
+           ? refused + " cannot be loose" + why + (isFull ? "hide another source" : "repair or simplify its mesh")
+           : this->has_.loose + " cannot be loose beside " + refused + why + "hide " + refused;
 }
 
 /// A mesh has a size, which a point has not.

@@ -117,9 +117,10 @@ void SurfacesBeside::take(const Source& source, const MechanismBody* known)
 {
   if (source.bends || this->bodies_.size() == most)
   {
-    this->reason_ = source.bends ? "it deforms"
-                                 : "the hand then touches at most " + std::to_string(most) + " other surfaces, and " +
-                                     std::to_string(this->sources_.size()) + " are there";
+    this->reason_ = source.bends
+                      ? "it deforms"
+                      : "the hand then touches at most " + std::to_string(most) +
+                          " surfaces, loose ones included, and " + std::to_string(this->sources_.size()) + " are there";
     return;
   }
   Made made = known ? Made{ *known, "" } : source.loose ? loose(source) : standing(source);

@@ -2,6 +2,7 @@
 #include "haptics/session/mechanism/ToolOnBody.h"
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 #include "haptics/mechanism/sided/SidedSurface.h"
@@ -70,6 +71,20 @@ Outcome<std::shared_ptr<const MechanismInputs>> toolOnBody(const std::string& to
   inputs->mechanism.findsContacts = inputs->mechanism.beginsApart = true;
   inputs->mechanism.foundFriction = friction;
   return { std::move(inputs), "" };
+}
+
+std::string withUnitTaken(const std::string& refusal, const MechanismInputs& inputs, const std::string& remedy)
+{
+  const bool ofLoose = std::ranges::any_of(inputs.mechanism.bodies, [&refusal](const MechanismBody& body)
+    { return isLoose(body) && refusal.starts_with("Body \"" + body.name + "\" "); });
+  if (!ofLoose)
+  {
+    return refusal;
+  }
+  std::ostringstream text;
+  text << refusal.substr(0, refusal.find_last_not_of('.') + 1) << ": one unit is taken as " << inputs.unit_m << " m; "
+       << remedy;
+  return text.str();
 }
 
 } // namespace palpate

@@ -23,4 +23,9 @@ struct TriangleMesh;
   const TriangleMesh& mesh_H, const MechanismSoftInput& body, double friction,
   const std::vector<MechanismBody>& beside = {}, double unit_m = 1.0);
 
+/// The refusal of such a mechanism, which names one of its bodies, with the remedy where that is a loose one: of the
+/// right mass and size it passes no limit, so its unit is another one. `remedy`: the way to choose the unit.
+[[nodiscard]] std::string withUnitTaken(
+  const std::string& refusal, const MechanismInputs& inputs, const std::string& remedy);
+
 } // namespace palpate

@@ -315,6 +315,8 @@ std::unique_ptr<PathKind> handAmongBodiesAlongPath(const PathInputs& inputs, Pat
   const double asked_Hz = inputs.settings.number("SoftRate");
   const double rate_Hz = inputs.body || asked_Hz == 0.0 ? asked_Hz : std::max(asked_Hz, leastLooseRate_Hz);
   auto touch = MechanismTouch::make(*made.value, mechanismHoldOf(hold, held.value.lever_u, rate_Hz), report.refusal);
+  report.refusal =
+    withUnitTaken(report.refusal, *made.value, "choose the unit of lengths by {Scale}, which is 1000 for millimetres");
   const std::string left = touch && inputs.body ? touch->bodies().maker(0).checked().report.summary() : "";
   if (!left.empty())
   {

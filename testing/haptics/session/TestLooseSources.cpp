@@ -432,7 +432,7 @@ TEST(LooseSources, ASourceThatCannotBeLooseIsNamedWithTheReasonAndTheRemedy)
   TriangleMesh open = *stoneInput().mesh;
   open.triangles.pop_back();
   EXPECT_THAT(refusalOf({ floorInput(), surfaceOf("stone", open) }, stones()),
-    AllOf(StartsWith("stone cannot be loose: the mesh is open"), HasSubstr("touch this source as fixed")));
+    AllOf(StartsWith("stone cannot be loose: the mesh is open"), HasSubstr("it is touched as fixed now; repair")));
   for (const double density : { 0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("") })
   {
     EXPECT_THAT(refusalOf({ floorInput(), stoneInput() }, stones(density)),
@@ -446,7 +446,23 @@ TEST(LooseSources, ASourceThatCannotBeLooseIsNamedWithTheReasonAndTheRemedy)
   unknown.unit_m = 0.0;
   EXPECT_THAT(refusalOf({ floorInput(), stoneInput() }, unknown), HasSubstr("choose the unit of lengths"));
   EXPECT_THAT(refusalOf({ surfaceOf("floor", open), stoneInput(Vec3(0.2, 0, 0)) }, stones()),
-    AllOf(StartsWith("stone cannot be loose beside floor: the mesh is open"), HasSubstr("hide floor")));
+    AllOf(StartsWith("stone cannot be loose beside floor: the mesh is open"), HasSubstr("it is touched as fixed now; hide floor")));
+}
+
+TEST(LooseSources, SixSurfacesAreTheMostAndALooseOneCounts)
+{
+  std::vector<SurfaceInput> surfaces = { floorInput() };
+  for (int i = 0; i < 4; ++i)
+  {
+    const Vec3 low(0.1 * i, 0.2, 0.01);
+    surfaces.push_back(surfaceOf("post " + std::to_string(i), makeBox(low, low + Vec3::Constant(0.05))));
+  }
+  surfaces.push_back(stoneInput());
+  EXPECT_EQ(refusalOf(surfaces, stones()), "");
+  surfaces.insert(surfaces.begin(), surfaceOf("wall", makeBox(Vec3(-0.4, -0.4, 0.01), Vec3(-0.3, -0.3, 0.1))));
+  EXPECT_EQ(refusalOf(surfaces, stones()),
+    "stone cannot be loose: the hand then touches at most 6 surfaces, loose ones included, and 7 are there; it is "
+    "touched as fixed now; hide another source");
 }
 
 TEST(LooseSources, TheSoftBodyIsNotLooseAsWell)
@@ -521,7 +537,7 @@ TEST(LooseAlongPath, ABallPushesTheStoneByItsFrictionAndTheRowsHaveItsPlace)
 TEST(LooseAlongPath, InputsThatCannotBeAreNamedWithTheRemedy)
 {
   const auto refusal = [](const PathInputs& inputs) { return PathRunner(inputs).report().refusal; };
-  PathInputs point = ballAmongStones(0.0), open = point, heavy = point, textured = point;
+  PathInputs point = ballAmongStones(0.0), open = point, heavy = point, large = point, textured = point;
   point.settings.put("Radius", 0.0);
   EXPECT_THAT(refusal(point), AllOf(HasSubstr("{Radius}"), HasSubstr("add a tool")));
   TriangleMesh mesh = *stoneInput().mesh;
@@ -530,6 +546,9 @@ TEST(LooseAlongPath, InputsThatCannotBeAreNamedWithTheRemedy)
   EXPECT_THAT(refusal(open), StartsWith("stone: cannot be loose: the mesh is open"));
   heavy.surfaces.back().density_kg_per_m3 = 1e9;
   EXPECT_THAT(refusal(heavy), StartsWith("stone: cannot be loose: its density"));
+  large.surfaces.back().mesh = std::make_shared<const TriangleMesh>(scaled(*stoneInput().mesh, 1000.0));
+  EXPECT_THAT(refusal(large),
+    AllOf(HasSubstr("Body \"stone\""), HasSubstr("one unit is taken as 1 m"), HasSubstr("{Scale}, which is 1000")));
   textured.settings.put("TextureArray", "height");
   EXPECT_THAT(refusal(textured), HasSubstr("{TextureArray} has no effect on a hand among loose bodies"));
 }
