@@ -363,7 +363,7 @@ def _density(name, density):
     if isinstance(density, bool) or not isinstance(density, numbers.Real) or not 0 < density <= 1e6:
         raise HapticRefusal(f"{name}: a loose source needs a density above 0 and at most 1e6 kg/m3, not {density!r}; "
                             f"for example Touched({name!r}, \"loose\", density=2500).")
-    return float(density)
+    return density
 
 
 def _put_unit(unit):

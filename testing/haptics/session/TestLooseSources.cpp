@@ -446,7 +446,8 @@ TEST(LooseSources, ASourceThatCannotBeLooseIsNamedWithTheReasonAndTheRemedy)
   unknown.unit_m = 0.0;
   EXPECT_THAT(refusalOf({ floorInput(), stoneInput() }, unknown), HasSubstr("choose the unit of lengths"));
   EXPECT_THAT(refusalOf({ surfaceOf("floor", open), stoneInput(Vec3(0.2, 0, 0)) }, stones()),
-    AllOf(StartsWith("stone cannot be loose beside floor: the mesh is open"), HasSubstr("it is touched as fixed now; hide floor")));
+    AllOf(StartsWith("stone cannot be loose beside floor: the mesh is open"),
+      HasSubstr("it is touched as fixed now; hide floor")));
 }
 
 TEST(LooseSources, SixSurfacesAreTheMostAndALooseOneCounts)
