@@ -7,6 +7,7 @@
 #include "haptics/session/SessionInputs.h"
 #include "haptics/session/SessionRun.h"
 #include "haptics/session/SessionWorkers.h"
+#include "haptics/session/mechanism/BallMesh.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
 #include "haptics/session/mechanism/PressingTool.h"
 #include "haptics/tool/servo/FrictionTarget.h"
@@ -63,20 +64,22 @@ HapticSession::Holding HapticSession::holding() const
   return { this->toolBesideSoft().empty(), this->toolPresses() };
 }
 
-/// A ball that is a mesh among loose bodies is turned about its middle; else no ball is.
+/// A ball that is a mesh among loose bodies is felt to turn about its middle; else no ball is.
 double HapticSession::heldLever_u() const
 {
   const bool ball = this->toolPresses() && !this->chosen<ToolTask>().tool;
   return ball ? this->chosen_->pressing->ball_u() : this->heldTool().weighs_u();
 }
 
-/// The hand turns a tool that presses by the metric of tools, whatever torque the device has.
+/// The hand turns a tool that presses by the metric of tools, whatever torque the device has, and keeps a ball upright.
 void HapticSession::adapt(Run& run, bool first) const
 {
   run.adapt(this->parameters_, this->characteristic_u(), first);
   if (this->toolPresses())
   {
-    const double lever_m = this->heldLever_u() / this->parameters_.map.scale_u_per_m;
+    const bool ball = !this->chosen<ToolTask>().tool;
+    const double lever_u = ball ? ballLever_u(this->heldLever_u()) : this->heldLever_u();
+    const double lever_m = lever_u / this->parameters_.map.scale_u_per_m;
     run.adapted.mechanismTurning_N_m_per_rad = this->parameters_.stiffness_N_per_m * lever_m * lever_m;
   }
 }

@@ -255,8 +255,8 @@ std::vector<MechanismBody> surfacesBeside(const PathInputs& inputs, const LooseS
   return beside.bodies();
 }
 
-/// As the metric of a tool has it: its lever is that of the tool about the hand, or the radius of a ball, unless one is
-/// set.
+/// As the metric of a tool has it: its lever is that of the tool about the hand, or of a ball that stays upright
+/// (BallMesh.h), unless one is set.
 MechanismHold mechanismHoldOf(const ToolHold& hold, double own_u, double lowRate_Hz)
 {
   const double arm_m = hold.characteristic_u.value_or(own_u) / hold.scale_u_per_m;
@@ -277,7 +277,7 @@ Outcome<InHand> inHand(const PathInputs& inputs)
   if (!inputs.tool)
   {
     const double radius_u = inputs.settings.number("Radius");
-    return { { "ball", std::make_shared<const TriangleMesh>(ballMesh(radius_u)), radius_u },
+    return { { "ball", std::make_shared<const TriangleMesh>(ballMesh(radius_u)), ballLever_u(radius_u) },
       radius_u > 0.0 ? "" : "{Radius}: a point cannot push a loose body; set a radius above 0, or add a tool" };
   }
   const Outcome<ToolMesh> tool = makeTool(*inputs.tool->mesh, Vec3(Vec3::Zero()));

@@ -90,6 +90,16 @@ const MechanismResult& compute(TickContext& tick, double lever_m) noexcept
   return result;
 }
 
+/// The lever by which the hand feels the turn of a mesh: a spring that keeps a mesh upright may have a longer one than
+/// the mesh has, by which the damper and the limit of the torque would be those of a larger mesh.
+double feltLever_m(const TickContext& tick, double lever_m) noexcept
+{
+  const MechanismPlan& plan = tick.input.mechanism->plan();
+  const PlannedBody& held = plan.bodies[static_cast<std::size_t>(plan.held)];
+  const double farthest_u = held.low_u.cwiseAbs().cwiseMax(held.high_u.cwiseAbs()).norm();
+  return farthest_u > 0.0 ? std::min(lever_m, farthest_u / tick.p.map.scale_u_per_m) : lever_m;
+}
+
 /// Force and torque as the stretch of a plain spring of the coupling's stiffness.
 void pull(TickContext& tick, const MechanismResult& result, double lever_m) noexcept
 {
@@ -242,7 +252,7 @@ void HeldMechanism::step(TickContext& tick) noexcept
   takePlan(tick);
   breakConstraints(tick);
   const MechanismResult& result = compute(tick, lever_m);
-  pull(tick, result, lever_m);
+  pull(tick, result, feltLever_m(tick, lever_m));
   tell(tick, result, tick.out.state);
   tellChanges(tick, result, tick.out.state.mechanism);
   endIfLate(tick, result, tick.out.state.mechanism);

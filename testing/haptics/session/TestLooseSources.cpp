@@ -189,6 +189,39 @@ TEST(LooseSources, PressedFromAboveItGivesTheHandTheForceOfItsSpringAndTheFloorT
   EXPECT_NEAR(hand.pressOn("stone", "floor").z(), weight_N + force_N.z(), 1e-6 * force_N.z());
 }
 
+/// Statics: the wall bears all that the hand presses with, so that the ball stays where the stone's face is, with the
+/// force of the hand's spring, however far the hand is ahead. Turned, the ball meets the face between its vertices.
+TEST(LooseSources, PressedAgainstAWallItKeepsTheBallOutHoweverDeepTheHand)
+{
+  constexpr double friction = 0.3, gap_m = 1e-4, within_m = 1e-4;
+  const SurfaceInput wall = surfaceOf("wall", makeBox(Vec3(half_m.x() + gap_m, -0.1, 0.0), Vec3(0.1, 0.1, 0.1)));
+  for (const Quat& turn : { Quat::Identity(), Quat(Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, 3.0).normalized())) })
+  {
+    FreeHand hand(friction);
+    hand.session.setScene(sceneOfAll({ floorInput(), wall, stoneInput() }));
+    hand.session.setLoose(stones());
+    const double face_m = gap_m - half_m.x() - fingertip_m;
+    const auto ahead = [&](double x_m, int ticks = 1) -> const HapticState& {
+      return hand.hold({ Vec3(face_m + x_m, 0.0, half_m.z()), turn }, ticks);
+    };
+    ahead(-1e-3, 200);
+    double x_m = -1e-3;
+    for (const double radii : { 3.0, 8.0 })
+    {
+      for (; x_m < radii * fingertip_m; x_m += 5e-5)
+      {
+        EXPECT_LE(ahead(x_m).mechanism.residual_u, 1e-9) << x_m;
+      }
+      const HapticState& state = ahead(x_m, 500);
+      EXPECT_LE((state.proxy_W.p - Vec3(face_m, 0.0, half_m.z())).norm(), within_m) << radii;
+      const Vec3 expected_N = firm_N_per_m * (state.proxy_W.p - Vec3(face_m + x_m, 0.0, half_m.z()));
+      EXPECT_LE((state.force_W - expected_N).norm(), 1e-6 * expected_N.norm()) << radii;
+      EXPECT_NEAR(hand.pressOn("stone", "wall").x(), state.force_W.x(), friction * weight_N + 1e-6 * expected_N.norm())
+        << radii << ": beside the friction of the floor";
+    }
+  }
+}
+
 /// A hand that pushes the stone along x from rest with that acceleration. Mean force on the hand over its last tenth.
 double pushed_N(FreeHand& hand, double acceleration)
 {
