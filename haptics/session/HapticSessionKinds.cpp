@@ -67,8 +67,8 @@ HapticSession::Holding HapticSession::holding() const
 /// A ball that is a mesh among loose bodies is felt to turn about its middle; else no ball is.
 double HapticSession::heldLever_u() const
 {
-  const bool ball = this->toolPresses() && !this->chosen<ToolTask>().tool;
-  return ball ? this->chosen_->pressing->ball_u() : this->heldTool().weighs_u();
+  const double ball_u = this->toolPresses() ? this->chosen_->pressing->ball_u() : 0.0;
+  return ball_u > 0.0 ? ball_u : this->heldTool().weighs_u();
 }
 
 /// The hand turns a tool that presses by the metric of tools, whatever torque the device has, and keeps a ball upright.
@@ -77,8 +77,8 @@ void HapticSession::adapt(Run& run, bool first) const
   run.adapt(this->parameters_, this->characteristic_u(), first);
   if (this->toolPresses())
   {
-    const bool ball = !this->chosen<ToolTask>().tool;
-    const double lever_u = ball ? ballLever_u(this->heldLever_u()) : this->heldLever_u();
+    const double ball_u = this->chosen_->pressing->ball_u();
+    const double lever_u = ball_u > 0.0 ? ballLever_u(ball_u) : this->heldTool().weighs_u();
     const double lever_m = lever_u / this->parameters_.map.scale_u_per_m;
     run.adapted.mechanismTurning_N_m_per_rad = this->parameters_.stiffness_N_per_m * lever_m * lever_m;
   }

@@ -2,8 +2,8 @@
 # Read by ctest, once its caller has set these: each suite of a GoogleTest program becomes one test "name.Suite", as a process for
 # each of thousands of tests would start longer than it computes; with test_each, each test becomes "name.Suite.Test".
 #   test_program, test_name, test_each
-#   test_properties     properties of each, but for
-#   test_environment    the variables of its process, which are a list themselves
+#   test_properties     properties of each test but its environment
+#   test_environment    variables of its process, a list of its own
 if (NOT EXISTS "${test_program}")
   add_test("${test_name}_NOT_BUILT" "${test_program}")
   return ()

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
+#include <string_view>
 
 #include "haptics/core/PoseMath.h"
 #include "haptics/session/SessionWorkers.h"
@@ -14,8 +15,20 @@
 
 namespace
 {
-/// Of the choices of SceneUnit but the first: u has no length that is known.
-constexpr std::array Units_m = { 0.0, 1e-6, 1e-3, 1e-2, 1.0 };
+struct Unit
+{
+  std::string_view Name;
+  double Metres; ///< 0: not known
+};
+/// The choices of SceneUnit but the first, which is that of the files.
+constexpr std::array<Unit, 5> Units = { { { "u", 0.0 }, { "um", 1e-6 }, { "mm", 1e-3 }, { "cm", 1e-2 },
+  { "m", 1.0 } } };
+
+double Metres(const std::string& unit)
+{
+  const auto found = std::find_if(Units.begin(), Units.end(), [&unit](const Unit& each) { return each.Name == unit; });
+  return found != Units.end() ? found->Metres : 0.0;
+}
 
 /// Null: no body of that mechanism is the loose one of that name.
 const palpate::MechanismBody* LooseOf(const palpate::MechanismInputs& inputs, const std::string& name)
@@ -67,7 +80,7 @@ void vtkHapticSession::Internals::FollowLoose()
   const int chosen = this->Settings.whole("SceneUnit");
   palpate::LooseSources loose;
   loose.density_kg_per_m3 = this->Surfaces.Styles().Densities();
-  loose.unit_m = chosen == 0 ? this->UnitOfFiles_m : Units_m.at(static_cast<std::size_t>(chosen) - 1);
+  loose.unit_m = chosen == 0 ? Metres(this->UnitOfFiles) : Units.at(static_cast<std::size_t>(chosen) - 1).Metres;
   loose.gravity_m_per_s2 = palpate::Vec3(this->Settings.of("Gravity").numbers.data());
   this->Core.setLoose(loose);
 }

@@ -94,7 +94,7 @@ public:
 
   std::uint64_t CommitSeen = 0; ///< of the scene that marks and arrays were last compared with
   std::string MissingArrays;    ///< of that scene, a line each
-  double UnitOfFiles_m = 0.0;   ///< metres a unit of the scene, as its files say; 0: they say none
+  std::string UnitOfFiles;      ///< of lengths, as the files of the scene say; "" or "u": they say none
   std::string LooseText, LooseRefused;
   std::set<std::string> LooseGone; ///< names of loose sources that the pipeline has not
 

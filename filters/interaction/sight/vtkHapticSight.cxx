@@ -202,11 +202,10 @@ bool vtkHapticSight::GetHasLoose() const
 
 void vtkHapticSight::SetUnitOfFiles(const char* unit)
 {
-  const std::string_view known = unit ? unit : "";
-  const double unit_m = known == "um" ? 1e-6 : known == "mm" ? 1e-3 : known == "cm" ? 1e-2 : known == "m" ? 1.0 : 0.0;
-  if (unit_m != this->Behind().UnitOfFiles_m)
+  const std::string known = unit ? unit : "";
+  if (known != this->Behind().UnitOfFiles)
   {
-    this->Behind().UnitOfFiles_m = unit_m;
+    this->Behind().UnitOfFiles = known;
     this->Behind().FollowLoose();
   }
 }

@@ -9,12 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "haptics/core/PoseMath.h"
-#include "haptics/geometry/scene/SceneBuilder.h"
-#include "haptics/mechanism/sided/SidedSurface.h"
 #include "haptics/recording/Recording.h"
-#include "haptics/session/mechanism/BallMesh.h"
-#include "haptics/session/path/PathRunner.h"
-#include "testing/haptics/session/PressingHand.h"
+#include "testing/haptics/session/LooseStones.h"
 #include "testing/support/TemporaryFolder.h"
 
 namespace palpate::test
@@ -25,37 +21,6 @@ namespace
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-constexpr double g_m_per_s2 = 9.81, stone_kg_per_m3 = 2500.0, handTick_s = 1e-3;
-constexpr double fingertip_m = 0.005; ///< radius of the ball
-const Vec3 half_m(0.03, 0.02, 0.01);
-const double mass_kg = stone_kg_per_m3 * 8.0 * half_m.prod();
-const double weight_N = mass_kg * g_m_per_s2;
-
-SurfaceInput floorInput()
-{
-  return surfaceOf("floor", makeBox(Vec3(-0.5, -0.5, -0.1), Vec3(0.5, 0.5, 0.0)));
-}
-
-/// A block that stands on the floor, whose data has its origin somewhere else.
-SurfaceInput stoneInput(const Vec3& at_W = Vec3::Zero())
-{
-  const Vec3 low(at_W.x() - half_m.x(), at_W.y() - half_m.y(), at_W.z());
-  return surfaceOf("stone", makeBox(low, low + 2.0 * half_m));
-}
-
-std::shared_ptr<const Scene> sceneOfAll(const std::vector<SurfaceInput>& surfaces)
-{
-  return SceneBuilder(1).build(surfaces).scene;
-}
-
-LooseSources stones(double density_kg_per_m3 = stone_kg_per_m3)
-{
-  LooseSources loose;
-  loose.density_kg_per_m3 = { { "stone", density_kg_per_m3 } };
-  loose.unit_m = 1.0;
-  return loose;
-}
 
 /// A ball in the hand, without a tool and a soft body.
 struct FreeHand : PressingHand
@@ -210,7 +175,9 @@ TEST(LooseSources, PressedAgainstAWallItKeepsTheBallOutHoweverDeepTheHand)
     {
       for (; x_m < radii * fingertip_m; x_m += 5e-5)
       {
-        EXPECT_LE(ahead(x_m).mechanism.residual_u, 1e-9) << x_m;
+        const HapticState& now = ahead(x_m);
+        EXPECT_LE(now.proxy_W.p.x(), hand.middleOf("stone").x() - half_m.x() - fingertip_m + within_m) << x_m;
+        EXPECT_TRUE(now.mechanism.capped || now.mechanism.residual_u <= 1e-12) << x_m;
       }
       const HapticState& state = ahead(x_m, 500);
       EXPECT_LE((state.proxy_W.p - Vec3(face_m, 0.0, half_m.z())).norm(), within_m) << radii;
@@ -520,94 +487,6 @@ TEST(LooseSources, AreNotFeltWhileAMechanismIsHeld)
   EXPECT_FALSE(hand.session.toolPresses());
   hand.session.choose<MechanismTask>({});
   EXPECT_TRUE(hand.session.toolPresses());
-}
-
-constexpr double pathStep_m = 2e-4; ///< faster than a small ball can be at thirty answers a second
-constexpr int pathTicks = 1500;     ///< the last third of which are without a trace of the first impact
-
-/// A ball that pushes the stone along x at a constant speed.
-PathInputs ballAmongStones(double friction)
-{
-  PathInputs inputs;
-  inputs.settings.put("Scale", 1.0);
-  inputs.settings.put("Radius", fingertip_m);
-  inputs.settings.put("FrictionStatic", friction);
-  inputs.settings.put("FrictionKinetic", friction);
-  for (const SurfaceInput& surface : { floorInput(), stoneInput() })
-  {
-    inputs.surfaces.push_back({ surface.name, surface.mesh });
-  }
-  inputs.surfaces.back().density_kg_per_m3 = stone_kg_per_m3;
-  const double from_m = -half_m.x() - fingertip_m - 1e-3;
-  for (int i = 0; i < pathTicks; ++i)
-  {
-    inputs.path.push_back({ handTick_s * i, { Vec3(from_m + pathStep_m * i, 0, half_m.z()), Quat::Identity() } });
-  }
-  return inputs;
-}
-
-TEST(LooseAlongPath, ABallPushesTheStoneByItsFrictionAndTheRowsHaveItsPlace)
-{
-  constexpr double friction = 0.3;
-  PathRunner runner(ballAmongStones(friction));
-  ASSERT_EQ(runner.report().refusal, "");
-  const std::vector<PathColumn> columns = runner.columns();
-  ASSERT_EQ(columns.size(), 5U);
-  EXPECT_EQ(columns[3].name, "Place of stone");
-  EXPECT_EQ(columns[4].name, "Turn of stone");
-  double sum_N = 0.0;
-  Vec3 place_W = Vec3::Zero();
-  const auto take = [&](std::size_t i, const PathSample&, const PathTick& tick)
-  {
-    sum_N -= i >= 1000 ? tick.wrench_W.force.x() : 0.0;
-    place_W = Vec3(tick.more[8], tick.more[9], tick.more[10]);
-  };
-  EXPECT_TRUE(runner.run([](double) { return true; }, take));
-  EXPECT_NEAR(sum_N / 500.0, friction * weight_N, 0.01 * friction * weight_N);
-  EXPECT_NEAR(place_W.x(), pathStep_m * (pathTicks - 1) - 1e-3, 5e-4);
-  EXPECT_NEAR(place_W.z(), half_m.z(), 1e-6);
-}
-
-TEST(LooseAlongPath, InputsThatCannotBeAreNamedWithTheRemedy)
-{
-  const auto refusal = [](const PathInputs& inputs) { return PathRunner(inputs).report().refusal; };
-  PathInputs point = ballAmongStones(0.0), open = point, heavy = point, large = point, textured = point;
-  point.settings.put("Radius", 0.0);
-  EXPECT_THAT(refusal(point), AllOf(HasSubstr("{Radius}"), HasSubstr("add a tool")));
-  TriangleMesh mesh = *stoneInput().mesh;
-  mesh.triangles.pop_back();
-  open.surfaces.back().mesh = std::make_shared<const TriangleMesh>(mesh);
-  EXPECT_THAT(refusal(open), StartsWith("stone: cannot be loose: the mesh is open"));
-  heavy.surfaces.back().density_kg_per_m3 = 1e9;
-  EXPECT_THAT(refusal(heavy), StartsWith("stone: cannot be loose: its density"));
-  large.surfaces.back().mesh = std::make_shared<const TriangleMesh>(scaled(*stoneInput().mesh, 1000.0));
-  EXPECT_THAT(refusal(large),
-    AllOf(HasSubstr("Body \"stone\""), HasSubstr("one unit is taken as 1 m"), HasSubstr("{Scale}, which is 1000")));
-  textured.settings.put("TextureArray", "height");
-  EXPECT_THAT(refusal(textured), HasSubstr("{TextureArray} has no effect on a hand among loose bodies"));
-}
-
-TEST(BallMesh, IsClosedOnItsSphereAndMeetsEachAxisInAVertex)
-{
-  constexpr double radius_u = 3.0;
-  const TriangleMesh ball = ballMesh(radius_u);
-  for (const Vec3& p : ball.vertices_W)
-  {
-    EXPECT_NEAR(p.norm(), radius_u, 1e-14 * radius_u);
-  }
-  EXPECT_EQ(makeRigidMesh(ball).problem, "");
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (const double side : { 1.0, -1.0 })
-    {
-      EXPECT_NE(std::ranges::find(ball.vertices_W, Vec3(side * radius_u * Vec3::Unit(axis))), ball.vertices_W.end());
-    }
-  }
-  for (const auto& [a, b, c] : ball.triangles)
-  {
-    const Vec3 n = (ball.vertices_W[b] - ball.vertices_W[a]).cross(ball.vertices_W[c] - ball.vertices_W[a]);
-    EXPECT_GE(n.normalized().dot(ball.vertices_W[a]), (1.0 - 1.0 / 250.0) * radius_u) << "right-handed, and so near";
-  }
 }
 
 } // namespace
