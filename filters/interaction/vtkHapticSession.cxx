@@ -59,6 +59,7 @@ void vtkHapticSession::Internals::ShowState()
     this->Warning =
       this->Warning.empty() ? this->MissingArrays.substr(0, this->MissingArrays.find('\n')) : this->Warning;
     this->Warning = this->Warning.empty() ? this->FieldGone : this->Warning;
+    this->Warning = this->Warning.empty() ? this->LooseTrouble() : this->Warning;
     this->Warning = this->Warning.empty() && this->Recorded.Played ? this->Recorded.PlayedText : this->Warning;
   }
   if (this->Core.running())

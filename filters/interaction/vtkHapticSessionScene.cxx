@@ -54,7 +54,10 @@ void vtkHapticSession::Internals::TakeScene(bool wait)
     return;
   }
   this->Surfaces.Took(this->Scene.worker());
-  this->JudgeLoose();
+  if (!this->Scene.built().scene || !this->Scene.built().scene->moves())
+  {
+    this->JudgeLoose();
+  }
   this->FollowPlane();
   this->StayOutside(this->Scene.cameAround());
   const bool ofTouch = this->Core.running() && palpate::isOfTouch(this->Scene.built().stamp_s, this->Begun_s);

@@ -116,6 +116,43 @@ class LooseSources(unittest.TestCase):
         self.hand.Update()
         self.assertAlmostEqual(self.hand.GetForce()[2], STIFFNESS * 1e-3 * deep, delta=0.01 * STIFFNESS * 1e-3 * deep)
 
+    def test_a_source_that_falls_out_of_the_scene_is_named_with_a_remedy_and_comes_back(self):
+        Touched("stone", "loose", density=DENSITY, unit="mm")
+        self.touch()
+        self.assertNotIn("stone", HapticState()["Warning"])
+        simple.Hide(self.table, self.view)
+        HapticUpdate()
+        self.hand.FinishScene()
+        diagonal = 1e-3 * numpy.linalg.norm(SIZE)  # m, at the least: ball and stone are the mechanism
+        self.hand.Step(int(1e3 * numpy.sqrt(2 * 40 * diagonal / 9.81)))
+        self.hand.Update()
+        self.assertRegex(HapticState()["Warning"], "^stone has fallen out of the scene: .*Put Back")
+        self.assertIn("has fallen", HapticState()["LooseText"])
+        simple.Show(self.table, self.view)
+        HapticUpdate()
+        self.hand.FinishScene()
+        PutBack()
+        self.hand.Step(300)
+        self.hand.Update()
+        self.assertNotIn("stone", HapticState()["Warning"])
+        numpy.testing.assert_allclose(self.drawn(), numpy.identity(4), atol=1e-3)
+
+    def test_an_edit_of_another_source_is_no_error_and_the_stone_is_loose_again_once_that_rests(self):
+        Touched("stone", "loose", density=DENSITY, unit="mm")
+        self.touch()
+        self.table.XLength = 500  # its vertices go there: a surface that deforms meanwhile
+        HapticUpdate()
+        self.hand.FinishScene()
+        self.hand.Update()
+        self.assertEqual(HapticState()["Problem"], "")
+        for _ in range(5):
+            self.hand.Step(300)
+            self.hand.Update()
+            HapticUpdate()
+            self.hand.FinishScene()
+        self.assertEqual(HapticState()["Problem"], "")
+        self.assertEqual(HapticState()["LooseText"], f"stone: loose, {MASS:.3g} kg\n")
+
     def test_fixed_is_the_default_and_ends_loose(self):
         Touched(self.stone, "loose", density=DENSITY, unit="mm")
         Touched(self.stone)

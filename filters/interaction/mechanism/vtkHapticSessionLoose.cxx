@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/check/MechanismCheck.h"
 #include "haptics/session/SessionWorkers.h"
 #include "haptics/session/mechanism/MechanismBodies.h"
 #include "haptics/session/mechanism/ToolOnBody.h"
@@ -121,17 +122,60 @@ std::string vtkHapticSession::Internals::WhyNotLoose(const std::string& name) co
            : "to be loose, but not among the touched surfaces; show the source, and press Touch";
 }
 
+std::string vtkHapticSession::Internals::LooseProblem() const
+{
+  const std::string& refusal = this->Core.looseRefusal();
+  const auto inputs = this->Core.toolPresses() ? this->Core.feltMechanism() : nullptr;
+  if (!refusal.empty() || !inputs || this->Surfaces.Styles().Densities().empty())
+  {
+    return refusal;
+  }
+  const char* const remedy =
+    inputs->soft.empty() ? "choose the unit of lengths (SceneUnit)" : "choose another unit for the soft body (Unit)";
+  return palpate::withUnitTaken(this->Core.status<palpate::MechanismTask>().problem, *inputs, remedy);
+}
+
+std::string vtkHapticSession::Internals::LooseFallen() const
+{
+  const auto inputs = this->Core.toolPresses() ? this->Core.feltMechanism() : nullptr;
+  const palpate::MechanismNow& now = this->State.mechanism;
+  if (!inputs || !now.held || now.revision != this->Core.status<palpate::MechanismTask>().plan)
+  {
+    return {};
+  }
+  const auto& bodies = inputs->mechanism.bodies;
+  const double farthest_u = palpate::farthestLoose_u(inputs->mechanism);
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    if (palpate::isLoose(bodies[b]) && (now.pose_W[b].p - bodies[b].pose_W.p).norm() > farthest_u)
+    {
+      return bodies[b].name;
+    }
+  }
+  return {};
+}
+
+std::string vtkHapticSession::Internals::LooseTrouble() const
+{
+  const std::string fallen = this->LooseFallen();
+  return fallen.empty()
+           ? this->LooseProblem()
+           : fallen + " has fallen out of the scene: put it back (Put Back) onto a surface, or turn Gravity";
+}
+
 const char* vtkHapticSession::Internals::SayLooseText()
 {
   const auto inputs = this->Core.toolPresses() ? this->Core.feltMechanism() : nullptr;
   const palpate::MechanismStatus status =
     inputs ? this->Core.status<palpate::MechanismTask>() : palpate::MechanismStatus();
+  const std::string fallen = this->LooseFallen();
   std::ostringstream lines;
   for (const auto& [name, density] : this->Surfaces.Styles().Densities())
   {
     const palpate::MechanismBody* const body = inputs ? LooseOf(*inputs, name) : nullptr;
     lines << name << ": "
-          << (body ? "loose, " + MassText(body->mass.mass_Ns2_per_u / inputs->unit_m) : this->WhyNotLoose(name));
+          << (body ? "loose, " + MassText(body->mass.mass_Ns2_per_u / inputs->unit_m) : this->WhyNotLoose(name))
+          << (body && name == fallen ? "; has fallen out of the scene" : "");
     for (const auto& [a, b] : status.check.overlaps)
     {
       if (body && (a == name || b == name))
@@ -141,11 +185,7 @@ const char* vtkHapticSession::Internals::SayLooseText()
     }
     lines << "\n";
   }
-  const std::string& refusal = this->Core.looseRefusal();
-  const char* const remedy = inputs && inputs->soft.empty() ? "choose the unit of lengths (SceneUnit)"
-                                                            : "choose another unit for the soft body (Unit)";
-  const std::string ofPlan = inputs ? palpate::withUnitTaken(status.problem, *inputs, remedy) : "";
-  const std::string problem = refusal.empty() ? ofPlan : refusal;
+  const std::string problem = this->LooseProblem();
   this->LooseText = problem.empty() || lines.str().empty() ? lines.str() : problem + "\n";
   return this->LooseText.c_str();
 }

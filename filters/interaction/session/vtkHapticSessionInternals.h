@@ -307,8 +307,14 @@ public:
   /// Tells the core which surfaces are loose.
   void FollowLoose();
   /// Refuses loose sources that cannot be, once for a reason. Not before the scene is there that has them: with the
-  /// scene comes the unit of its lengths.
+  /// scene comes the unit of its lengths. Nor while a surface goes to another shape, as after an edit of its source.
   void JudgeLoose();
+  /// Why no source is loose though some should be, with the remedy; "": all of these are.
+  std::string LooseProblem() const;
+  /// The first loose source that has gone so far that it sleeps for good; "": none has.
+  std::string LooseFallen() const;
+  /// Of these two the one that the hand meets, as a sentence with the remedy; "".
+  std::string LooseTrouble() const;
   /// How a loose source has gone from where its data are, in W; nothing: it is where they are.
   std::optional<palpate::Pose> LooseWay(const std::string& name) const;
   /// Where the ball touched then, or the tool most; nothing where neither did.

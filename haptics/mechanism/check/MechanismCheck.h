@@ -43,6 +43,10 @@ struct MechanismCheck
 [[nodiscard]] MechanismCheck checkMechanism(
   const Mechanism& mechanism, std::span<const MechanismSoft> soft, const MechanismGrip& grip);
 
+/// So far a loose body goes from where it began, then it sleeps for good: ten times the diagonal of the rigid bodies
+/// and meshes [u]; infinite without a loose body.
+[[nodiscard]] double farthestLoose_u(const Mechanism& mechanism);
+
 /// The plan of a mechanism in which checkMechanism() finds no fault, and the same `soft`: the tick is given the bodies
 /// in this order. `revision`: above 0. Not real-time safe.
 [[nodiscard]] MechanismPlan planMechanism(

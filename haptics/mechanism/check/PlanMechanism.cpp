@@ -71,8 +71,9 @@ PlannedConstraint planConstraint(
   return planned;
 }
 
-/// Ten times the diagonal of the rigid bodies and meshes; infinite without a loose body.
-double farthestOf(const Mechanism& mechanism)
+} // namespace
+
+double farthestLoose_u(const Mechanism& mechanism)
 {
   constexpr double scenes = 10.0;
   Eigen::AlignedBox3d bounds;
@@ -85,8 +86,6 @@ double farthestOf(const Mechanism& mechanism)
   const bool any = std::ranges::any_of(mechanism.bodies, [](const MechanismBody& body) { return isLoose(body); });
   return any ? scenes * bounds.diagonal().norm() : MechanismConstraint::unlimited;
 }
-
-} // namespace
 
 MechanismPlan planMechanism(const Mechanism& mechanism, std::span<const MechanismSoft> soft, std::uint64_t revision)
 {
@@ -106,7 +105,7 @@ MechanismPlan planMechanism(const Mechanism& mechanism, std::span<const Mechanis
     plan.laws[plan.lawCount++] = planConstraint(mechanism, law, soft);
   }
   plan.characteristic_u = characteristic_u > 0.0 ? characteristic_u : 1.0;
-  plan.farthest_u = farthestOf(mechanism);
+  plan.farthest_u = farthestLoose_u(mechanism);
   return plan;
 }
 
