@@ -162,6 +162,7 @@ std::string vtkHapticHeldMechanism::Convert(vtkDataObject* data, const std::stri
 {
   this->File = vtkHapticIsMechanism(data) ? vtkHapticMechanismFileOf(*data) : "";
   this->Folder = vtkHapticIsMechanism(data) ? vtkHapticMechanismFolderOf(*data) : "";
+  this->Vessel_W = vtkHapticIsMechanism(data) ? vtkHapticVesselOf(*data) : nullptr;
   this->Read.clear();
   this->AtRest.clear();
   this->Seen = {};
@@ -191,7 +192,7 @@ std::string vtkHapticHeldMechanism::TakeAgain()
     return this->Problem;
   }
   const vtkHapticMechanismResult read =
-    vtkHapticParseMechanism(this->File, this->Folder, this->Constraints, this->Read);
+    vtkHapticParseMechanism(this->File, this->Folder, this->Constraints, this->Read, this->Vessel_W);
   this->Inputs = read.Inputs;
   this->Read = read.Inputs ? read.Inputs->soft : this->Read;
   this->Held = read.Inputs && this->HeldBody() < read.Inputs->mechanism.bodies.size()
@@ -254,7 +255,8 @@ std::string vtkHapticHeldMechanism::RefusalOf(const std::string& laws, const pal
   {
     return "";
   }
-  const vtkHapticMechanismResult read = vtkHapticParseMechanism(this->File, this->Folder, laws, this->Read);
+  const vtkHapticMechanismResult read =
+    vtkHapticParseMechanism(this->File, this->Folder, laws, this->Read, this->Vessel_W);
   if (!read.Inputs)
   {
     return read.Problem;

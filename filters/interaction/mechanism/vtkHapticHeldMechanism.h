@@ -83,8 +83,9 @@ private:
   std::string FeltText(bool runs) const;
   std::size_t HeldBody() const;
 
-  std::vector<vtkBoundingBox> BodyBounds; ///< one a body
-  std::string File, Folder;               ///< text of the scene file, and where that lies
+  std::vector<vtkBoundingBox> BodyBounds;                ///< one a body
+  std::string File, Folder;                              ///< text of the scene file, and where that lies
+  std::shared_ptr<const palpate::TriangleMesh> Vessel_W; ///< of a wire that names no file of one; else null
   bool OfServer = false;
   std::shared_ptr<const palpate::MechanismInputs> Inputs;
   std::vector<palpate::MechanismSoftInput> Read; ///< its soft bodies, for the next constraints

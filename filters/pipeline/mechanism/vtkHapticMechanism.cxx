@@ -35,7 +35,7 @@ void vtkHapticMechanism::SetFileName(const std::string& file)
 
 void vtkHapticMechanism::ReadAgain()
 {
-  this->Asked = true;
+  this->AskAgain();
   this->Modified();
 }
 
@@ -45,11 +45,16 @@ void vtkHapticMechanism::ShowMoved(vtkPolyData* moved)
   this->Modified();
 }
 
+vtkHapticMechanismResult vtkHapticMechanism::ReadScene()
+{
+  return vtkHapticReadMechanism(this->FileName);
+}
+
 vtkSmartPointer<vtkPolyData> vtkHapticMechanism::Make()
 {
   this->Text.clear();
   const std::string folder = std::filesystem::path(this->FileName).parent_path().string();
-  const vtkHapticMechanismResult read = vtkHapticReadMechanism(this->FileName);
+  const vtkHapticMechanismResult read = this->ReadScene();
   this->Problem = read.Problem;
   const auto bodies = read.Inputs ? palpate::MechanismBodies::make(read.Inputs->soft, this->Problem) : nullptr;
   if (!bodies)
@@ -59,13 +64,17 @@ vtkSmartPointer<vtkPolyData> vtkHapticMechanism::Make()
   const palpate::MechanismCheck check = palpate::checkMechanism(
     read.Inputs->mechanism, bodies->atRest(), palpate::gripOf(palpate::usualHold(read.Inputs->unit_m)));
   const std::string faults = palpate::faultsOf(check);
-  this->Problem = faults.empty() ? "" : this->FileName + ": " + faults;
+  this->Problem = faults.empty() || this->FileName.empty() ? faults : this->FileName + ": " + faults;
   for (const std::string& line : vtkHapticMechanismText(*read.Inputs, check))
   {
     this->Text += line + '\n';
   }
   const vtkSmartPointer<vtkPolyData> shapes = vtkHapticMechanismShapes(read);
   vtkHapticDescribeMechanism(*shapes, read.Text, folder);
+  if (read.VesselGiven)
+  {
+    vtkHapticDescribeVessel(*shapes);
+  }
   return this->Problem.empty() ? shapes : nullptr;
 }
 
@@ -78,7 +87,7 @@ int vtkHapticMechanism::RequestData(vtkInformation*, vtkInformationVector**, vtk
     this->AtFirst = this->Make();
     if (!this->Problem.empty())
     {
-      vtkErrorMacro("The mechanism cannot be read: " << this->Problem);
+      vtkErrorMacro(<< this->Refusal << this->Problem);
     }
   }
   vtkPolyData* const shown = this->Moved ? this->Moved : this->AtFirst;

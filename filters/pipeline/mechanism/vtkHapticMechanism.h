@@ -26,6 +26,8 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for members
 
+struct vtkHapticMechanismResult;
+
 class VTKHAPTICPIPELINE_EXPORT vtkHapticMechanism : public vtkPolyDataAlgorithm
 {
 public:
@@ -59,13 +61,20 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
 
+  /// The mechanism, or its problem; may begin Text.
+  virtual vtkHapticMechanismResult ReadScene();
+  /// The next RequestData() makes the bodies anew.
+  void AskAgain() { this->Asked = true; }
+
+  std::string Refusal = "The mechanism cannot be read: "; ///< in front of a problem
+  std::string Text;
+
 private:
   /// Null with Problem.
   vtkSmartPointer<vtkPolyData> Make();
 
   std::string FileName;
   std::string Problem;
-  std::string Text;
   vtkSmartPointer<vtkPolyData> AtFirst, Moved;
   bool Asked = true; ///< for a file that has not been read since
 };

@@ -25,6 +25,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkThreshold.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
 
@@ -33,6 +34,7 @@ namespace
 constexpr const char* TextName = "HapticMechanism";
 constexpr const char* FolderName = "HapticMechanismFolder";
 constexpr const char* ServerName = "HapticMechanismOfServer";
+constexpr const char* VesselName = "HapticMechanismVessel";
 constexpr const char* BoundsName = "HapticMechanismBounds";
 
 void AddText(vtkDataObject& data, const char* name, const std::string& text)
@@ -189,6 +191,11 @@ void vtkHapticDescribeMechanism(vtkDataObject& data, const std::string& text, co
   }
 }
 
+void vtkHapticDescribeVessel(vtkDataObject& data)
+{
+  AddText(data, VesselName, "among these cells");
+}
+
 bool vtkHapticIsWhereMade(vtkDataObject& data)
 {
   constexpr double share = 1e-4; // of the diagonal: a filter may round to single precision
@@ -233,9 +240,28 @@ bool vtkHapticIsOfServer(vtkDataObject& data)
   return data.GetFieldData()->GetAbstractArray(ServerName) != nullptr;
 }
 
+/// A wire is the only body of its mechanism, and its vessel counts as the one behind it.
+std::shared_ptr<const palpate::TriangleMesh> vtkHapticVesselOf(vtkDataObject& data)
+{
+  constexpr double vessel = 1.0;
+  if (!data.GetFieldData()->GetAbstractArray(VesselName))
+  {
+    return nullptr;
+  }
+  vtkNew<vtkThreshold> cells;
+  cells->SetInputData(&data);
+  cells->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkHapticMechanismArray::Body);
+  cells->SetLowerThreshold(vessel);
+  cells->SetUpperThreshold(vessel);
+  cells->SetThresholdFunction(vtkThreshold::THRESHOLD_BETWEEN);
+  cells->Update();
+  return vtkHapticToMesh(cells->GetOutput()).Mesh;
+}
+
 vtkHapticMechanismResult vtkHapticToMechanism(vtkDataObject& data)
 {
-  return vtkHapticParseMechanism(vtkHapticMechanismFileOf(data), vtkHapticMechanismFolderOf(data));
+  return vtkHapticParseMechanism(
+    vtkHapticMechanismFileOf(data), vtkHapticMechanismFolderOf(data), "", {}, vtkHapticVesselOf(data));
 }
 
 vtkHapticLooseMass vtkHapticMassOf(const palpate::MechanismBody& body, double unit_m)

@@ -32,6 +32,9 @@ struct vtkHapticMechanismArray
 VTKHAPTICPIPELINE_EXPORT void vtkHapticDescribeMechanism(
   vtkDataObject& data, const std::string& text, const std::string& folder);
 
+/// Describes where the vessel of a wire is: among the cells of the data, and in no file.
+VTKHAPTICPIPELINE_EXPORT void vtkHapticDescribeVessel(vtkDataObject& data);
+
 /// Whether data describe a mechanism.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT bool vtkHapticIsMechanism(vtkDataObject* data);
 
@@ -45,6 +48,11 @@ VTKHAPTICPIPELINE_EXPORT void vtkHapticDescribeMechanism(
 /// Data that were brought from a server: the folder is one of the server's.
 VTKHAPTICPIPELINE_EXPORT void vtkHapticSetOfServer(vtkDataObject& data);
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT bool vtkHapticIsOfServer(vtkDataObject& data);
+
+/// The vessel of a wire whose description names no file of one: those cells of the data. Null: it names one, or the
+/// data are no wire.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::shared_ptr<const palpate::TriangleMesh> vtkHapticVesselOf(
+  vtkDataObject& data);
 
 /// The mechanism that data describe.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticMechanismResult vtkHapticToMechanism(vtkDataObject& data);

@@ -65,12 +65,13 @@ vtkHapticSoftDescription SoftOf(const Node& node, double unit_m)
   return soft;
 }
 
-/// The folder, the unit and the gravity of all bodies of a file.
+/// All that the bodies of a file share.
 struct Surroundings
 {
   std::string folder;
   double unit_m = 1.0;
   palpate::Vec3 gravity_m_per_s2{ 0.0, 0.0, -9.81 };
+  std::shared_ptr<const palpate::TriangleMesh> vessel_W; ///< of a wire that names no file of one; null: none
 };
 
 /// A box that stands: the mesh of its surface, where it stands.
@@ -146,7 +147,7 @@ palpate::MechanismBody BodyOf(const Node& node, const Surroundings& around, palp
     case Wire:
       node.knows({ "name", "kind", "vessel", "diameter", "length", "young_Pa", "tip_young_Pa", "poisson", "friction",
         "mouth", "direction", "beams", "tip", "tip_length", "tip_radius", "tip_pitch" });
-      body.wire = vtkHapticReadWire(node, around.folder, around.unit_m);
+      body.wire = vtkHapticReadWire(node, around.folder, around.unit_m, around.vessel_W);
       return body;
   }
   body.length_u = node.number("length", 0.0);
@@ -250,7 +251,7 @@ palpate::Vec3 CentreOf(const std::map<std::string, palpate::Vec3>& centres_u, co
 }
 
 vtkHapticMechanismResult Build(
-  const Node& root, const std::string& folder, const std::vector<palpate::MechanismSoftInput>& read)
+  const Node& root, Surroundings around, const std::vector<palpate::MechanismSoftInput>& read)
 {
   CheckHead(root);
   vtkHapticMechanismResult result;
@@ -260,7 +261,8 @@ vtkHapticMechanismResult Build(
   {
     root.fail("unit_m", "must be a number of metres from 1e-12 to 1e6");
   }
-  const Surroundings around{ folder, inputs->unit_m, root.vector("gravity", Surroundings().gravity_m_per_s2) };
+  around.unit_m = inputs->unit_m;
+  around.gravity_m_per_s2 = root.vector("gravity", around.gravity_m_per_s2);
   std::map<std::string, palpate::Vec3> centres_u;
   for (const Node& node : root.list("bodies"))
   {
@@ -268,11 +270,12 @@ vtkHapticMechanismResult Build(
     inputs->mechanism.bodies.push_back(BodyOf(node, around, centre_u));
     centres_u[inputs->mechanism.bodies.back().name] = centre_u;
     const palpate::MechanismBody& body = inputs->mechanism.bodies.back();
+    result.VesselGiven = result.VesselGiven || (body.wire && !node.has("vessel"));
     if (body.kind != palpate::MechanismBodyKind::Soft || !read.empty())
     {
       continue;
     }
-    vtkHapticDescribedSoft made = vtkHapticMakeSoft(SoftOf(node, inputs->unit_m), folder);
+    vtkHapticDescribedSoft made = vtkHapticMakeSoft(SoftOf(node, inputs->unit_m), around.folder);
     if (!made.Input)
     {
       node.fail("", body.name + " cannot be a soft body: " + made.Problem);
@@ -322,8 +325,12 @@ Json Without(const Json& laws, const std::string& name)
 } // namespace
 
 vtkHapticMechanismResult vtkHapticParseMechanism(const std::string& text, const std::string& folder,
-  const std::string& laws, const std::vector<palpate::MechanismSoftInput>& read)
+  const std::string& laws, const std::vector<palpate::MechanismSoftInput>& read,
+  const std::shared_ptr<const palpate::TriangleMesh>& vessel_W)
 {
+  Surroundings around;
+  around.folder = folder;
+  around.vessel_W = vessel_W;
   vtkHapticMechanismResult result;
   result.Problem = palpate::jsonProblemOf<Json>(
     [&]
@@ -333,7 +340,7 @@ vtkHapticMechanismResult vtkHapticParseMechanism(const std::string& text, const 
       {
         json["laws"] = ConstraintsOf(text, laws);
       }
-      result = Build(Node(json, ""), folder, read);
+      result = Build(Node(json, ""), around, read);
     });
   result.Text = text;
   return result;

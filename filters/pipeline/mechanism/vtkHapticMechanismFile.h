@@ -19,14 +19,16 @@ struct vtkHapticMechanismResult
   std::vector<vtkSmartPointer<vtkUnstructuredGrid>> SoftGrids; ///< as described, in the order of Inputs->soft
   std::string Text;                                            ///< of the file
   std::string Problem;                                         ///< one line: place in the text, fault, remedy
+  bool VesselGiven = false;                                    ///< it has a wire that names no file of its vessel
 };
 
 /// Reads a scene file's text (docs/mechanisms.md): JSON, `format` "palpate mechanism", `version` 1, bodies,
 /// constraints. Files of bodies are looked for in `folder`. Every key is known or refused, so that a mistyped one is
 /// not lost. `laws`: a list of constraints in place of its own; "": its own. `read`: soft bodies that were made of the
-/// same text before, and are not read again; they have no grids.
+/// same text before, and are not read again; they have no grids. `vessel_W`: of a wire that names no file of one.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticMechanismResult vtkHapticParseMechanism(const std::string& text,
-  const std::string& folder, const std::string& laws = "", const std::vector<palpate::MechanismSoftInput>& read = {});
+  const std::string& folder, const std::string& laws = "", const std::vector<palpate::MechanismSoftInput>& read = {},
+  const std::shared_ptr<const palpate::TriangleMesh>& vessel_W = nullptr);
 
 /// The list of constraints of a scene file's text, or `laws` where that is not "", with another one at its end, as an
 /// object of the file; in the place of the one of its name, if there is one. Throws nothing; "" with a problem.

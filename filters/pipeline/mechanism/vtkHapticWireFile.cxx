@@ -80,11 +80,11 @@ std::shared_ptr<const palpate::TriangleMesh> VesselOf(const Node& node, const st
 
 } // namespace
 
-std::shared_ptr<const palpate::PlannedWire> vtkHapticReadWire(
-  const vtkHapticSceneNode& node, const std::string& folder, double unit_m)
+std::shared_ptr<const palpate::PlannedWire> vtkHapticReadWire(const vtkHapticSceneNode& node, const std::string& folder,
+  double unit_m, const std::shared_ptr<const palpate::TriangleMesh>& given_W)
 {
   const palpate::WireDescription description = WireOf(node, unit_m);
-  const auto vessel_W = VesselOf(node, folder);
+  const auto vessel_W = given_W && !node.has("vessel") ? given_W : VesselOf(node, folder);
   auto planned = std::make_shared<palpate::PlannedWire>(palpate::planWire(description, *vessel_W, 1));
   planned->vessel_W = vessel_W;
   return planned;

@@ -14,9 +14,10 @@
 using vtkHapticSceneNode = palpate::JsonNode<nlohmann::json>;
 
 /// The wire that a body of a scene file describes (docs/mechanisms.md), in its vessel, whose file is looked for in
-/// `folder`. A wrong value of a key fails there; its check has the faults of the wire as a whole.
-[[nodiscard]] std::shared_ptr<const palpate::PlannedWire> vtkHapticReadWire(
-  const vtkHapticSceneNode& node, const std::string& folder, double unit_m);
+/// `folder`; where none is named, in the one that is given, if any. A wrong value of a key fails there; its check has
+/// the faults of the wire as a whole.
+[[nodiscard]] std::shared_ptr<const palpate::PlannedWire> vtkHapticReadWire(const vtkHapticSceneNode& node,
+  const std::string& folder, double unit_m, const std::shared_ptr<const palpate::TriangleMesh>& given_W);
 
 /// The lines of a check for a person.
 [[nodiscard]] std::vector<std::string> vtkHapticWireText(const palpate::WireCheck& check);

@@ -72,8 +72,9 @@ vtkHapticSourceParts PartsThere(vtkSMSourceProxy& source)
     parts.Solid = !poly;
     parts.Arrays = data->GetPointDataInformation()->GetNumberOfArrays() > 0 ||
                    data->GetCellDataInformation()->GetNumberOfArrays() > 0;
-    parts.Body = std::string_view(source.GetXMLName()) == "HapticSoftBody";
-    parts.Mechanism = std::string_view(source.GetXMLName()) == "HapticMechanism";
+    const std::string_view made = source.GetXMLName();
+    parts.Body = made == "HapticSoftBody";
+    parts.Mechanism = made == "HapticMechanism" || made == "HapticWire";
   }
   return parts;
 }

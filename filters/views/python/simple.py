@@ -21,8 +21,6 @@ import os
 import paraview
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkTable
-from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: F401  the proxy's object becomes scriptable
 from palpate.vtkHapticViews import vtkHapticTouchAs, vtkHapticViewScene
@@ -438,7 +436,7 @@ def PressBody(source=None, rate=None):
 
 
 def SoftText(source):
-    """Returns the report of a Soft Body or Soft Skin proxy: material, assumed values, error of coarse tetrahedra."""
+    """Returns the report of a Soft Body, Soft Skin or Haptic Wire proxy: material, assumed values, error of coarse tetrahedra."""
     source.UpdatePipeline()
     source.SMProxy.UpdatePropertyInformation()
     return source.GetPropertyValue("Text")
@@ -512,31 +510,35 @@ def PutBack():
         HapticUpdate()
 
 
-def _write_surface(source, file):
-    outside = vtkGeometryFilter()
-    outside.SetInputData(servermanager.Fetch(source))
-    writer = vtkXMLPolyDataWriter()
-    writer.SetInputConnection(outside.GetOutputPort())
-    writer.SetFileName(file)
-    if not writer.Write():
-        raise HapticRefusal(f"{file} cannot be written: choose another folder for the scene file.")
+_WIRE_KEYS = {"poisson": "PoissonsRatio", "friction": "Friction", "beams": "Beams", "tip_length": "TipLength", "tip_radius": "TipRadius",
+              "tip_pitch": "TipPitch", "tip_young_Pa": "ModulusoftheTip"}
+_WIRE_TIPS = ("straight", "angled", "hook", "helix")
 
 
-def HapticWire(vessel, file, diameter=0.5, length=250, mouth=(0, 0, 0), direction=(1, 0, 0), unit=0.001, **keys):
-    """Writes the scene file of a wire in a vessel and returns its source Haptic Mechanism, for HoldMechanism().
-    vessel: a source, whose surface is written beside the scene file as VTP, or the path of a surface's file. mouth,
-    direction: of the sheath. diameter, length: of the wire [u], of `unit` metres each. keys: others that a scene file
-    has for a wire: young_Pa (6e10 unless given, assumed for a NiTi wire), poisson, friction, beams, tip, tip_length,
-    tip_radius, tip_pitch, tip_young_Pa."""
-    file = os.path.abspath(file)
-    path = os.path.splitext(file)[0] + "-vessel.vtp"
-    if isinstance(vessel, str):
-        path = os.path.abspath(vessel)
-    else:
-        _write_surface(vessel, path)
-    wire = {"name": "guide wire", "kind": "wire", "vessel": os.path.relpath(path, os.path.dirname(file)), "diameter": diameter, "length": length,
-            "young_Pa": 6e10, "mouth": list(mouth), "direction": list(direction), **keys}
-    scene = {"format": "palpate mechanism", "version": 1, "unit_m": unit, "bodies": [wire]}
-    with open(file, "w", encoding="utf-8") as stream:
-        json.dump(scene, stream, indent=2)
-    return _in_pipeline(servermanager.sources.HapticMechanism(), FileName=file)
+def _opened(file):
+    try:
+        return simple.OpenDataFile(os.path.abspath(file))
+    except RuntimeError as error:
+        raise HapticRefusal(f"{file} cannot be opened as a vessel: give the file of a surface.") from error
+
+
+def HapticWire(vessel, file="", diameter=0.5, length=250, mouth=(0, 0, 0), direction=(1, 0, 0), unit=0.001, young_Pa=None, tip="straight", **keys):
+    """Returns the filter Haptic Wire, a wire in a vessel, for HoldMechanism(). vessel: a source, or the path of a surface's
+    file. file: the filter writes the same as a scene file there, with the vessel beside it as VTP; "": no file. mouth,
+    direction: of the sheath. diameter, length: of the wire [u], of `unit` metres each. young_Pa: None is 60 GPa, assumed for
+    a NiTi wire. tip: "straight", "angled", "hook" or "helix". keys: others that a scene file has for a wire: poisson,
+    friction, beams, tip_length, tip_radius, tip_pitch, tip_young_Pa."""
+    unknown = sorted(set(keys) - set(_WIRE_KEYS))
+    if unknown or tip not in _WIRE_TIPS:
+        raise HapticRefusal(f"{unknown[0]} is no key of a wire: {', '.join(_WIRE_KEYS)}" if unknown
+                            else f"{tip!r} is no tip of a wire: {', '.join(_WIRE_TIPS)}")
+    source = _opened(vessel) if isinstance(vessel, str) else vessel
+    stiffness = {"Material": 0} if young_Pa is None else {"Material": 3, "YoungsModulus": young_Pa}
+    wire = _in_pipeline(servermanager.filters.HapticWire(Input=source), Diameter=diameter, Length=length, Unit=unit, Tip=_WIRE_TIPS.index(tip),
+                        SceneFile=os.path.abspath(file) if file else "", **stiffness, **{_WIRE_KEYS[key]: value for key, value in keys.items()})
+    # Behind the defaults, which are of the bounds of the vessel.
+    simple.SetProperties(wire, Mouth=list(mouth), Ahead=[m + d for m, d in zip(mouth, direction)])
+    wire.UpdatePipeline()
+    if file and not os.path.isfile(file):
+        raise HapticRefusal(f"{file} is not written: the message before says why.")
+    return wire

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticWire.h"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "vtkDataObject.h"
+#include "vtkHapticConversion.h"
+#include "vtkHapticJson.h"
+#include "vtkHapticMechanismFile.h"
+#include "vtkHapticWholeInput.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkXMLPolyDataWriter.h"
+
+vtkStandardNewMacro(vtkHapticWire);
+
+namespace
+{
+using Ordered = nlohmann::ordered_json;
+
+struct Assumed
+{
+  const char* Name;
+  double Young_Pa;
+};
+/// Nitinol in its austenite phase, stainless steel 304, nylon 6: handbook values, rounded.
+constexpr std::array<Assumed, vtkHapticWire::OTHER_MATERIAL> Assumptions{ { { "NiTi", 6e10 }, { "steel", 1.9e11 },
+  { "nylon", 2.5e9 } } };
+constexpr std::array<const char*, 4> TipNames{ "straight", "angled", "hook", "helix" };
+
+Ordered PointOf(const double p[3])
+{
+  return Ordered{ p[0], p[1], p[2] };
+}
+
+void AddUnless(double without, Ordered& wire, const char* key, double value)
+{
+  if (value != without) // not a number is refused where the text is read
+  {
+    wire[key] = value;
+  }
+}
+} // namespace
+
+vtkHapticWire::vtkHapticWire()
+{
+  this->SetNumberOfInputPorts(1);
+  this->Refusal = "The wire cannot be made: ";
+}
+
+vtkHapticWire::~vtkHapticWire() = default;
+
+void vtkHapticWire::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Scene: " << this->Describe("") << '\n';
+  os << indent << "SceneFile: " << this->SceneFile << '\n';
+}
+
+int vtkHapticWire::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  return 1;
+}
+
+std::string vtkHapticWire::Describe(const std::string& vessel) const
+{
+  Ordered wire{ { "name", "wire" }, { "kind", "wire" } };
+  if (!vessel.empty())
+  {
+    wire["vessel"] = vessel;
+  }
+  wire["diameter"] = this->Diameter;
+  wire["length"] = this->Length;
+  wire["young_Pa"] =
+    this->Material == OTHER_MATERIAL ? this->Young : Assumptions.at(static_cast<std::size_t>(this->Material)).Young_Pa;
+  wire["poisson"] = this->Poisson;
+  wire["friction"] = this->Friction;
+  wire["mouth"] = PointOf(this->Mouth);
+  const std::array<double, 3> direction{ this->Ahead[0] - this->Mouth[0], this->Ahead[1] - this->Mouth[1],
+    this->Ahead[2] - this->Mouth[2] };
+  wire["direction"] = PointOf(direction.data());
+  wire["tip"] = TipNames.at(static_cast<std::size_t>(this->Tip));
+  AddUnless(0.0, wire, "tip_length", this->TipLength);
+  AddUnless(0.0, wire, "tip_radius", this->TipRadius);
+  AddUnless(0.0, wire, "tip_pitch", this->TipPitch);
+  AddUnless(0.0, wire, "tip_young_Pa", this->TipYoung);
+  AddUnless(0.0, wire, "beams", this->Beams);
+  const Ordered scene{ { "format", "palpate mechanism" }, { "version", 1 }, { "unit_m", this->Unit },
+    { "bodies", Ordered::array({ wire }) } };
+  return scene.dump(2) + "\n";
+}
+
+vtkHapticMechanismResult vtkHapticWire::ReadScene()
+{
+  const vtkHapticConversionResult vessel = vtkHapticToMesh(this->Vessel);
+  if (!vessel.Mesh)
+  {
+    vtkHapticMechanismResult none;
+    none.Problem = "the input cannot be its vessel: " + vessel.Problem;
+    return none;
+  }
+  vtkHapticMechanismResult read = vtkHapticParseMechanism(this->Made, "", "", {}, vessel.Mesh);
+  if (this->Material != OTHER_MATERIAL)
+  {
+    const Assumed& assumed = Assumptions.at(static_cast<std::size_t>(this->Material));
+    std::ostringstream said;
+    said << "Young's modulus " << assumed.Young_Pa << " Pa is assumed for " << assumed.Name << '\n';
+    this->Text = said.str();
+  }
+  return read;
+}
+
+std::string vtkHapticWire::Write() const
+{
+  const std::filesystem::path file(this->SceneFile);
+  std::filesystem::path vessel = file;
+  vessel.replace_extension();
+  vessel += "-vessel.vtp";
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName(vessel.string().c_str());
+  writer->SetInputData(vtkHapticToPolyData(*vtkHapticToMesh(this->Vessel).Mesh));
+  const std::string advice = " cannot be written: choose a folder that is there and can be written to";
+  std::error_code error;
+  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  if (!std::filesystem::is_directory(folder, error) || writer->Write() != 1)
+  {
+    return vessel.string() + advice;
+  }
+  std::ofstream stream(file, std::ios::binary);
+  stream << this->Describe(vessel.filename().string());
+  stream.close();
+  return stream ? "" : file.string() + advice;
+}
+
+int vtkHapticWire::RequestData(vtkInformation* info, vtkInformationVector** input, vtkInformationVector* output)
+{
+  vtkDataObject* const given = vtkDataObject::GetData(input[0]);
+  const std::string text = this->Describe("");
+  const vtkMTimeType time = given ? given->GetMTime() : 0;
+  const bool anew = text != this->Made || time != this->VesselTime || this->SceneFile != this->Written;
+  if (anew)
+  {
+    this->Made = text;
+    this->VesselTime = time;
+    this->Written = this->SceneFile;
+    this->Vessel = vtkHapticWholeSurface(given);
+    this->AskAgain();
+  }
+  const bool made = this->Superclass::RequestData(info, input, output) == 1 && *this->GetProblem() == '\0';
+  const std::string problem = anew && made && !this->SceneFile.empty() ? this->Write() : "";
+  if (!problem.empty())
+  {
+    vtkErrorMacro("The scene file of the wire: " << problem);
+  }
+  return 1;
+}
