@@ -539,6 +539,7 @@ def HapticWire(vessel, file="", diameter=0.5, length=250, mouth=(0, 0, 0), direc
     # Behind the defaults, which are of the bounds of the vessel.
     simple.SetProperties(wire, Mouth=list(mouth), Ahead=[m + d for m, d in zip(mouth, direction)])
     wire.UpdatePipeline()
-    if file and not os.path.isfile(file):
+    made = wire.GetDataInformation().GetNumberOfPoints() > 0  # else holding it raises the reason
+    if made and file and not os.path.isfile(file):
         raise HapticRefusal(f"{file} is not written: the message before says why.")
     return wire

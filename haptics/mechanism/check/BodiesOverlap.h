@@ -22,8 +22,8 @@ using BodyPair = std::pair<std::string, std::string>;
 /// coinciding vertices decide nothing. Not real-time safe.
 [[nodiscard]] std::vector<BodyPair> overlapsOf(const Mechanism& mechanism, std::span<const MechanismSoft> soft);
 
-/// How deep a loose and another rigid mesh lie in one another as they stand [u]: the largest distance from the surface
-/// of the other one of a vertex, a little inside of its own surface, or of the mean of the vertices. 0 where only edges
+/// How deep a loose and another rigid mesh lie in one another as they stand [u]: the largest distance from the surface of
+/// the other one of a vertex, a little inside of its own surface, or of the mean of the vertices. 0 where only edges
 /// cross. Not real-time safe.
 [[nodiscard]] double overlapDepth(const Mechanism& mechanism, const BodyPair& pair);
 
