@@ -10,6 +10,8 @@ import unittest
 import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkFiltersGeneral import vtkOBBTree
 
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
 from palpate.simple import (GetHapticSession, HapticRefusal, HapticState, HapticUpdate, HapticWire, HoldMechanism,  # noqa: E402
@@ -49,6 +51,15 @@ class WireSource(unittest.TestCase):
         wire = HapticWire(self.tube, length=60, beams=20, mouth=(-8, 0, 0), **keys)
         simple.Show(wire, self.view)
         return wire
+
+    def on_wall(self, inside, outside):
+        """The first place of the tube's wall on that line."""
+        wall, data = vtkOBBTree(), servermanager.Fetch(self.tube)
+        wall.SetDataSet(data)
+        wall.BuildLocator()
+        places = vtkPoints()
+        wall.IntersectWithLine(inside, outside, places, None)
+        return numpy.array(places.GetPoint(0))
 
     def pushed(self, wire, steps=301):
         """Force on the hand in each tick of 0.1 u."""
@@ -94,6 +105,27 @@ class WireSource(unittest.TestCase):
             simple.Show(read, self.view)
             numpy.testing.assert_allclose(self.pushed(read), felt, atol=1e-9)
         self.assertGreater(numpy.abs(felt).max(), 0.05)
+
+    def test_a_mouth_that_was_picked_on_the_wall_goes_to_the_middle_of_the_vessel(self):
+        for t, towards in ((-8.0, (1, 0, 0)), (20.0, (numpy.cos(0.8), numpy.sin(0.8), 0))):
+            middle = numpy.array([t, 0, 0]) if t < 0 else numpy.array([BEND * numpy.sin(0.8), BEND * (1 - numpy.cos(0.8)), 0])
+            for turn in numpy.radians((10, 100, 215)):
+                aside = numpy.cos(turn) * numpy.array([0, 0, 1]) + numpy.sin(turn) * numpy.cross([0, 0, 1], towards)
+                for away in (0.0, 0.4, 0.9):  # of the radius, from the wall
+                    picked = self.on_wall(middle, middle + 2 * RADIUS * aside)
+                    mouth = picked + away * (middle - picked)
+                    with tempfile.TemporaryDirectory() as folder:
+                        file = os.path.join(folder, "wire.json")
+                        HapticWire(self.tube, file=file, length=20, mouth=mouth, direction=towards, centred=True)
+                        placed = json.loads(pathlib.Path(file).read_text())["bodies"][0]["mouth"]
+                    numpy.testing.assert_allclose(placed, middle, atol=0.02 * RADIUS)
+                    numpy.testing.assert_allclose(numpy.dot(placed - mouth, towards), 0.0, atol=1e-9)
+
+    def test_a_mouth_without_a_wall_all_around_stays(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "wire.json")
+            HapticWire(self.tube, file=file, length=20, mouth=(0, 9, 0), direction=(1, 0, 0), centred=True)
+            self.assertEqual(json.loads(pathlib.Path(file).read_text())["bodies"][0]["mouth"], [0, 9, 0])
 
     def test_the_material_is_an_assumption_that_is_said(self):
         wire = self.wire()

@@ -10,6 +10,7 @@
 #include "vtkHapticConversion.h"
 #include "vtkHapticJson.h"
 #include "vtkHapticMechanismFile.h"
+#include "vtkHapticVesselMiddle.h"
 #include "vtkHapticWholeInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -21,6 +22,7 @@ vtkStandardNewMacro(vtkHapticWire);
 
 namespace
 {
+using palpate::Vec3;
 using Ordered = nlohmann::ordered_json;
 
 struct Assumed
@@ -58,7 +60,7 @@ vtkHapticWire::~vtkHapticWire() = default;
 void vtkHapticWire::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Scene: " << this->Describe("") << '\n';
+  os << indent << "Scene: " << this->Describe("", this->Mouth) << '\n';
   os << indent << "SceneFile: " << this->SceneFile << '\n';
 }
 
@@ -68,7 +70,22 @@ int vtkHapticWire::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-std::string vtkHapticWire::Describe(const std::string& vessel) const
+void vtkHapticWire::TakeVessel(vtkDataObject* vessel)
+{
+  const vtkHapticConversionResult converted = vtkHapticToMesh(vtkHapticWholeSurface(vessel));
+  this->Wall = converted.Mesh ? vtkHapticToPolyData(*converted.Mesh) : nullptr;
+  this->NoWall = converted.Problem;
+}
+
+void vtkHapticWire::PlaceMouth()
+{
+  const Vec3 mouth_W(this->Mouth);
+  const bool centred = this->Centred && this->Wall;
+  Eigen::Map<Vec3>{ this->Placed } =
+    centred ? vtkHapticVesselMiddle(*this->Wall, mouth_W, Vec3(this->Ahead) - mouth_W) : mouth_W;
+}
+
+std::string vtkHapticWire::Describe(const std::string& vessel, const double mouth[3]) const
 {
   Ordered wire{ { "name", "wire" }, { "kind", "wire" } };
   if (!vessel.empty())
@@ -81,10 +98,9 @@ std::string vtkHapticWire::Describe(const std::string& vessel) const
     this->Material == OTHER_MATERIAL ? this->Young : Assumptions.at(static_cast<std::size_t>(this->Material)).Young_Pa;
   wire["poisson"] = this->Poisson;
   wire["friction"] = this->Friction;
-  wire["mouth"] = PointOf(this->Mouth);
-  const std::array<double, 3> direction{ this->Ahead[0] - this->Mouth[0], this->Ahead[1] - this->Mouth[1],
-    this->Ahead[2] - this->Mouth[2] };
-  wire["direction"] = PointOf(direction.data());
+  const Vec3 direction_W = Vec3(this->Ahead) - Vec3(this->Mouth);
+  wire["mouth"] = PointOf(mouth);
+  wire["direction"] = PointOf(direction_W.data());
   wire["tip"] = TipNames.at(static_cast<std::size_t>(this->Tip));
   AddUnless(0.0, wire, "tip_length", this->TipLength);
   AddUnless(0.0, wire, "tip_radius", this->TipRadius);
@@ -98,20 +114,27 @@ std::string vtkHapticWire::Describe(const std::string& vessel) const
 
 vtkHapticMechanismResult vtkHapticWire::ReadScene()
 {
-  const vtkHapticConversionResult vessel = vtkHapticToMesh(this->Vessel);
-  if (!vessel.Mesh)
+  if (!this->Wall)
   {
     vtkHapticMechanismResult none;
-    none.Problem = "the input cannot be its vessel: " + vessel.Problem;
+    none.Problem = "the input cannot be its vessel: " + this->NoWall;
     return none;
   }
-  vtkHapticMechanismResult read = vtkHapticParseMechanism(this->Made, "", "", {}, vessel.Mesh);
+  vtkHapticMechanismResult read =
+    vtkHapticParseMechanism(this->Describe("", this->Placed), "", "", {}, vtkHapticToMesh(this->Wall).Mesh);
   if (this->Material != OTHER_MATERIAL)
   {
     const Assumed& assumed = Assumptions.at(static_cast<std::size_t>(this->Material));
     std::ostringstream said;
     said << "Young's modulus " << assumed.Young_Pa << " Pa is assumed for " << assumed.Name << '\n';
     this->Text = said.str();
+  }
+  if (this->Centred)
+  {
+    std::ostringstream said;
+    said << "the sheath ends at (" << this->Placed[0] << ", " << this->Placed[1] << ", " << this->Placed[2]
+         << ") u, in the middle of the vessel\n";
+    this->Text += said.str();
   }
   return read;
 }
@@ -124,7 +147,7 @@ std::string vtkHapticWire::Write() const
   vessel += "-vessel.vtp";
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(vessel.string().c_str());
-  writer->SetInputData(vtkHapticToPolyData(*vtkHapticToMesh(this->Vessel).Mesh));
+  writer->SetInputData(this->Wall);
   const std::string advice = " cannot be written: choose a folder that is there and can be written to";
   std::error_code error;
   const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
@@ -133,7 +156,7 @@ std::string vtkHapticWire::Write() const
     return vessel.string() + advice;
   }
   std::ofstream stream(file, std::ios::binary);
-  stream << this->Describe(vessel.filename().string());
+  stream << this->Describe(vessel.filename().string(), this->Placed);
   stream.close();
   return stream ? "" : file.string() + advice;
 }
@@ -141,15 +164,19 @@ std::string vtkHapticWire::Write() const
 int vtkHapticWire::RequestData(vtkInformation* info, vtkInformationVector** input, vtkInformationVector* output)
 {
   vtkDataObject* const given = vtkDataObject::GetData(input[0]);
-  const std::string text = this->Describe("");
   const vtkMTimeType time = given ? given->GetMTime() : 0;
-  const bool anew = text != this->Made || time != this->VesselTime || this->SceneFile != this->Written;
+  const bool other = time != this->VesselTime;
+  if (other)
+  {
+    this->VesselTime = time;
+    this->TakeVessel(given);
+  }
+  const std::string wanted = this->Describe("", this->Mouth) + (this->Centred ? "centred" : "") + this->SceneFile;
+  const bool anew = other || wanted != this->Made;
   if (anew)
   {
-    this->Made = text;
-    this->VesselTime = time;
-    this->Written = this->SceneFile;
-    this->Vessel = vtkHapticWholeSurface(given);
+    this->Made = wanted;
+    this->PlaceMouth();
     this->AskAgain();
   }
   const bool made = this->Superclass::RequestData(info, input, output) == 1 && *this->GetProblem() == '\0';

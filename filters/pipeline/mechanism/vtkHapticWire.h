@@ -32,6 +32,12 @@ public:
   ///@}
 
   ///@{
+  /// Whether the sheath ends in the middle of the vessel's section at Mouth, across its direction.
+  vtkSetMacro(Centred, bool);
+  vtkGetMacro(Centred, bool);
+  ///@}
+
+  ///@{
   /// Of the wire, its tip included [u].
   vtkSetMacro(Diameter, double);
   vtkGetMacro(Diameter, double);
@@ -113,13 +119,19 @@ protected:
   vtkHapticMechanismResult ReadScene() override;
 
 private:
+  /// Triangles of the vessel, or why there are none.
+  void TakeVessel(vtkDataObject* vessel);
+  /// Mouth, or the middle of the vessel there.
+  void PlaceMouth();
   /// The scene file's text; `vessel`: name of the vessel's file, "": the text is without one.
-  std::string Describe(const std::string& vessel) const;
+  std::string Describe(const std::string& vessel, const double mouth[3]) const;
   /// A problem, or "": both files are written.
   std::string Write() const;
 
   double Mouth[3] = { 0.0, 0.0, 0.0 };
   double Ahead[3] = { 1.0, 0.0, 0.0 };
+  double Placed[3] = { 0.0, 0.0, 0.0 }; ///< where the sheath ends, as PlaceMouth() has put it
+  bool Centred = true;
   double Diameter = 0.5, Length = 250.0, Unit = 0.001;
   int Material = NITI;
   double Young = 6e10;
@@ -130,9 +142,9 @@ private:
   int Beams = 0;
   std::string SceneFile;
 
-  std::string Made;    ///< the text of the last wire
-  std::string Written; ///< its scene file
-  vtkSmartPointer<vtkDataObject> Vessel;
+  std::string Made;                  ///< all properties of the last wire
+  vtkSmartPointer<vtkPolyData> Wall; ///< triangles of the vessel; null: it has none
+  std::string NoWall;                ///< why, then
   vtkMTimeType VesselTime = 0;
 };
 

@@ -522,10 +522,11 @@ def _opened(file):
         raise HapticRefusal(f"{file} cannot be opened as a vessel: give the file of a surface.") from error
 
 
-def HapticWire(vessel, file="", diameter=0.5, length=250, mouth=(0, 0, 0), direction=(1, 0, 0), unit=0.001, young_Pa=None, tip="straight", **keys):
+def HapticWire(vessel, file="", diameter=0.5, length=250, mouth=(0, 0, 0), direction=(1, 0, 0), centred=False, unit=0.001, young_Pa=None,
+               tip="straight", **keys):
     """Returns the filter Haptic Wire, a wire in a vessel, for HoldMechanism(). vessel: a source, or the path of a surface's
     file. file: the filter writes the same as a scene file there, with the vessel beside it as VTP; "": no file. mouth,
-    direction: of the sheath. diameter, length: of the wire [u], of `unit` metres each. young_Pa: None is 60 GPa, assumed for
+    direction: of the sheath. centred: the mouth is moved to the middle of the vessel there. diameter, length: of the wire [u], of `unit` metres each. young_Pa: None is 60 GPa, assumed for
     a NiTi wire. tip: "straight", "angled", "hook" or "helix". keys: others that a scene file has for a wire: poisson,
     friction, beams, tip_length, tip_radius, tip_pitch, tip_young_Pa."""
     unknown = sorted(set(keys) - set(_WIRE_KEYS))
@@ -534,7 +535,7 @@ def HapticWire(vessel, file="", diameter=0.5, length=250, mouth=(0, 0, 0), direc
                             else f"{tip!r} is no tip of a wire: {', '.join(_WIRE_TIPS)}")
     source = _opened(vessel) if isinstance(vessel, str) else vessel
     stiffness = {"Material": 0} if young_Pa is None else {"Material": 3, "YoungsModulus": young_Pa}
-    wire = _in_pipeline(servermanager.filters.HapticWire(Input=source), Diameter=diameter, Length=length, Unit=unit, Tip=_WIRE_TIPS.index(tip),
+    wire = _in_pipeline(servermanager.filters.HapticWire(Input=source), Diameter=diameter, Length=length, Unit=unit, Centred=int(centred), Tip=_WIRE_TIPS.index(tip),
                         SceneFile=os.path.abspath(file) if file else "", **stiffness, **{_WIRE_KEYS[key]: value for key, value in keys.items()})
     # Behind the defaults, which are of the bounds of the vessel.
     simple.SetProperties(wire, Mouth=list(mouth), Ahead=[m + d for m, d in zip(mouth, direction)])
