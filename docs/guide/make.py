@@ -17,7 +17,7 @@ import markdown
 from markdown.extensions.toc import slugify
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = ["docs/guide/README.md", *(f"docs/guide/{name}.md" for name in ("skull", "brain", "soft-brain", "spatula", "stone", "flow", "labyrinth", "api")),
+PAGES = ["docs/guide/README.md", *(f"docs/guide/{name}.md" for name in ("skull", "brain", "soft-brain", "spatula", "stone", "wire", "flow", "labyrinth", "api")),
          *(f"docs/{name}.md" for name in ("touching", "fields", "servers", "tools", "soft", "mechanisms", "program", "devices", "first-arm", "regression", "faults", "glossary")),
          "plugin/README.md", "README.md"]
 DOCUMENTED = ["filters/pipeline/python/testing/__init__.py", "filters/pipeline/python/testing/compare.py",

@@ -40,6 +40,15 @@ double ValueOfField(I& s)
   return value.value_or(NoNumber);
 }
 
+/// The tip of a wire is elsewhere than the hand, whose spring is stretched along the sheath.
+double DepthOf(I& s)
+{
+  const bool wire = s.State.mechanism.held && s.Mechanism.IsWire();
+  const double stiffness_N_per_m = s.State.stiffness_N_per_m;
+  const double stretch_m = stiffness_N_per_m > 0.0 ? s.State.force_W.norm() / stiffness_N_per_m : 0.0;
+  return wire ? s.Asked.asked().map.scale_u_per_m * stretch_m : (s.State.proxy_W.p - s.State.device_W.p).norm();
+}
+
 const std::map<std::string_view, double (*)(I&)> Numbers = {
   { "CappedTicks", [](I& s) { return static_cast<double>(s.Report.cappedTicks); } },
   { "ContactCell", [](I& s) { return IdOf(s, "Cell"); } },
@@ -52,7 +61,7 @@ const std::map<std::string_view, double (*)(I&)> Numbers = {
   { "CostP99", [](I& s) { return s.Report.cost.p99_us; } },
   { "CostP999", [](I& s) { return s.Report.cost.p999_us; } },
   { "DeliveredEnergy", [](I& s) { return s.State.energy.delivered_J; } },
-  { "Depth", [](I& s) { return (s.State.proxy_W.p - s.State.device_W.p).norm(); } },
+  { "Depth", DepthOf },
   { "ExcessEnergy", [](I& s) { return s.State.energy.excess_J; } },
   { "FieldAge", [](I& s) { return s.FeltField.age_s(); } },
   { "FieldError", [](I& s) { return s.FeltField.made().error; } },

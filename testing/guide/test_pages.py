@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(os.environ["PALPATE_SOURCE_DIR"])
-STATES = ("skull", "brain", "soft-brain", "spatula", "stone", "flow", "labyrinth")
+STATES = ("skull", "brain", "soft-brain", "spatula", "stone", "wire", "flow", "labyrinth")
 
 
 class Pages(unittest.TestCase):

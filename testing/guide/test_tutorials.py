@@ -116,6 +116,22 @@ class Tutorials(unittest.TestCase):
         self.assertGreaterEqual(table, slides_N / (1 + friction**2))
         self.assertLessEqual(table, math.hypot(1, friction) * slides_N / (1 - friction**2))
 
+    def test_wire(self):
+        # The work of bending: half of E I / R^2 for each length that goes round, with a radius within that of the tube less the
+        # wire's clearance. At either end of the bend a straight wire fits between inner and outer wall.
+        bending_Nmm2, clearance = 6e4 * math.pi * 0.5**4 / 64, 2 - 0.25  # 60 GPa, .5 mm
+        round_mm, straight_mm = 70 - 15, math.sqrt(4 * 25 * clearance)
+        free, rubs, wall = self.play("wire", (0, 0, 0), (60, 0, 0))
+        work, with_friction = (float(number) for number in re.findall(r"([\d.]+) mJ", self.said))
+        self.assertGreater(work, 0.5 * bending_Nmm2 / (25 + clearance) ** 2 * (round_mm - 2 * straight_mm))
+        self.assertLess(work, 0.5 * bending_Nmm2 / (25 - clearance) ** 2 * round_mm)
+        self.assertGreater(with_friction, 1.1 * work)
+        self.assertGreater(rubs, 1.2 * free)
+        self.assertLess(rubs, math.exp(2 * 0.2 * math.pi) * free)  # a rope on both sides of half a turn
+        x, y, z = (float(number) for number in re.search(r"at \((.*)\) mm", self.said)[1].split(", "))
+        self.assertAlmostEqual(math.hypot(math.hypot(x, y - 25) - 25, z), 2, delta=0.1)  # on the tube
+        self.assertGreater(wall, 0.0)
+
     if "soft-brain" in tutorials.present():
 
         def test_soft_brain(self):

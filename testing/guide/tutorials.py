@@ -11,7 +11,7 @@ from pathlib import Path
 from paraview import simple
 
 GUIDE = Path(__file__).resolve().parents[2] / "docs/guide"
-NAMES = ("skull", "brain", "soft-brain", "spatula", "stone", "flow", "labyrinth")
+NAMES = ("skull", "brain", "soft-brain", "spatula", "stone", "wire", "flow", "labyrinth")
 DATA = {"skull": "skull.vtp", "brain": "brain.nii.gz", "soft-brain": "brain.nii.gz"}
 
 

@@ -19,8 +19,8 @@ from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
-from palpate.simple import (AddConstraint, BreakConstraint, GetHapticSession, HapticRefusal, HapticState, HapticWire, HoldMechanism, Constraints,  # noqa: E402
-                            LetGo, PutBack, RemoveConstraint, SetHaptics, Touch)
+from palpate.simple import (AddConstraint, BreakConstraint, GetHapticSession, HapticRefusal, HapticState, HoldMechanism, Constraints,  # noqa: E402
+                            LetGo, PlaceWire, PutBack, RemoveConstraint, SetHaptics, Touch)
 from displays import move
 from says import unsaid
 
@@ -195,7 +195,7 @@ class Mechanism(Held):
         tube = simple.Tube(Input=simple.Line(Point1=[-5, 0, 0], Point2=[60, 0, 0], Resolution=65), Radius=2.0, NumberofSides=24, Capping=0)
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "wire.json")
-            source = HapticWire(tube, file, length=100, beams=24, tip="angled", tip_length=5, friction=0.1)
+            source = PlaceWire(tube, file, length=100, beams=24, tip="angled", tip_length=5, friction=0.1)
             self.assertEqual(json.loads(pathlib.Path(file).read_text())["bodies"][0]["young_Pa"], 6e10)
             simple.Show(source, self.view)
             GetHapticSession().SetHandPosition(0, 0, 0)
@@ -226,7 +226,7 @@ class Mechanism(Held):
             GetHapticSession().Step(100)
             self.assertAlmostEqual(HapticState()["WirePushed"], 0.0, delta=0.01)
             with self.assertRaisesRegex(HapticRefusal, "thicker than the vessel"):
-                HoldMechanism(HapticWire(tube, os.path.join(folder, "thick.json"), diameter=5))
+                HoldMechanism(PlaceWire(tube, os.path.join(folder, "thick.json"), diameter=5))
 
     def test_a_body_that_finds_no_place_to_rest_is_said_in_the_line_of_the_mechanism(self):
         feet = ((10, 0, -10), (-10, 10, -10), (-10, -10, -10))

@@ -14,8 +14,8 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkFiltersGeneral import vtkOBBTree
 
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
-from palpate.simple import (GetHapticSession, HapticRefusal, HapticState, HapticUpdate, HapticWire, HoldMechanism,  # noqa: E402
-                            LetGo, PutBack, SetHaptics, SoftText, Touch)
+from palpate.simple import (GetHapticSession, HapticRefusal, HapticState, HapticUpdate, HoldMechanism,  # noqa: E402
+                            LetGo, PlaceWire, PutBack, SetHaptics, SoftText, Touch)
 
 RADIUS, BEND = 2.0, 25.0  # u: of the tube, and of its middle line behind 10 u that are straight
 STIFFNESS = 1000.0  # N/m
@@ -48,7 +48,7 @@ class WireSource(unittest.TestCase):
         simple.Delete(self.view)
 
     def wire(self, **keys):
-        wire = HapticWire(self.tube, length=60, beams=20, mouth=(-8, 0, 0), **keys)
+        wire = PlaceWire(self.tube, length=60, beams=20, mouth=(-8, 0, 0), **keys)
         simple.Show(wire, self.view)
         return wire
 
@@ -83,6 +83,10 @@ class WireSource(unittest.TestCase):
         self.assertAlmostEqual(state["WirePushed"], 30.0, delta=0.3)
         self.assertGreater(state["WireWallForce"], 0.0)
         self.assertGreater(-forces[-1, 0], 0.0)  # the wall resists
+        self.assertAlmostEqual(self.hand.GetDepth(), 1000 * state["ForceMagnitude"] / STIFFNESS, delta=1e-9)  # u: of the spring
+        bounds = [0.0] * 6
+        self.assertTrue(self.hand.GetSceneBounds(bounds))
+        self.assertAlmostEqual(bounds[0], -10.0, delta=0.01)  # those of the tube, not of the sheath
         # The tip is where 30 u along the tube are, up to the clearance to the wall.
         simple.Render(self.view)
         data = servermanager.Fetch(wire)
@@ -116,7 +120,7 @@ class WireSource(unittest.TestCase):
                     mouth = picked + away * (middle - picked)
                     with tempfile.TemporaryDirectory() as folder:
                         file = os.path.join(folder, "wire.json")
-                        HapticWire(self.tube, file=file, length=20, mouth=mouth, direction=towards, centred=True)
+                        PlaceWire(self.tube, file=file, length=20, mouth=mouth, direction=towards, centred=True)
                         placed = json.loads(pathlib.Path(file).read_text())["bodies"][0]["mouth"]
                     numpy.testing.assert_allclose(placed, middle, atol=0.02 * RADIUS)
                     numpy.testing.assert_allclose(numpy.dot(placed - mouth, towards), 0.0, atol=1e-9)
@@ -124,7 +128,7 @@ class WireSource(unittest.TestCase):
     def test_a_mouth_without_a_wall_all_around_stays(self):
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "wire.json")
-            HapticWire(self.tube, file=file, length=20, mouth=(0, 9, 0), direction=(1, 0, 0), centred=True)
+            PlaceWire(self.tube, file=file, length=20, mouth=(0, 9, 0), direction=(1, 0, 0), centred=True)
             self.assertEqual(json.loads(pathlib.Path(file).read_text())["bodies"][0]["mouth"], [0, 9, 0])
 
     def test_the_material_is_an_assumption_that_is_said(self):
@@ -155,9 +159,9 @@ class WireSource(unittest.TestCase):
                                ({"unit": 0}, "unit_m"), ({"tip": "bent"}, "no tip of a wire"), ({"colour": 1}, "no key of a wire"),
                                ({"file": missing}, "not written")):
                 with self.subTest(keys), self.assertRaisesRegex(HapticRefusal, said):
-                    HoldMechanism(HapticWire(self.tube, **keys))
+                    HoldMechanism(PlaceWire(self.tube, **keys))
             with self.assertRaisesRegex(HapticRefusal, "cannot be opened as a vessel"):
-                HapticWire(os.path.join(folder, "none.vtp"))
+                PlaceWire(os.path.join(folder, "none.vtp"))
 
 
 if __name__ == "__main__":

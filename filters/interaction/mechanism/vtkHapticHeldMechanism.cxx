@@ -198,6 +198,11 @@ std::string vtkHapticHeldMechanism::TakeAgain()
   this->Held = read.Inputs && this->HeldBody() < read.Inputs->mechanism.bodies.size()
                  ? vtkHapticHeldShape(read.Inputs->mechanism.bodies[this->HeldBody()])
                  : nullptr;
+  const auto isWire = [](const palpate::MechanismBody& body) { return body.wire != nullptr; };
+  if (read.Inputs && std::ranges::any_of(read.Inputs->mechanism.bodies, isWire)) // most of which is in its sheath, far behind
+  {
+    this->Bounds = this->MetBounds();
+  }
   this->Problem = read.Inputs ? "" : this->Name + " cannot be held: " + read.Problem;
   if (!read.Inputs && this->OfServer)
   {
@@ -241,7 +246,8 @@ vtkBoundingBox vtkHapticHeldMechanism::MetBounds() const
   vtkBoundingBox met;
   for (std::size_t body = 0; this->Inputs && body < this->BodyBounds.size(); ++body)
   {
-    if (body != this->HeldBody())
+    const auto& bodies = this->Inputs->mechanism.bodies; // the vessel of a wire counts as one more
+    if (body >= bodies.size() || !palpate::isInHand(bodies[body].kind))
     {
       met.AddBox(this->BodyBounds[body]);
     }

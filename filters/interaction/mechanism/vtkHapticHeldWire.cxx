@@ -5,6 +5,7 @@
 #include "vtkMath.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <vector>
 
@@ -27,9 +28,9 @@ std::string vtkHapticHeldWireText(const palpate::MechanismNow& now)
 {
   std::ostringstream text;
   text.precision(3);
-  text << "; pushed out " << now.wire.pushed_u << " u, turned " << vtkMath::DegreesFromRadians(now.wire.turned_rad)
-       << " degrees; its tip is pushed with " << now.wire.tip_N << " N, the wall pushes with at most "
-       << now.wire.wall_N << " N";
+  const double turned_deg = 0.01 * std::round(100.0 * vtkMath::DegreesFromRadians(now.wire.turned_rad)) + 0.0; // no -0
+  text << "; pushed out " << now.wire.pushed_u << " u, turned " << turned_deg << " degrees; its tip is pushed with "
+       << now.wire.tip_N << " N, the wall pushes with at most " << now.wire.wall_N << " N";
   text << (now.wire.leftOut > 0 ? "; it touches in more places than a tick can solve" : "")
        << (now.wire.crowded > 0 ? "; more triangles are around it than are looked at: use a coarser vessel" : "")
        << (now.capped ? "; it is not at rest yet, and goes on in the next tick" : "");

@@ -29,7 +29,7 @@ __all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "TakeColo
            "HapticState", "Mark", "GetMarks", "Marks", "AddMark", "RemoveMark", "RenameMark", "ClearMarks", "SaveMarks",
            "LoadMarks", "MapContact", "SetSource", "Touched", "TouchAs", "HoldTool", "PressBody", "SoftText",
            "HoldMechanism", "Constraints", "AddConstraint", "RemoveConstraint", "BreakConstraint",
-           "PutBack", "HapticWire"]
+           "PutBack", "PlaceWire"]
 
 
 class HapticRefusal(RuntimeError):
@@ -522,7 +522,7 @@ def _opened(file):
         raise HapticRefusal(f"{file} cannot be opened as a vessel: give the file of a surface.") from error
 
 
-def HapticWire(vessel, file="", diameter=0.5, length=250, mouth=(0, 0, 0), direction=(1, 0, 0), centred=False, unit=0.001, young_Pa=None,
+def PlaceWire(vessel, file="", diameter=0.5, length=250, mouth=(0, 0, 0), direction=(1, 0, 0), centred=False, unit=0.001, young_Pa=None,
                tip="straight", **keys):
     """Returns the filter Haptic Wire, a wire in a vessel, for HoldMechanism(). vessel: a source, or the path of a surface's
     file. file: the filter writes the same as a scene file there, with the vessel beside it as VTP; "": no file. mouth,

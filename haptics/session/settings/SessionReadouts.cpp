@@ -31,7 +31,7 @@ const Readout readouts[] = {
   { "ForceMagnitude", Number, "N", "Force", "Magnitude of the current force on the hand" },
   { "ForceLimited", Flag, "", "Force", "1 if the contact asks for more force than the largest that is given" },
   { "PeakForce", Number, "N", "Force", "Largest force so far" },
-  { "Depth", Number, "u", "", "Distance from the hand to the proxy" },
+  { "Depth", Number, "u", "", "Distance from the hand to the proxy; for a held wire the stretch of the spring of the hand" },
   { "StiffnessUsed", Number, "N/m", "Stiffness", "Current stiffness of the spring, after all limits" },
   { "StiffnessLimited", Flag, "", "Stiffness",
     "1 if the stiffness is below the setting because of the device or the rate" },
