@@ -33,6 +33,32 @@ bool isUsable(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t)
     t.begin(), t.end(), [&](std::uint32_t v) { return v < mesh.vertices_W.size() && mesh.vertices_W[v].allFinite(); });
 }
 
+/// In order of edges, then of triangles. A vertex is the lower end of few sides, so they are dealt out to their lower
+/// ends before they are compared.
+std::vector<Side> byEdge(const std::vector<Side>& sides, std::size_t vertices)
+{
+  std::vector<std::size_t> end(vertices + 1, 0); // of the sides of a vertex, once they are dealt out
+  for (const Side& side : sides)
+  {
+    ++end[side.low + 1];
+  }
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Side> dealt(sides.size());
+  for (const Side& side : sides)
+  {
+    dealt[end[side.low]++] = side;
+  }
+  auto first = dealt.begin();
+  for (std::size_t v = 0; v < vertices; ++v)
+  {
+    const auto last = dealt.begin() + static_cast<std::ptrdiff_t>(end[v]);
+    std::sort(first, last,
+      [](const Side& a, const Side& b) { return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle); });
+    first = last;
+  }
+  return dealt;
+}
+
 } // namespace
 
 std::vector<Side> sidesOf(const TriangleMesh& mesh)
@@ -57,10 +83,7 @@ std::vector<Side> sidesOf(const TriangleMesh& mesh)
       sides.push_back({ std::min(from, to), std::max(from, to), t, static_cast<std::uint8_t>(k), from < to });
     }
   }
-  std::sort(sides.begin(), sides.end(),
-    [](const Side& a, const Side& b)
-    { return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle); });
-  return sides;
+  return byEdge(sides, mesh.vertices_W.size());
 }
 
 Turns::Turns(const TriangleMesh& mesh, const std::vector<Side>& sides) : part(mesh.triangles.size(), none)

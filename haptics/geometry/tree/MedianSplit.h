@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "haptics/geometry/tree/BoxTree.h"
 
@@ -25,8 +26,10 @@ std::size_t splitAtMedian(std::span<std::uint32_t> things, const PlaceOf& placeO
   Eigen::Index axis = 0;
   (box.high_W - box.low_W).maxCoeff(&axis);
   const std::size_t half = things.size() / 2;
-  std::ranges::nth_element(things, things.begin() + static_cast<std::ptrdiff_t>(half), {},
-    [&](std::uint32_t i) { return std::pair<double, std::uint32_t>(placeOf(i)[axis], i); });
+  std::vector<std::pair<double, std::uint32_t>> keys(things.size()); // side by side, as each is looked at several times
+  std::ranges::transform(things, keys.begin(), [&](std::uint32_t i) { return std::pair(placeOf(i)[axis], i); });
+  std::ranges::nth_element(keys, keys.begin() + static_cast<std::ptrdiff_t>(half));
+  std::ranges::transform(keys, things.begin(), &std::pair<double, std::uint32_t>::second);
   return half;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "haptics/geometry/mesh/TriangleMesh.h"
@@ -25,7 +26,7 @@ class StoredBox
 public:
   StoredBox() = default;
   /// Axes as columns, a rotation. `points` are the corners of its content.
-  StoredBox(const Mat3& axes, const std::vector<Vec3>& points);
+  StoredBox(const Mat3& axes, std::span<const Vec3> points);
 
   [[nodiscard]] Vec3 centre() const noexcept { return { this->centre_[0], this->centre_[1], this->centre_[2] }; }
   [[nodiscard]] Vec3 half() const noexcept { return { this->half_[0], this->half_[1], this->half_[2] }; }
