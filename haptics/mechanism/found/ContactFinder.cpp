@@ -35,6 +35,8 @@ constexpr double leastTip = 0.1;
 /// In edges of the soft body, and in radii of its last contact: so far it is looked at whether a mesh is as round as a
 /// ball.
 constexpr double seenEdges = 2.0, seenOfBall = 2.5;
+/// Of how far a mesh is looked at: a larger radius is that of a flat mesh with rounding.
+constexpr double flatFrom = 1e4;
 /// Periods until an answer is in use, in the middle: it comes a period later and is used for one.
 constexpr double usedAfter = 1.5;
 /// Radii of a ball's contact between contacts: within them the ball is one.
@@ -153,7 +155,8 @@ Roundness roundness(const std::vector<NearPlace>& near, const Pose& mesh_W, doub
       round.seen_u = std::max(round.seen_u, away_u);
     }
   }
-  round.radius_u = rise > 0.0 ? 0.5 * square / rise : round.radius_u;
+  const double radius_u = rise > 0.0 ? 0.5 * square / rise : round.radius_u;
+  round.radius_u = radius_u < flatFrom * round.seen_u ? radius_u : round.radius_u;
   return round;
 }
 

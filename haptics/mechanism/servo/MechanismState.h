@@ -16,6 +16,13 @@ namespace palpate
 
 using PosesOfBodies = std::array<Pose, Mechanism::mostBodies>; ///< in the plan's order
 
+/// Energy of the soft bodies of a mechanism (SoftReturn.h).
+struct SoftEnergy
+{
+  double given_Nu = 0.0; ///< by work on them, less their own and their losses
+  double held_Nu = 0.0;  ///< elastic, by the compliance of the last tick
+};
+
 /// State of a mechanism between ticks.
 struct MechanismState
 {
@@ -31,6 +38,7 @@ struct MechanismState
   bool capped = false;                                            ///< the last tick did not meet the constraints
   bool placed = false;                                            ///< the held body has been somewhere
   Vec3 tip_W = Vec3::Zero();                                      ///< of the held body, as the constraints left it
+  SoftEnergy soft;
   ToolBlend blend;
   WireState wire; ///< of the body in the hand
 };

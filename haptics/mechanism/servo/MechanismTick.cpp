@@ -9,6 +9,7 @@
 #include "haptics/mechanism/servo/FollowingMesh.h"
 #include "haptics/mechanism/servo/JoinedFound.h"
 #include "haptics/mechanism/servo/SettledConstraints.h"
+#include "haptics/mechanism/servo/SoftReturn.h"
 #include "haptics/mechanism/servo/StandingContacts.h"
 #include "haptics/mechanism/servo/TipPlace.h"
 #include "haptics/mechanism/servo/WireInHand.h"
@@ -233,13 +234,13 @@ private:
   /// Keeps the outcome of the constraints for the next tick and for readers.
   void keep() noexcept
   {
-    const Pose before_W = this->state_.pose_W[std::max(this->plan_.held, 0)];
+    const PosesOfBodies before_W = this->state_.pose_W;
     for (int b = 0; b < this->plan_.bodyCount; ++b)
     {
       this->keepBody(b);
     }
     const bool stops = this->laws_.capped() && this->state_.placed && this->plan_.held >= 0;
-    this->hand_N_ = stops ? this->mesh_.stopBefore(before_W) : this->laws_.onHand();
+    this->hand_N_ = stops ? this->mesh_.stopBefore(before_W[this->plan_.held]) : this->laws_.onHand();
     this->hand_N_ =
       this->mesh_.felt(this->standing_.stopsAt() ? this->mesh_.stopAt(*this->standing_.stopsAt()) : this->hand_N_);
     for (int l = 0; l < this->plan_.lawCount; ++l)
@@ -255,6 +256,7 @@ private:
         this->tellPresses(l);
       }
     }
+    returnNoMore(this->plan_, this->laws_, before_W, this->input_.dt_s, this->state_);
     this->state_.tip_W =
       this->plan_.held >= 0 ? this->tipOf(this->state_.pose_W[this->plan_.held]) : Vec3(Vec3::Zero());
     this->state_.led = { this->mesh_.hand_W(), this->mesh_.led_W() };

@@ -123,6 +123,8 @@ struct HeldMechanism
     visit("capped", s.mechanism.capped...);
     visit("placed", s.mechanism.placed...);
     visit("tip_W", s.mechanism.tip_W...);
+    visit("soft.given_Nu", s.mechanism.soft.given_Nu...);
+    visit("soft.held_Nu", s.mechanism.soft.held_Nu...);
     visit("blend.way_u", s.mechanism.blend.way_u...);
     visit("blend.turn_u", s.mechanism.blend.turn_u...);
     visit("turn_W", s.mechanismLead.turn_W...);
