@@ -11,9 +11,9 @@
 namespace palpate
 {
 
-/// A contact of a rigid mesh with a soft body, or with another mesh, that nobody has named: the mesh's point stays on
-/// the outer side of the plane through the other body's. The plane is in the other body's frame, which is W but for a
-/// body that moves.
+/// A contact of a rigid mesh with a soft body, or with another mesh, or of two soft bodies, that nobody has named: the
+/// mesh's point stays on the outer side of the plane through the other body's. The plane is in the other body's frame,
+/// which is W but for a body that moves. Of two soft bodies, the surface of the first one is the mesh.
 struct FoundContact
 {
   static constexpr double alike = 0.9; ///< cosine between the normals of contacts that press in much the same direction
@@ -22,6 +22,7 @@ struct FoundContact
   std::int32_t mesh = 0;         ///< the body with the mesh, in the plan
   std::int32_t body = 0;         ///< the other one
   Vec3 point_A = Vec3::Zero();   ///< of the mesh, in its frame
+  SurfacePoint place_A;          ///< likewise, of a soft body's surface: point_A is where it is free
   SurfacePoint place_B;          ///< of the other body
   Vec3 normal_B = Vec3::UnitZ(); ///< out of the other body, in its frame
   double apart_u = 0.0;          ///< other contacts in this direction are as far away, or further
@@ -40,6 +41,7 @@ void membersOf(const Visit& visit, Contact& found) requires std::is_same_v<std::
   visit(found.mesh);
   visit(found.body);
   visit(found.point_A);
+  visit(found.place_A);
   visit(found.place_B);
   visit(found.normal_B);
   visit(found.apart_u);

@@ -38,6 +38,11 @@ int mostRowsOf(ConstraintKind kind) noexcept
   return kinds[static_cast<std::size_t>(kind)].rows;
 }
 
+std::size_t countOf(const Mechanism& mechanism, MechanismBodyKind kind) noexcept
+{
+  return static_cast<std::size_t>(std::ranges::count(mechanism.bodies, kind, &MechanismBody::kind));
+}
+
 double foundFrictionOf(const Mechanism& mechanism, const MechanismBody& body) noexcept
 {
   return body.friction.value_or(mechanism.foundFriction);
@@ -45,8 +50,10 @@ double foundFrictionOf(const Mechanism& mechanism, const MechanismBody& body) no
 
 int roomForFound(const Mechanism& mechanism) noexcept
 {
-  const bool rubs = std::ranges::any_of(mechanism.bodies,
-    [&](const MechanismBody& body) { return body.mesh != nullptr && foundFrictionOf(mechanism, body) > 0.0; });
+  const bool pairs = countOf(mechanism, MechanismBodyKind::Soft) > 1;
+  const bool rubs = (pairs && mechanism.foundFriction > 0.0) ||
+                    std::ranges::any_of(mechanism.bodies, [&](const MechanismBody& body)
+                      { return body.mesh != nullptr && foundFrictionOf(mechanism, body) > 0.0; });
   int rows = Mechanism::mostRows;
   for (const MechanismConstraint& law : mechanism.laws)
   {

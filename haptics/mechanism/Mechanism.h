@@ -99,7 +99,7 @@ struct Mechanism
 
   std::vector<MechanismBody> bodies;
   std::vector<MechanismConstraint> laws;
-  bool findsContacts = false; ///< of meshes with soft bodies, and of loose ones with meshes, wherever they meet
+  bool findsContacts = false; ///< of soft bodies with meshes and with one another, and of loose ones with meshes
   double foundFriction = 0.0; ///< Coulomb's coefficient there, but at meshes that have their own
   bool beginsApart = false;   ///< a soft body that lies in a mesh at rest is a fault: else both are pushed apart
 };
@@ -118,6 +118,9 @@ template<class Body>
 {
   return body.kind == MechanismBodyKind::Rigid && body.mass.mass_Ns2_per_u > 0.0;
 }
+
+/// How many bodies are of a kind.
+[[nodiscard]] std::size_t countOf(const Mechanism& mechanism, MechanismBodyKind kind) noexcept;
 
 /// Coulomb's coefficient of the contacts that are found at the mesh of a body.
 [[nodiscard]] double foundFrictionOf(const Mechanism& mechanism, const MechanismBody& body) noexcept;

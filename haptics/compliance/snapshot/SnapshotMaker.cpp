@@ -220,20 +220,6 @@ SnapshotMaker::Spread& SnapshotMaker::spreadFor(const SnapshotRequest& request)
            : this->spreads_.try_emplace(key_u, this->body_, this->surface_, key_u).first->second;
 }
 
-Eigen::VectorXd SnapshotMaker::loadOf(const SnapshotRequest& request, Spread& spread) const
-{
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(this->body_.displacement().size());
-  for (std::size_t i = 0; i < request.forceAt.size(); ++i)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      spread.patches.addForce(
-        request.forceAt[i].vertices[corner], request.forceAt[i].weights[corner] * request.force_N[i], load);
-    }
-  }
-  return load;
-}
-
 void SnapshotMaker::choose(const SnapshotRequest& request, ComplianceSnapshot& snapshot) const
 {
   const std::uint32_t at = nearestVertex(snapshot.free_W, request.ball_W);
@@ -329,9 +315,11 @@ void SnapshotMaker::prepareSurface(const ComplianceSnapshot& snapshot)
 }
 
 /// A tip that is narrower than its patch makes a dent below it: along the normal as on the layer with the same
-/// compliance of the patch, along the surface by Mindlin's ratio further than on a half space.
-void SnapshotMaker::addTips(double tip_u, ComplianceSnapshot& snapshot)
+/// compliance of the patch, along the surface by Mindlin's ratio further than on a half space. A part is as wide as its
+/// contact.
+void SnapshotMaker::addTips(const SnapshotRequest& request, ComplianceSnapshot& snapshot)
 {
+  const double tip_u = request.tip_u;
   this->prepareSurface(snapshot);
   const double nu = this->surface_.poisson;
   for (std::size_t i = 0; i < snapshot.near.size(); ++i)
@@ -342,7 +330,7 @@ void SnapshotMaker::addTips(double tip_u, ComplianceSnapshot& snapshot)
     const Vec3& n = this->normals_W_[v];
     const auto row = static_cast<Eigen::Index>(3 * i);
     Mat3 tip = Mat3::Zero();
-    if (tip_u < patch_u)
+    if (tip_u < patch_u && this->partAt(request, v) == nullptr)
     {
       const double found = n.dot(snapshot.compliance.block<3, 3>(row, row) * n);
       const double stiffening = this->layer_->stiffeningOf(patch_u, modulus * found, this->edgeThatLacks_u(v));
@@ -424,19 +412,21 @@ std::shared_ptr<const ComplianceSnapshot> SnapshotMaker::make(const SnapshotRequ
   snapshot->free_W = this->untouched_W_;
   this->choose(request, *snapshot);
   this->addCompliance(spread, *snapshot);
+  this->addParts(request, spread, *snapshot);
   snapshot->forceAt = request.forceAt;
   snapshot->force_N = request.force_N;
   this->addSprings(request, spread, *snapshot);
   if (this->body_.stiffnessChanges())
   {
     takeSecant(
-      spread.patches.displacementsOf(snapshot->near, this->body_.displacement() - this->body_.atRest()), *snapshot);
+      timesColumns(this->columnsOf(request, spread, snapshot->near), this->body_.displacement() - this->body_.atRest()),
+      *snapshot);
   }
   const SoftBodyState state = this->stateOf(*snapshot);
   snapshot->energy_Nu = state.energy_Nu - 0.5 * forceYieldOf(*snapshot);
   if (request.tip_u > 0.0 && request.radius_u <= 0.0)
   {
-    this->addTips(request.tip_u, *snapshot); // the servo counts the energy of the tips beside that of the body's state
+    this->addTips(request, *snapshot); // the servo counts the energy of the tips beside that of the body's state
   }
   snapshot->residual_N = state.residual_N;
   snapshot->mostGradient = state.mostGradient;

@@ -7,6 +7,7 @@
 #include "haptics/compliance/snapshot/BallDepth.h"
 #include "haptics/compliance/snapshot/ComplianceCache.h"
 #include "haptics/compliance/snapshot/ComplianceSnapshot.h"
+#include "haptics/compliance/snapshot/PressedPart.h"
 #include "haptics/compliance/snapshot/SoftSurface.h"
 
 namespace palpate
@@ -24,6 +25,7 @@ struct SnapshotRequest
   std::vector<SurfacePoint> forceAt; ///< where the tool presses, or may: these points have compliance in any case
   std::vector<SurfacePoint> watched; ///< so have these, where anything else may press
   std::vector<Vec3> force_N;         ///< and the forces there, on the body
+  std::vector<PressedPart> parts;    ///< in place of the patches of these vertices, at different vertices each
 };
 
 /// Vertices within reach of a point along the edges of the surface, nearest first, at most `most`.
@@ -85,14 +87,18 @@ private:
   void pressWith(double radius_u, double tip_u);
   [[nodiscard]] Spread& spreadFor(const SnapshotRequest& request);
   [[nodiscard]] Eigen::VectorXd loadOf(const SnapshotRequest& request, Spread& spread) const;
+  [[nodiscard]] const PressedPart* partAt(const SnapshotRequest& request, std::uint32_t vertex) const;
+  [[nodiscard]] SparseColumns columnsOf(
+    const SnapshotRequest& request, Spread& spread, std::span<const std::uint32_t> vertices) const;
   void choose(const SnapshotRequest& request, ComplianceSnapshot& snapshot) const;
   void addCompliance(Spread& spread, ComplianceSnapshot& snapshot);
+  void addParts(const SnapshotRequest& request, Spread& spread, ComplianceSnapshot& snapshot) const;
   [[nodiscard]] SoftBodyState stateOf(const ComplianceSnapshot& snapshot) const;
   void learnRungs(Spread& spread, const ComplianceSnapshot& snapshot) const;
   [[nodiscard]] BallDepth depthAt(
     const ComplianceSnapshot& snapshot, std::size_t place, double ball_u, const std::vector<PatchRung>& within) const;
   [[nodiscard]] double edgeThatLacks_u(std::uint32_t vertex) const;
-  void addTips(double tip_u, ComplianceSnapshot& snapshot);
+  void addTips(const SnapshotRequest& request, ComplianceSnapshot& snapshot);
   void prepareSurface(const ComplianceSnapshot& snapshot);
   void addSprings(const SnapshotRequest& request, Spread& spread, ComplianceSnapshot& snapshot);
 

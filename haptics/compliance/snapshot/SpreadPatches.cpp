@@ -55,9 +55,8 @@ SparseColumns SpreadPatches::columnsOf(std::span<const std::uint32_t> vertices)
   return this->map_.columnsOf(places);
 }
 
-Eigen::VectorXd SpreadPatches::displacementsOf(std::span<const std::uint32_t> vertices, const Eigen::VectorXd& ofNodes)
+Eigen::VectorXd timesColumns(const SparseColumns& patches, const Eigen::VectorXd& ofNodes)
 {
-  const SparseColumns patches = this->columnsOf(vertices);
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(patches.count()));
   for (std::size_t c = 0; c < patches.count(); ++c)
   {

@@ -23,9 +23,6 @@ public:
 
   /// Three columns per vertex, as of SurfaceMap.
   [[nodiscard]] SparseColumns columnsOf(std::span<const std::uint32_t> vertices);
-  /// Displacements of the vertices' patches, three numbers each, for those of the nodes: three numbers per node [u].
-  [[nodiscard]] Eigen::VectorXd displacementsOf(
-    std::span<const std::uint32_t> vertices, const Eigen::VectorXd& ofNodes);
   void addForce(std::uint32_t vertex, const Vec3& force_N, Eigen::VectorXd& ofNodes);
   /// One column each, along the vertices' normals: radiiWithin() of the first vertex, then those of the next.
   [[nodiscard]] SparseColumns columnsWithin(std::span<const std::uint32_t> vertices, std::span<const Vec3> normals);
@@ -38,5 +35,8 @@ private:
   std::map<std::uint32_t, std::uint32_t> placeOf_; ///< of the vertices made so far
   SurfaceMap map_;
 };
+
+/// Displacements of patches, one number for each column, for those of the nodes: three numbers per node [u].
+[[nodiscard]] Eigen::VectorXd timesColumns(const SparseColumns& patches, const Eigen::VectorXd& ofNodes);
 
 } // namespace palpate

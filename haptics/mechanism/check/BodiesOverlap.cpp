@@ -370,7 +370,12 @@ const std::vector<BodyPair>& OverlapWatch::look(const Mechanism& mechanism, std:
   {
     computed.push_back(body.body ? body.body->revision : 0);
   }
-  if (computed != this->computed_)
+  if (mechanism.findsContacts)
+  {
+    this->computed_.clear();
+    this->soft_.clear();
+  }
+  else if (computed != this->computed_)
   {
     this->computed_ = std::move(computed);
     this->soft_ = looked.pairs([&](std::size_t a, std::size_t b) { return isSoft(a) && isSoft(b); });

@@ -22,8 +22,8 @@ using BodyPair = std::pair<std::string, std::string>;
 /// coinciding vertices decide nothing. Not real-time safe.
 [[nodiscard]] std::vector<BodyPair> overlapsOf(const Mechanism& mechanism, std::span<const MechanismSoft> soft);
 
-/// How deep a loose and another rigid mesh lie in one another as they stand [u]: the largest distance from the surface of
-/// the other one of a vertex, a little inside of its own surface, or of the mean of the vertices. 0 where only edges
+/// How deep a loose and another rigid mesh lie in one another as they stand [u]: the largest distance from the surface
+/// of the other one of a vertex, a little inside of its own surface, or of the mean of the vertices. 0 where only edges
 /// cross. Not real-time safe.
 [[nodiscard]] double overlapDepth(const Mechanism& mechanism, const BodyPair& pair);
 
@@ -35,8 +35,8 @@ using BodyPair = std::pair<std::string, std::string>;
 /// Likewise in a tick: rigid bodies and the held body have the poses of the last solution, soft ones the shape of their
 /// last computation. A held rod counts by its middle line, a held mesh not at all: its contacts are found. Poses
 /// between two ticks are not looked at: a body thinner than the displacement of a tick can be jumped over. Bodies that
-/// a constraint joins are left out: the constraint says how they meet. Two soft bodies are looked at again once one of
-/// them was computed anew. Not real-time safe.
+/// a constraint joins are left out: the constraint says how they meet. So are two soft bodies whose contacts are found;
+/// others are looked at again once one of them was computed anew. Not real-time safe.
 class OverlapWatch
 {
 public:

@@ -334,6 +334,11 @@ void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> sof
   {
     const bool pushed = softNamed(soft, a) ? isMesh(b) : softNamed(soft, b) && isMesh(a);
     const bool loose = mechanism.findsContacts && isMesh(a) && isMesh(b);
+    if (mechanism.findsContacts && softNamed(soft, a) && softNamed(soft, b))
+    {
+      check.faults.push_back(a + " and " + b + " lie in one another: move one of them.");
+      continue;
+    }
     if (pushed && mechanism.beginsApart)
     {
       const auto& [body, mesh] = softNamed(soft, a) ? std::pair(a, b) : std::pair(b, a);
@@ -369,12 +374,6 @@ const PlannedWire* wireOf(const Mechanism& mechanism)
 /// The pairs of bodies whose contacts are not found.
 void tellUnfound(const Mechanism& mechanism, MechanismCheck& check)
 {
-  const auto count = [&mechanism](MechanismBodyKind kind)
-  { return std::ranges::count(mechanism.bodies, kind, &MechanismBody::kind); };
-  if (mechanism.findsContacts && count(MechanismBodyKind::Soft) > 1)
-  {
-    check.remarks.emplace_back("Contacts between two soft bodies are not found: they pass through one another.");
-  }
   const bool boxes = std::ranges::any_of(
     mechanism.bodies, [](const MechanismBody& b) { return b.kind == MechanismBodyKind::Rigid && !b.mesh; });
   if (mechanism.findsContacts && boxes)

@@ -83,11 +83,7 @@ private:
     }
   }
 
-  [[nodiscard]] std::size_t countOf(MechanismBodyKind kind) const
-  {
-    return static_cast<std::size_t>(
-      std::ranges::count_if(this->mechanism_.bodies, [kind](const MechanismBody& b) { return b.kind == kind; }));
-  }
+  [[nodiscard]] std::size_t countOf(MechanismBodyKind kind) const { return palpate::countOf(this->mechanism_, kind); }
 
   [[nodiscard]] std::size_t countLoose() const
   {
@@ -177,7 +173,7 @@ private:
     this->judgeBodies(law, this->mechanism_.bodies[a], this->mechanism_.bodies[b], name);
   }
 
-  /// Contacts are found between the meshes of rigid bodies and soft bodies.
+  /// Contacts are found between the meshes of rigid bodies and soft bodies, and between soft bodies.
   void judgeFound()
   {
     if (!this->mechanism_.findsContacts)
@@ -186,7 +182,7 @@ private:
     }
     const bool mesh =
       std::ranges::any_of(this->mechanism_.bodies, [](const MechanismBody& b) { return b.mesh != nullptr; });
-    this->require(mesh,
+    this->require(mesh || this->countOf(MechanismBodyKind::Soft) > 1,
       "Contacts are found for a mesh that is held, is loose or stands in the world, and no such body has a file: "
       "give one, or name the contacts of the rod.");
     this->require(this->countOf(MechanismBodyKind::Soft) + this->countLoose() > 0,

@@ -31,24 +31,27 @@ FreeWays waysOf(const MechanismPlan& plan, const MechanismGrip& grip, int body) 
   return ways;
 }
 
-/// How A's point of constraint l goes against B's, by the soft bodies, under a force between those of constraint m.
-Mat3 softCompliance(const ConstraintScene& scene, const ConstraintRows& rows, int l, int m) noexcept
+/// The part of one side's point: as A's goes, and as B's goes the other way.
+Mat3 sideCompliance(const ConstraintScene& scene, const ConstraintRows& rows, int l, int side, int m) noexcept
 {
   Mat3 sum = Mat3::Zero();
-  for (int s = 0; s < 2; ++s)
+  for (int t = 0; t < 2; ++t)
   {
-    for (int t = 0; t < 2; ++t)
+    const ConstraintEnd& a = rows.ends[l][side];
+    const ConstraintEnd& b = rows.ends[m][t];
+    if (a.soft >= 0 && a.soft == b.soft)
     {
-      const ConstraintEnd& a = rows.ends[l][s];
-      const ConstraintEnd& b = rows.ends[m][t];
-      if (a.soft >= 0 && a.soft == b.soft)
-      {
-        const Mat3 c = complianceBetween(*scene.soft[a.soft]->snapshot, a.point, b.point);
-        sum += s == t ? c : Mat3(-c);
-      }
+      const Mat3 c = complianceBetween(*scene.soft[a.soft]->snapshot, a.point, b.point);
+      sum += side == t ? c : Mat3(-c);
     }
   }
   return sum;
+}
+
+/// How A's point of constraint l goes against B's, by the soft bodies, under a force between those of constraint m.
+Mat3 softCompliance(const ConstraintScene& scene, const ConstraintRows& rows, int l, int m) noexcept
+{
+  return sideCompliance(scene, rows, l, 0, m) + sideCompliance(scene, rows, l, 1, m);
 }
 
 /// Of the rows of the constraints that i and j belong to: rows of one constraint stand together.
@@ -237,6 +240,20 @@ Vec3 softApart_W(const ConstraintScene& scene, const ConstraintRows& rows, int l
     }
   }
   return apart_W;
+}
+
+Vec3 yielded_W(const ConstraintScene& scene, const ConstraintRows& rows, int l, int side) noexcept
+{
+  Vec3 x_W = rows.ends[l][side].x_W;
+  for (int m = 0; m < scene.plan.lawCount; ++m)
+  {
+    if (scene.laws[m].force_W != Vec3::Zero())
+    {
+      const Vec3 way_W = sideCompliance(scene, rows, l, side, m) * scene.laws[m].force_W;
+      x_W += side == 0 ? way_W : Vec3(-way_W);
+    }
+  }
+  return x_W;
 }
 
 Vec6 pressOn(

@@ -15,6 +15,9 @@ void assembleConstraints(const ConstraintScene& scene, const ConstraintRows& row
 /// their states [u].
 [[nodiscard]] Vec3 softApart_W(const ConstraintScene& scene, const ConstraintRows& rows, int l) noexcept;
 
+/// Where the soft body of a side has yielded to at its point of constraint l, likewise.
+[[nodiscard]] Vec3 yielded_W(const ConstraintScene& scene, const ConstraintRows& rows, int l, int side) noexcept;
+
 /// The small motion of a body under the forces of the constraints, whitened, from where the constraints are linearised.
 [[nodiscard]] Vec6 motionOf(const ConstraintScene& scene, const ConstraintRows& rows, const MechanismGrip& grip,
   const HeldYield& held, const ConstraintForces& forces, int body) noexcept;

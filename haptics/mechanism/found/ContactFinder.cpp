@@ -2,6 +2,7 @@
 #include "haptics/mechanism/found/ContactFinder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "haptics/core/PoseMath.h"
 #include "haptics/geometry/tree/SurfaceData.h"
+#include "haptics/mechanism/found/PlacesByArea.h"
 
 namespace palpate
 {
@@ -23,11 +25,6 @@ constexpr double wider = 1.25;
 /// Edges of the soft body that a mesh may go beyond where it touches first.
 constexpr double strides = 2.0;
 constexpr int mostWidenings = 30;
-/// Radius of the paraboloid of pressure on a half space whose mean depth is that of a square with an even pressure, of
-/// the square's side (Love 1929: .946 F / (E* s); Hertz: .6587 F / (E* a)).
-constexpr double tipOfSquare = 0.6587 / 0.946;
-/// Places that are taken one by one no nearer than that leave each a square of 1.43 of its square.
-constexpr double tipOfPlace = 1.2 * tipOfSquare;
 /// The same of a ball's contact, of its radius (Hertz: 3 F / (4 E* a) deep).
 constexpr double tipOfBall = 0.6587 / 0.75;
 /// Of the edges around: no patch is smaller, so that a force that begins has some.
@@ -46,18 +43,6 @@ constexpr double acrossBall = 2.2;
 constexpr double apartOfHeld = 0.1;
 /// Of a mesh's size: pairs with a loose body that are no further apart touch, or will soon.
 constexpr double nearlyTouching = 0.01;
-/// Places before one mesh that stands whose compliance is known: so many of a body's 192.
-constexpr std::size_t mostWatched = 48;
-
-bool stands(const NearPlace& near, const std::vector<NearPlace>& chosen, double apart_u)
-{
-  return std::ranges::none_of(chosen,
-    [&](const NearPlace& other)
-    {
-      const Vec3 way_u = near.contact.place_B.x_W - other.contact.place_B.x_W;
-      return way_u.norm() < apart_u && near.contact.normal_B.dot(other.contact.normal_B) > FoundContact::alike;
-    });
-}
 
 ChosenPlaces spread(const std::vector<NearPlace>& sorted, PlaceRoom room, double apart_u, double touches_u)
 {
@@ -65,7 +50,7 @@ ChosenPlaces spread(const std::vector<NearPlace>& sorted, PlaceRoom room, double
   chosen.apart_u = apart_u;
   for (const NearPlace& near : sorted)
   {
-    if (!stands(near, chosen.places, apart_u))
+    if (!standsApart(near, chosen.places, apart_u))
     {
       continue;
     }
@@ -188,6 +173,16 @@ std::optional<double> ballContact(const Roundness& round, const BallHistory& his
 
 } // namespace
 
+bool standsApart(const NearPlace& near, const std::vector<NearPlace>& chosen, double apart_u)
+{
+  return std::ranges::none_of(chosen,
+    [&](const NearPlace& other)
+    {
+      const Vec3 way_u = near.contact.place_B.x_W - other.contact.place_B.x_W;
+      return way_u.norm() < apart_u && near.contact.normal_B.dot(other.contact.normal_B) > FoundContact::alike;
+    });
+}
+
 ChosenPlaces choosePlaces(
   const std::vector<NearPlace>& near, PlaceRoom room, double apart_u, double touches_u, const FoundContacts& before)
 {
@@ -226,10 +221,10 @@ ContactFinder::ContactFinder(std::vector<FinderMesh> meshes, int held, std::size
   std::ranges::stable_partition(this->meshes_, [held](const FinderMesh& mesh) { return mesh.body == held; });
 }
 
-void ContactFinder::add(int body, const PressedBody& atRest, double stiffness)
+void ContactFinder::add(int body, const PressedBody& atRest, double stiffness, double friction)
 {
-  this->bodies_.push_back({ body, makeSided(atRest.scene->surfaces()[atRest.touch.surface].tree), stiffness, 0.0,
-    std::vector<Ball>(this->meshes_.size()), {} });
+  this->bodies_.push_back({ body, makeSided(atRest.scene->surfaces()[atRest.touch.surface].tree), stiffness, friction,
+    0.0, std::vector<Ball>(this->meshes_.size()), {}, {} });
 }
 
 const SidedSurface* ContactFinder::held() const noexcept
@@ -300,6 +295,16 @@ std::vector<ContactFinder::Meeting> ContactFinder::meetings(const FinderView& vi
       if (this->meets(m, other))
       {
         look(m, this->bodies_.size() + other, *this->meshes_[other].surface, nullptr);
+      }
+    }
+  }
+  for (std::size_t first = 0; first < this->bodies_.size(); ++first)
+  {
+    for (std::size_t second = first + 1; second < this->bodies_.size(); ++second)
+    {
+      if (Meeting meeting = this->meetingOfSoft(first, second, pair++, view); !meeting.near.empty())
+      {
+        met.push_back(std::move(meeting));
       }
     }
   }
@@ -377,6 +382,7 @@ void ContactFinder::forget(const std::vector<Meeting>& met)
   for (std::size_t s = 0; s < this->bodies_.size(); ++s)
   {
     this->bodies_[s].watched.clear();
+    this->bodies_[s].parts.clear();
     for (std::size_t m = 0; m < this->meshes_.size(); ++m)
     {
       const bool meets =
@@ -395,7 +401,7 @@ std::size_t ContactFinder::touchingFirst(std::vector<Meeting>& met) const
   const auto touches = [this](const Meeting& meeting)
   {
     const double gap_u = std::ranges::min_element(meeting.near, {}, &NearPlace::gap_u)->gap_u;
-    return gap_u <= nearlyTouching * this->meshes_[meeting.mesh].surface->diagonal_u;
+    return gap_u <= nearlyTouching * this->surfaceOf(meeting.mesh).diagonal_u;
   };
   const auto others = loose ? std::stable_partition(met.begin(), met.end(), touches) : met.end();
   return static_cast<std::size_t>(others - met.begin());
@@ -417,16 +423,17 @@ const FoundContacts& ContactFinder::find(const FinderView& view)
   for (std::size_t i = 0; i < met.size(); ++i)
   {
     const Meeting& meeting = met[i];
-    if (!this->isHeld(meeting.mesh) && meeting.other < this->bodies_.size())
-    {
-      const std::vector<SurfacePoint> nearest = nearestPlaces(meeting.near, mostWatched);
-      std::vector<SurfacePoint>& watched = this->bodies_[meeting.other].watched;
-      watched.insert(watched.end(), nearest.begin(), nearest.end());
-    }
+    this->watch(meeting);
     // Pairs that follow have an even share at least, and all that is left over.
     const std::size_t left = (i < touching ? touching : met.size()) - i;
     const std::size_t share = (this->most_ - static_cast<std::size_t>(found.count)) / left;
-    this->choose(meeting, { share, i + 1 < met.size() ? (share + 1) / 2 : share }, view, found);
+    const PlaceRoom room{ share, i + 1 < met.size() ? (share + 1) / 2 : share };
+    if (this->softMeshOf(meeting))
+    {
+      this->chooseOfSoft(meeting, room, view, found);
+      continue;
+    }
+    this->choose(meeting, room, view, found);
   }
   this->last_ = found;
   return this->last_;

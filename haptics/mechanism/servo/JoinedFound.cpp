@@ -95,6 +95,7 @@ void joinFound(const MechanismPlan& plan, const FoundContacts& found, const Pose
     law.point_B = contact.place_B.x_W; // of a rigid body; on a soft one place_B is
     law.axis_B = turnsWithMesh(plan, contact) ? Vec3(turned * contact.normal_B) : contact.normal_B;
     law.friction = contact.friction;
+    law.place_A = contact.place_A;
     law.place_B = contact.place_B;
     const bool stands = plan.bodies[static_cast<std::size_t>(contact.body)].kind == MechanismBodyKind::World;
     if (rest_u > 0.0 && contact.mesh == plan.held && stands)
@@ -125,6 +126,7 @@ void takeFound(const FoundContacts& found, int named, const PosesOfBodies& pose_
       }
       taken[static_cast<std::size_t>(same)] = true;
     }
+    law.place_A = contact.place_A;
     law.place_B = contact.place_B;
   }
   for (std::size_t l = static_cast<std::size_t>(named + roomFor(found, named)); l < state.laws.size(); ++l)

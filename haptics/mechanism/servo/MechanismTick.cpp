@@ -252,6 +252,9 @@ private:
       if (this->laws_.rowsOf(l) > 0)
       {
         this->state_.laws[l].apart_W = softApart_W(this->laws_.scene(), this->laws_.rows(), l);
+        const auto& [a, b] = this->laws_.rows().ends[l];
+        Vec3& at_W = this->result_.laws[l].at_W; // of two soft bodies, by the forces of all constraints
+        at_W = a.soft >= 0 && b.soft >= 0 ? yielded_W(this->laws_.scene(), this->laws_.rows(), l, 1) : at_W;
         this->slide(l);
         this->tellPresses(l);
       }

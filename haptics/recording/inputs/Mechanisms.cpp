@@ -138,14 +138,13 @@ bool isUsable(const FoundContacts& found)
            [](const FoundContact& contact)
            {
              const double length = contact.normal_B.norm();
-             return contact.point_A.allFinite() && isPlace(contact.place_B) &&
+             return contact.point_A.allFinite() && isPlace(contact.place_A) && isPlace(contact.place_B) &&
                     std::abs(length - 1.0) <= offUnitLength && std::isfinite(contact.apart_u) &&
                     std::isfinite(contact.friction) && contact.friction >= 0.0;
            });
 }
 
-/// Whether they are of rigid bodies of the mechanism with soft ones, with such as stand or with loose ones, at vertices
-/// that soft ones have.
+/// Whether they are of two bodies of the mechanism that may meet, at vertices that soft ones have.
 bool fits(const FoundContacts& found, const RecordedMechanism& mechanism)
 {
   return std::all_of(found.contacts.begin(), found.contacts.begin() + found.count,
@@ -157,10 +156,12 @@ bool fits(const FoundContacts& found, const RecordedMechanism& mechanism)
         const auto& bodies = mechanism.plan.bodies;
         const PlannedBody& body = bodies[static_cast<std::size_t>(met.body)];
         const bool loose = isLoose(body) || isLoose(bodies[static_cast<std::size_t>(met.mesh)]);
-        return softOf(met.body) >= 0 || (met.mesh != met.body && (body.kind == MechanismBodyKind::World || loose));
+        const bool meetsRigid = softOf(met.mesh) < 0 && (body.kind == MechanismBodyKind::World || loose);
+        return met.mesh != met.body && (softOf(met.body) >= 0 || meetsRigid);
       };
       const auto there = [&mechanism](int body) { return body >= 0 && body < mechanism.plan.bodyCount; };
-      return there(contact.mesh) && there(contact.body) && softOf(contact.mesh) < 0 && isMet(contact) &&
+      return there(contact.mesh) && there(contact.body) && isMet(contact) &&
+             hasVertices(contact.place_A, contact.mesh, mechanism) &&
              hasVertices(contact.place_B, contact.body, mechanism);
     });
 }

@@ -81,7 +81,7 @@ struct Mechanisms
     std::unique_ptr<MechanismTick> room = std::make_unique<MechanismTick>();
   };
 
-  static constexpr ChunkKind chunk{ "joined", 6 };
+  static constexpr ChunkKind chunk{ "joined", 7 };
   static void write(ByteWriter& payload, const FeltMechanism& mechanism) { putMechanism(payload, mechanism); }
   template<class Store>
   static void forEachPart(const FeltMechanism& mechanism, const Store& store)

@@ -93,12 +93,14 @@ void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan
   std::ranges::transform(plan.bodies, this->begin_W_.begin(), &PlannedBody::pose_W);
   this->finder_.reset();
   std::ranges::for_each(this->makers_, [](const auto& maker) { maker->watch({}); });
+  std::ranges::for_each(this->makers_, [](const auto& maker) { maker->pressParts({}); });
   this->found_ = this->underWay_ = {};
   this->looked_W_.reset();
   this->diagonal_u_ = 0.0;
   this->told_ = {};
   this->told_.pose_W = this->begin_W_;
   this->held_ = plan.held;
+  this->rod_u_ = plan.held >= 0 ? plan.bodies[static_cast<std::size_t>(plan.held)].length_u : 0.0;
   this->plan_ = plan.revision;
   this->gatherMeshes(mechanism, plan);
   this->loose_.clear();
@@ -127,7 +129,8 @@ void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan
     for (std::size_t s = 0; s < this->first_.size(); ++s)
     {
       const auto body = std::ranges::find(plan.bodies, static_cast<int>(s), &PlannedBody::soft);
-      this->finder_->add(static_cast<int>(body - plan.bodies.begin()), *this->first_[s], this->stiffness_[s]);
+      this->finder_->add(
+        static_cast<int>(body - plan.bodies.begin()), *this->first_[s], this->stiffness_[s], mechanism.foundFriction);
       const SurfaceData& surface = this->first_[s]->scene->surfaces()[this->first_[s]->touch.surface].tree->data();
       this->diagonal_u_ = std::max(this->diagonal_u_, (surface.high_W - surface.low_W).norm());
     }
@@ -244,22 +247,30 @@ void MechanismBodies::lookAround(std::size_t body, BodyHand& hand) const
   const FoundContacts& found = this->finder_->last();
   Vec3 sum_W = Vec3::Zero();
   int count = 0; // of the mesh in the hand
+  const auto answerAt = [&hand](const SurfacePoint& place)
+  {
+    const auto isThere = [&place](const SurfacePoint& at)
+    { return at.vertices == place.vertices && at.weights == place.weights; };
+    const bool isKnown = std::any_of(hand.forceAt.begin(), hand.forceAt.begin() + hand.count, isThere);
+    if (!isKnown && hand.count < BodyHand::most)
+    {
+      hand.forceAt[hand.count] = place;
+      hand.force_N[hand.count++] = Vec3::Zero();
+    }
+  };
   for (int i = 0; i < found.count; ++i)
   {
     const FoundContact& contact = found.contacts[static_cast<std::size_t>(i)];
-    const auto isThere = [&](const SurfacePoint& at)
-    { return at.vertices == contact.place_B.vertices && at.weights == contact.place_B.weights; };
     if (contact.body == this->finder_->bodyOf(body))
     {
       const bool isHeld = contact.mesh == this->held_;
       sum_W += isHeld ? contact.place_B.x_W : Vec3(Vec3::Zero());
       count += isHeld ? 1 : 0;
-      const bool isKnown = std::any_of(hand.forceAt.begin(), hand.forceAt.begin() + hand.count, isThere);
-      if (!isKnown && hand.count < BodyHand::most)
-      {
-        hand.forceAt[hand.count] = contact.place_B;
-        hand.force_N[hand.count++] = Vec3::Zero();
-      }
+      answerAt(contact.place_B);
+    }
+    if (contact.mesh == this->finder_->bodyOf(body))
+    {
+      answerAt(contact.place_A);
     }
   }
   if (const SidedSurface* const mesh = this->finder_->held())
@@ -269,6 +280,7 @@ void MechanismBodies::lookAround(std::size_t body, BodyHand& hand) const
     hand.ball_W = count > 0 ? Vec3(sum_W / count) : held_W * Vec3(0.5 * (data.low_W + data.high_W));
   }
   this->makers_[body]->watch(this->finder_->watched(body));
+  this->makers_[body]->pressParts(this->finder_->parts(body));
   hand.tip_u = this->tips_u_[body] > 0.0 ? this->tips_u_[body] : this->finder_->tip_u(body);
 }
 
@@ -318,7 +330,7 @@ const FoundContacts& MechanismBodies::find()
   view.pose_W = this->told_.pose_W;
   const Pose& held_W = view.pose_W[static_cast<std::size_t>(this->held_)];
   const SidedSurface* const mesh = this->finder_->held();
-  const double radius_u = mesh ? mesh->radius_u : 0.0, diagonal_u = mesh ? mesh->diagonal_u : 0.0;
+  const double radius_u = mesh ? mesh->radius_u : this->rod_u_, diagonal_u = mesh ? mesh->diagonal_u : 0.0;
   const double motion_u =
     this->looked_W_ ? motionOf(radius_u, (*this->looked_W_)[static_cast<std::size_t>(this->held_)], held_W) : 0.0;
   // A mesh that is behind the hand comes after it.

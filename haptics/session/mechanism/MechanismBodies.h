@@ -108,6 +108,7 @@ private:
   std::unique_ptr<ContactFinder> finder_;         ///< null: nothing is looked for
   std::shared_ptr<const StandingMeshes> meshes_;
   int held_ = -1;                       ///< body of the plan that is in the hand
+  double rod_u_ = 0.0;                  ///< length of the rod in the hand; 0: there is none
   double diagonal_u_ = 0.0;             ///< of the largest soft body
   std::uint64_t plan_ = 0;              ///< revision of the one that is held
   std::uint64_t before_ = 0;            ///< of the one that it continues; 0: of none

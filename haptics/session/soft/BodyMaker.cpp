@@ -121,6 +121,7 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
     request.force_N.clear();
   }
   request.watched = this->watched_;
+  request.parts = this->parts_;
   const auto snapshot = this->snapshots_.make(request, newtonSteps);
   const auto scene = snapshot ? this->sceneOf(*snapshot) : nullptr;
   if (!scene)

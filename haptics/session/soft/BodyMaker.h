@@ -58,6 +58,8 @@ public:
 
   /// Snapshots have the compliance of these places as well, from the next one on.
   void watch(std::vector<SurfacePoint> places) { this->watched_ = std::move(places); }
+  /// From the next one on, forces on the vertices of these parts act on the parts.
+  void pressParts(std::vector<PressedPart> parts) { this->parts_ = std::move(parts); }
 
   /// A new inverse of the stiffness to condense around a point; snapshots use as much of it as is condensed. Null: the
   /// present one answered the last snapshot or may answer the next, or the stiffness changes with the deformation.
@@ -90,6 +92,7 @@ private:
   std::uint64_t first_; ///< revision before the first snapshot: older forces belong to another body's vertices
   std::uint64_t revision_;
   std::vector<SurfacePoint> watched_;
+  std::vector<PressedPart> parts_;
   Vec3 hand_W_ = Vec3::Zero();                     ///< of the last snapshot
   std::shared_ptr<const ComplianceSnapshot> last_; ///< null: none yet
   bool underPoints_ = false;                       ///< whether the last snapshot was for a point in place of a ball

@@ -36,13 +36,17 @@ inline SoftBodyInput bar(const std::array<int, 3>& cells)
 class WholeBar
 {
 public:
-  explicit WholeBar(const SoftBodyInput& input) : vertices_(input.mesh.vertices_W), row_(vertices_.size(), -1)
+  static bool isLower(const Vec3& p) { return p.z() == 0.0 && p.x() >= 0.05; }
+
+  /// `meets`: which of the vertices have contacts.
+  explicit WholeBar(const SoftBodyInput& input, const std::function<bool(const Vec3&)>& meets = isLower)
+    : vertices_(input.mesh.vertices_W), row_(vertices_.size(), -1)
   {
     int rows = 0;
     for (std::size_t v = 0; v < this->vertices_.size(); ++v)
     {
       this->row_[v] = input.fixed[v] ? -1 : 3 * rows++;
-      if (this->row_[v] >= 0 && this->vertices_[v].z() == 0.0 && this->vertices_[v].x() >= 0.05)
+      if (this->row_[v] >= 0 && meets(this->vertices_[v]))
       {
         this->lower_.push_back(v);
       }
@@ -50,7 +54,7 @@ public:
     std::vector<Eigen::Triplet<double>> entries;
     for (const Tetra& t : input.mesh.tetras)
     {
-      this->addTetra(t, entries);
+      this->addTetra(t, hookeOf(input), entries);
     }
     this->stiffness_.resize(3 * rows, 3 * rows);
     this->stiffness_.setFromTriplets(entries.begin(), entries.end());
@@ -80,6 +84,32 @@ public:
     }
     this->free_ = this->factor_.solve(load);
   }
+  /// Under a force on each of its vertices.
+  void load(const std::vector<Vec3>& of_N)
+  {
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(this->stiffness_.rows());
+    for (std::size_t v = 0; v < of_N.size(); ++v)
+    {
+      if (this->row_[v] >= 0)
+      {
+        load.segment<3>(this->row_[v]) = of_N[v];
+      }
+    }
+    this->free_ = this->factor_.solve(load);
+  }
+  /// How the contacts go along z under forces on one another [m/N].
+  [[nodiscard]] Eigen::MatrixXd compliance() const
+  {
+    const auto count = static_cast<Eigen::Index>(this->lower_.size());
+    Eigen::MatrixXd compliance(count, count);
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+      compliance.row(i) = this->columns_.row(this->row_[this->lower_[static_cast<std::size_t>(i)]] + 2);
+    }
+    return compliance;
+  }
+  /// The bar lies on another body, which has the same contacts, and yields to their forces.
+  void standOn(const WholeBar& other) { this->below_ = other.compliance(); }
   /// The least gap to the block if that were not there [m].
   [[nodiscard]] double leastGap_m() const
   {
@@ -90,17 +120,19 @@ public:
     }
     return least;
   }
-  /// Force of the block on the bar, upwards [N].
-  [[nodiscard]] double borne_N() const
+  /// Force of the block on the bar, upwards, so far apart at first [N].
+  [[nodiscard]] double borne_N(double apart_m = gap_m) const
   {
     const auto count = static_cast<Eigen::Index>(this->lower_.size());
-    Eigen::MatrixXd compliance(count, count);
+    Eigen::MatrixXd compliance = this->compliance();
+    if (this->below_.size() > 0)
+    {
+      compliance += this->below_;
+    }
     Eigen::VectorXd gap(count);
     for (Eigen::Index i = 0; i < count; ++i)
     {
-      const int row = this->row_[this->lower_[static_cast<std::size_t>(i)]] + 2;
-      compliance.row(i) = this->columns_.row(row);
-      gap[i] = gap_m + this->free_[row];
+      gap[i] = apart_m + this->free_[this->row_[this->lower_[static_cast<std::size_t>(i)]] + 2];
     }
     std::vector<Eigen::Index> active;
     Eigen::VectorXd force = Eigen::VectorXd::Zero(count);
@@ -134,7 +166,18 @@ private:
     return static_cast<std::size_t>(std::ranges::min_element(this->vertices_, {}, away) - this->vertices_.begin());
   }
 
-  void addTetra(const Tetra& t, std::vector<Eigen::Triplet<double>>& entries) const
+  static Eigen::Matrix<double, 6, 6> hookeOf(const SoftBodyInput& input)
+  {
+    const double young_Pa = input.young_Pa.front(), nu = input.poisson;
+    const double lame = young_Pa * nu / ((1 + nu) * (1 - 2 * nu)), shear = young_Pa / (2 * (1 + nu));
+    Eigen::Matrix<double, 6, 6> hooke = Eigen::Matrix<double, 6, 6>::Zero();
+    hooke.topLeftCorner<3, 3>().setConstant(lame);
+    hooke.diagonal() += (Eigen::Matrix<double, 6, 1>() << 2, 2, 2, 1, 1, 1).finished() * shear;
+    return hooke;
+  }
+
+  void addTetra(
+    const Tetra& t, const Eigen::Matrix<double, 6, 6>& hooke, std::vector<Eigen::Triplet<double>>& entries) const
   {
     Eigen::Matrix4d places;
     for (int c = 0; c < 4; ++c)
@@ -149,11 +192,6 @@ private:
       const double x = shape(1, c), y = shape(2, c), z = shape(3, c);
       strain.middleCols<3>(3 * c) << x, 0, 0, 0, y, 0, 0, 0, z, y, x, 0, 0, z, y, z, 0, x;
     }
-    const double lame = barYoung_Pa * barPoisson / ((1 + barPoisson) * (1 - 2 * barPoisson));
-    const double shear = barYoung_Pa / (2 * (1 + barPoisson));
-    Eigen::Matrix<double, 6, 6> hooke = Eigen::Matrix<double, 6, 6>::Zero();
-    hooke.topLeftCorner<3, 3>().setConstant(lame);
-    hooke.diagonal() += (Eigen::Matrix<double, 6, 1>() << 2, 2, 2, 1, 1, 1).finished() * shear;
     const Eigen::Matrix<double, 12, 12> k = volume * strain.transpose() * hooke * strain;
     for (int i = 0; i < 12; ++i)
     {
@@ -175,6 +213,7 @@ private:
   Eigen::SparseMatrix<double> stiffness_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
   Eigen::MatrixXd columns_; ///< displacements under a force of 1 N on each lower vertex
+  Eigen::MatrixXd below_;   ///< of a body on which the bar lies; empty: that is rigid
   Eigen::VectorXd free_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mesh in the hand whose contacts a worker finds: in the tick, and as bytes of a recording.
+#include <functional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include "haptics/recording/RecordedStages.h"
 #include "testing/haptics/mechanism/HeldMesh.h"
 #include "testing/haptics/mechanism/MechanismTicks.h"
+#include "testing/haptics/mechanism/SoftPairs.h"
 
 namespace palpate::test
 {
@@ -25,15 +27,18 @@ Pose handAt(int tick)
 std::shared_ptr<const FeltMechanism> feltAgain(const FeltMechanism& felt)
 {
   const RecordedMechanism read = writtenAndRead(felt);
-  auto body = std::make_shared<PressedBody>(*read.bodies[0].body);
-  body->scene = felt.bodies()[0]->scene;
-  return std::make_shared<const FeltMechanism>(
-    read.revision, read.plan, std::vector<std::shared_ptr<const PressedBody>>{ body }, read.found);
+  std::vector<std::shared_ptr<const PressedBody>> bodies;
+  for (const RecordedMechanism::Body& recorded : read.bodies)
+  {
+    auto body = std::make_shared<PressedBody>(*recorded.body);
+    body->scene = felt.bodies()[bodies.size()]->scene;
+    bodies.push_back(std::move(body));
+  }
+  return std::make_shared<const FeltMechanism>(read.revision, read.plan, std::move(bodies), read.found);
 }
 
-TEST(FoundInTick, WhatIsRecordedIsComputedAnewToTheLastBitFromTheBeginningAndFromHalfway)
+void expectComputedAnew(const MechanismInputs& inputs, const std::function<Pose(int)>& handAt)
 {
-  const MechanismInputs inputs = meshOnPad(makeIcosphere(3, 0.02), 8, 0.4);
   std::string refusal;
   const auto bodies = MechanismBodies::make(inputs.soft, refusal);
   ASSERT_TRUE(bodies) << refusal;
@@ -87,6 +92,19 @@ TEST(FoundInTick, WhatIsRecordedIsComputedAnewToTheLastBitFromTheBeginningAndFro
   }
 }
 
+TEST(FoundInTick, WhatIsRecordedIsComputedAnewToTheLastBitFromTheBeginningAndFromHalfway)
+{
+  expectComputedAnew(meshOnPad(makeIcosphere(3, 0.02), 8, 0.4), handAt);
+}
+
+TEST(FoundInTick, SoIsATissueThatIsPressedOntoAnotherOne)
+{
+  const auto down = [](int tick) {
+    return Pose{ Vec3(0.08, 0.02 + 2e-6 * tick, barSize.z() + 0.015 - 6e-6 * tick), Quat::Identity() };
+  };
+  expectComputedAnew(onBarAndBed(2, 0.4), down);
+}
+
 TEST(FoundInTick, ContactsThatATickCannotComputeWithAreRefusedInARecording)
 {
   const MechanismInputs inputs = meshOnPad(makeIcosphere(2, 0.02), 4);
@@ -114,7 +132,7 @@ TEST(FoundInTick, ContactsThatATickCannotComputeWithAreRefusedInARecording)
   EXPECT_TRUE(refused([](FoundContacts& f) { f.count = -1; }));
   EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[1].body = 0; }));
   EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[1].body = 2; }));
-  EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[1].mesh = 1; }));
+  EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[1].mesh = 1; })) << "a body with itself";
   EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[1].mesh = 2; }));
   EXPECT_TRUE(refused([](FoundContacts& f) { f.contacts[1].mesh = -1; }));
   EXPECT_TRUE(refused([](FoundContacts& f) { f.reach_u = std::nan(""); }));
