@@ -15,6 +15,7 @@ a session, and HapticUpdate() follows the view. A refusal is raised as HapticRef
 """
 
 import json
+import math
 import numbers
 import os
 
@@ -522,6 +523,11 @@ def _write_surface(source, file):
         raise HapticRefusal(f"{file} cannot be written: choose another folder for the scene file.")
 
 
+def _numbers_of(value):
+    values = value if isinstance(value, (list, tuple)) else [value]
+    return [number for number in values if isinstance(number, numbers.Real)]
+
+
 def HapticWire(vessel, file, diameter=0.5, length=250, mouth=(0, 0, 0), direction=(1, 0, 0), unit=0.001, **keys):
     """Writes the scene file of a wire in a vessel and returns its source Haptic Mechanism, for HoldMechanism().
     vessel: a source, whose surface is written beside the scene file as VTP, or the path of a surface's file. mouth,
@@ -529,14 +535,20 @@ def HapticWire(vessel, file, diameter=0.5, length=250, mouth=(0, 0, 0), directio
     has for a wire: young_Pa (6e10 unless given, assumed for a NiTi wire), poisson, friction, beams, tip, tip_length,
     tip_radius, tip_pitch, tip_young_Pa."""
     file = os.path.abspath(file)
-    path = os.path.splitext(file)[0] + "-vessel.vtp"
-    if isinstance(vessel, str):
-        path = os.path.abspath(vessel)
-    else:
-        _write_surface(vessel, path)
+    if not os.path.isdir(os.path.dirname(file)):
+        raise HapticRefusal(f"There is no folder {os.path.dirname(file)}: make it, or choose another one for the scene file.")
+    path = os.path.abspath(vessel) if isinstance(vessel, str) else os.path.splitext(file)[0] + "-vessel.vtp"
     wire = {"name": "guide wire", "kind": "wire", "vessel": os.path.relpath(path, os.path.dirname(file)), "diameter": diameter, "length": length,
             "young_Pa": 6e10, "mouth": list(mouth), "direction": list(direction), **keys}
+    for key, value in {**wire, "unit": unit}.items():
+        if not all(math.isfinite(number) for number in _numbers_of(value)):
+            raise HapticRefusal(f"The {key} of a wire cannot be {value}: give a finite number.")
+    if not isinstance(vessel, str):
+        _write_surface(vessel, path)
     scene = {"format": "palpate mechanism", "version": 1, "unit_m": unit, "bodies": [wire]}
-    with open(file, "w", encoding="utf-8") as stream:
-        json.dump(scene, stream, indent=2)
+    try:
+        with open(file, "w", encoding="utf-8") as stream:
+            json.dump(scene, stream, indent=2)
+    except OSError as error:
+        raise HapticRefusal(f"{file} cannot be written ({error.strerror}): choose another folder for the scene file.") from error
     return _in_pipeline(servermanager.sources.HapticMechanism(), FileName=file)
