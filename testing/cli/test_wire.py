@@ -68,6 +68,13 @@ class Wire(CommandLineTest):
                 self.change(**changes)
                 self.refused("check", "wire.json", saying=["wire.json", fault])
 
+    def test_a_file_that_is_cut_short_anywhere_is_refused_in_one_line(self):
+        text = (SCENES / "wire.json").read_text().rstrip()
+        for length in range(0, len(text), max(1, len(text) // 25)):
+            with self.subTest(length):
+                (self.folder / "wire.json").write_text(text[:length])
+                self.refused("check", "wire.json", saying=["wire.json", "not JSON"])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -2,6 +2,7 @@
 """A mechanism held in pvpython as a person holds it: a needle through a wall, felt, seen, changed, kept in a state."""
 
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -227,6 +228,21 @@ class Mechanism(Held):
             self.assertAlmostEqual(HapticState()["WirePushed"], 0.0, delta=0.01)
             with self.assertRaisesRegex(HapticRefusal, "thicker than the vessel"):
                 HoldMechanism(PlaceWire(tube, os.path.join(folder, "thick.json"), diameter=5))
+
+    def test_a_wire_of_no_number_or_without_a_folder_is_one_sentence_and_no_file(self):
+        tube = simple.Tube(Input=simple.Line(Point1=[-5, 0, 0], Point2=[60, 0, 0]), Radius=2.0)
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "wire.json")
+            for key, value in (("length", math.nan), ("diameter", math.inf), ("mouth", (0, math.nan, 0)), ("unit", math.nan), ("friction", -math.inf)):
+                with self.subTest(key):
+                    with self.assertRaisesRegex(HapticRefusal, f"The {key} of a wire cannot be .*: give a finite number"):
+                        PlaceWire(tube, file, **{key: value})
+                    self.assertFalse(os.path.exists(file))
+            with self.assertRaisesRegex(HapticRefusal, f"There is no folder {folder}/none: make it"):
+                PlaceWire(tube, os.path.join(folder, "none", "wire.json"))
+            os.mkdir(file)
+            with self.assertRaisesRegex(HapticRefusal, "wire.json cannot be written: choose another folder"):
+                PlaceWire(tube, file)
 
     def test_a_body_that_finds_no_place_to_rest_is_said_in_the_line_of_the_mechanism(self):
         feet = ((10, 0, -10), (-10, 10, -10), (-10, -10, -10))

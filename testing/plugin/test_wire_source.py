@@ -157,7 +157,7 @@ class WireSource(unittest.TestCase):
             for keys, said in (({"diameter": float("nan")}, "diameter"), ({"length": -1}, "length"), ({"diameter": 5}, "thicker"),
                                ({"direction": (0, 0, 0)}, "direction"), ({"tip": "hook"}, "tip"), ({"young_Pa": 0}, "young_Pa|stiff"),
                                ({"unit": 0}, "unit_m"), ({"tip": "bent"}, "no tip of a wire"), ({"colour": 1}, "no key of a wire"),
-                               ({"file": missing}, "not written")):
+                               ({"file": missing}, "no folder")):
                 with self.subTest(keys), self.assertRaisesRegex(HapticRefusal, said):
                     HoldMechanism(PlaceWire(self.tube, **keys))
             with self.assertRaisesRegex(HapticRefusal, "cannot be opened as a vessel"):

@@ -105,13 +105,15 @@ double nearestWall_mm(const WirePlan& plan, const WireState& state)
   constexpr int places = 10;
   const SurfaceData& vessel = plan.vessel->data();
   double nearest_mm = std::numeric_limits<double>::infinity();
+  bool out = false; // of the sheath
   for (int b = 0; b < plan.wire.count; ++b)
   {
     for (int i = 0; i <= places; ++i)
     {
       const double share = static_cast<double>(i) / places;
       const Vec3 p = (1.0 - share) * state.places_M[b].p + share * state.places_M[b + 1].p;
-      for (std::uint32_t t = 0; p.x() > 0.0 && t < vessel.mesh.triangles.size(); ++t)
+      out = out || p.x() > 0.0;
+      for (std::uint32_t t = 0; out && t < vessel.mesh.triangles.size(); ++t)
       {
         const auto [c, d, e] = vessel.cornersOf(t);
         if ((c - p).squaredNorm() < 25.0)

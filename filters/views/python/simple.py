@@ -15,6 +15,7 @@ a session, and HapticUpdate() follows the view. A refusal is raised as HapticRef
 """
 
 import json
+import math
 import numbers
 import os
 
@@ -522,25 +523,38 @@ def _opened(file):
         raise HapticRefusal(f"{file} cannot be opened as a vessel: give the file of a surface.") from error
 
 
+def _refuse_numbers(values):
+    for key, value in values.items():
+        given = value if isinstance(value, (list, tuple)) else [value]
+        if not all(math.isfinite(number) for number in given if isinstance(number, numbers.Real)):
+            raise HapticRefusal(f"The {key} of a wire cannot be {value}: give a finite number.")
+
+
 def PlaceWire(vessel, file="", diameter=0.5, length=250, mouth=(0, 0, 0), direction=(1, 0, 0), centred=False, unit=0.001, young_Pa=None,
-               tip="straight", **keys):
+              tip="straight", **keys):
     """Returns the filter Haptic Wire, a wire in a vessel, for HoldMechanism(). vessel: a source, or the path of a surface's
     file. file: the filter writes the same as a scene file there, with the vessel beside it as VTP; "": no file. mouth,
-    direction: of the sheath. centred: the mouth is moved to the middle of the vessel there. diameter, length: of the wire [u], of `unit` metres each. young_Pa: None is 60 GPa, assumed for
-    a NiTi wire. tip: "straight", "angled", "hook" or "helix". keys: others that a scene file has for a wire: poisson,
-    friction, beams, tip_length, tip_radius, tip_pitch, tip_young_Pa."""
+    direction: of the sheath. centred: the mouth is moved to the middle of the vessel there. diameter, length: of the wire
+    [u], of `unit` metres each. young_Pa: None is 60 GPa, assumed for a NiTi wire. tip: "straight", "angled", "hook" or
+    "helix". keys: others that a scene file has for a wire: poisson, friction, beams, tip_length, tip_radius, tip_pitch,
+    tip_young_Pa."""
+    file = os.path.abspath(file) if file else ""
+    if file and not os.path.isdir(os.path.dirname(file)):
+        raise HapticRefusal(f"There is no folder {os.path.dirname(file)}: make it, or choose another one for the scene file.")
+    _refuse_numbers({"diameter": diameter, "length": length, "mouth": list(mouth), "direction": list(direction), "unit": unit,
+                     "young_Pa": young_Pa, **keys})
     unknown = sorted(set(keys) - set(_WIRE_KEYS))
     if unknown or tip not in _WIRE_TIPS:
         raise HapticRefusal(f"{unknown[0]} is no key of a wire: {', '.join(_WIRE_KEYS)}" if unknown
                             else f"{tip!r} is no tip of a wire: {', '.join(_WIRE_TIPS)}")
     source = _opened(vessel) if isinstance(vessel, str) else vessel
     stiffness = {"Material": 0} if young_Pa is None else {"Material": 3, "YoungsModulus": young_Pa}
-    wire = _in_pipeline(servermanager.filters.HapticWire(Input=source), Diameter=diameter, Length=length, Unit=unit, Centred=int(centred), Tip=_WIRE_TIPS.index(tip),
-                        SceneFile=os.path.abspath(file) if file else "", **stiffness, **{_WIRE_KEYS[key]: value for key, value in keys.items()})
+    wire = _in_pipeline(servermanager.filters.HapticWire(Input=source), Diameter=diameter, Length=length, Unit=unit, Centred=int(centred),
+                        Tip=_WIRE_TIPS.index(tip), SceneFile=file, **stiffness, **{_WIRE_KEYS[key]: value for key, value in keys.items()})
     # Behind the defaults, which are of the bounds of the vessel.
     simple.SetProperties(wire, Mouth=list(mouth), Ahead=[m + d for m, d in zip(mouth, direction)])
     wire.UpdatePipeline()
     made = wire.GetDataInformation().GetNumberOfPoints() > 0  # else holding it raises the reason
     if made and file and not os.path.isfile(file):
-        raise HapticRefusal(f"{file} is not written: the message before says why.")
+        raise HapticRefusal(f"{file} cannot be written: choose another folder for the scene file.")
     return wire

@@ -1,10 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/compliance/wire/WireFactor.h"
 
-#include <Eigen/Cholesky>
-
 namespace palpate
 {
+namespace
+{
+
+/// By sweeps (Goodnight 1979): each is a symmetric product of a column, which a compiler makes of vectors. False where
+/// the matrix is not positive definite.
+bool invertPositive(const NodeBlock& matrix, NodeBlock& inverse) noexcept
+{
+  NodeBlock swept = matrix;
+  for (int k = 0; k < 6; ++k)
+  {
+    const double pivot = swept(k, k);
+    if (!(pivot > 0.0))
+    {
+      return false;
+    }
+    const NodeVector column = swept.col(k), share = column / pivot;
+    for (int j = 0; j < 6; ++j)
+    {
+      swept.col(j) -= share[j] * column;
+    }
+    swept.col(k) = share;
+    swept.row(k) = share.transpose();
+    swept(k, k) = -1.0 / pivot;
+  }
+  inverse = -swept;
+  return true;
+}
+
+} // namespace
 
 bool WireFactor::factor(const WireMatrix& matrix) noexcept
 {
@@ -12,12 +39,10 @@ bool WireFactor::factor(const WireMatrix& matrix) noexcept
   NodeBlock left = matrix.own[0];
   for (int i = 0; i < this->nodes_; ++i)
   {
-    const Eigen::LLT<NodeBlock> cholesky(left);
-    if (cholesky.info() != Eigen::Success)
+    if (!invertPositive(left, this->pivot_[i]))
     {
       return false;
     }
-    this->pivot_[i] = cholesky.solve(NodeBlock::Identity());
     if (i + 1 < this->nodes_)
     {
       this->transfer_[i].noalias() = this->pivot_[i].lazyProduct(matrix.after[i]);

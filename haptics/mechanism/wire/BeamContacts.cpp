@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/mechanism/wire/SegmentDistance.h"
 
 namespace palpate
@@ -235,6 +236,10 @@ private:
     ++this->looked_;
     for (int k = 0; k < 3; ++k)
     {
+      if ((t.owned & ownsEdge0 << k) == 0)
+      {
+        continue; // no further away than the edge is the other triangle, which is looked at, too
+      }
       const SegmentPair pair = nearestOfSegments(b.first_M, b.second_M, t.corner_M[k], t.corner_M[(k + 1) % 3]);
       away_u = std::min(away_u, pair.away_u);
       if (!(pair.along > inside && pair.along < 1.0 - inside))

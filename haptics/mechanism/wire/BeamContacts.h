@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "haptics/compliance/wire/WireCompliance.h"
 #include "haptics/mechanism/wire/SegmentDistance.h"
@@ -49,6 +50,7 @@ struct BeamTriangle
 {
   std::array<Vec3, 3> corner_M;
   const Vec3* normal_M; ///< of its plane
+  std::uint32_t owned;  ///< FacePlane's: of an edge between two triangles one owns it
   double away_u;        ///< of the beam
   double first_u;       ///< of its first node
   double second_u;      ///< of its second node

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/mechanism/wire/WireHand.h"
 
+#include <algorithm>
+
 #include "haptics/core/PoseMath.h"
 #include "haptics/tool/motion/Turn.h"
 
@@ -10,10 +12,10 @@ namespace
 {
 
 /// A wire that is pulled out stays in the sheath, and the hand slides along it.
-void pull(const WireInput& input, WireState& state) noexcept
+void pull(const WireInput& input, double most_u, WireState& state) noexcept
 {
   const double out_u = -input.plan->wire.beams[0].length_u;
-  state.led_u = handAlong_u(input) - state.grip_u;
+  state.led_u = std::clamp(handAlong_u(input) - state.grip_u, state.led_u - most_u, state.led_u + most_u);
   if (state.led_u < out_u)
   {
     state.grip_u = handAlong_u(input) - out_u;
@@ -43,10 +45,10 @@ double handAlong_u(const WireInput& input) noexcept
   return into(input.plan->mouth_W, input.hand_W.p).x();
 }
 
-double takeWireHand(const WireInput& input, WireState& state) noexcept
+double takeWireHand(const WireInput& input, double most_u, WireState& state) noexcept
 {
   const double before_u = state.led_u;
-  pull(input, state);
+  pull(input, most_u, state);
   turn(input, state);
   return state.led_u - before_u;
 }

@@ -26,7 +26,9 @@ struct WireScratch
   std::array<WireTouch, WireTouch::most> touches;
   WireVector free;
   WireVector motion;
-  WireVector since; ///< motion of this tick so far
+  WireVector since;  ///< motion of this tick so far
+  WirePresses begun; ///< forces with which the tick began
+  int begunCount = 0;
   WireVector pressed;
 };
 

@@ -16,13 +16,20 @@ namespace palpate
 namespace
 {
 
-constexpr int stepsATick = 2;
+/// Newton steps in a tick: each takes the first ones; the last is for a wire that the step before has led far, and for
+/// ticks with little work so far, in the unit of ContactPlan::workBudget.
+constexpr int usualSteps = 2, mostSteps = 3;
+constexpr std::uint32_t thirdBelow = 30000;
+/// Of the radius: so far a step leads the outer end that another one follows.
+constexpr double ledFar = 0.02;
 /// Of the distance from the wall: so far the axis of a beam goes in a step.
 constexpr double proven = 0.9;
-/// Wire radii around the wire in which contacts are looked for, at least and at most.
-constexpr double leastReach = 0.4, mostReach = 8.0;
-/// Of the way that the hand goes in a tick.
-constexpr double reachOfWay = 1.5;
+/// Wire radii around the shaft, and around the tip, in which contacts are looked for at least.
+constexpr double leastReach = 0.3, leastTipReach = 0.4;
+/// Of the way that the hand goes in a tick: the tip goes on by it, the shaft slides along itself.
+constexpr double reachOfWay = 0.75, tipReachOfWay = 1.5;
+/// Wire radii that the hand leads the wire in a tick, at most.
+constexpr double mostWay = 1.0;
 /// Of the compliance of a beam that is clamped at both ends, in its middle: so much each contact has of its own, so
 /// that two at one node have one answer.
 constexpr double evenly = 1e-3;
@@ -37,7 +44,7 @@ constexpr std::uint8_t aboutX = 0b001000;
 /// Of the radius: contacts that miss their laws by no more are met.
 constexpr double metWithin = 1e-6;
 /// Likewise: so near to the laws the solver goes.
-constexpr double enough = 1e-9;
+constexpr double enough = 1e-11;
 
 /// One tick.
 class WireStep
@@ -62,7 +69,9 @@ public:
     }
     this->takeHand();
     this->room_.since.fill(NodeVector::Zero());
-    for (int i = 0; i < stepsATick && this->mayGoOn(); ++i)
+    this->room_.begun = this->state_.presses;
+    this->room_.begunCount = this->state_.pressCount;
+    for (int i = 0; i < mostSteps && this->mayGoOn(i); ++i)
     {
       this->goOn(i == 0);
     }
@@ -82,9 +91,11 @@ private:
 
   void takeHand() noexcept
   {
-    const double way_u = takeWireHand(this->input_, this->state_);
     const double r = this->plan_.radius_u;
-    this->reach_u_ = std::clamp(reachOfWay * std::abs(way_u), leastReach * r, mostReach * r);
+    const double way_u = takeWireHand(this->input_, mostWay * r, this->state_);
+    this->result_.capped = this->state_.led_u != handAlong_u(this->input_) - this->state_.grip_u;
+    this->reach_.shaft_u = std::max(reachOfWay * std::abs(way_u), leastReach * r);
+    this->reach_.tip_u = std::max(tipReachOfWay * std::abs(way_u), leastTipReach * r);
   }
 
   /// Where the hand leads the outer end. The outer end stays in the sheath, where the handle meets the mouth.
@@ -94,8 +105,13 @@ private:
     return std::min(this->state_.led_u - this->plan_.length_u(), -beamsInSheath * this->plan_.wire.beams[0].length_u);
   }
 
-  [[nodiscard]] bool mayGoOn() noexcept
+  [[nodiscard]] bool mayGoOn(int steps) noexcept
   {
+    if (steps >= usualSteps &&
+        (this->result_.work > thirdBelow || std::abs(this->room_.motion[0][0]) <= ledFar * this->plan_.radius_u))
+    {
+      return false;
+    }
     const bool more = this->result_.work < this->input_.budget && !this->stuck_;
     this->result_.capped = this->result_.capped || !more;
     return more;
@@ -130,7 +146,7 @@ private:
   void goOn(bool first) noexcept
   {
     WireNewton& newton = this->room_.newton;
-    this->room_.vessel.find(this->plan_, this->state_.places_M, this->reach_u_, this->room_.near);
+    this->room_.vessel.find(this->plan_, this->state_.places_M, this->reach_, this->room_.near);
     this->result_.work += searchWork(this->room_.near.looked, this->room_.near.queries);
     this->hold();
     this->stuck_ = !newton.linearise(this->plan_.wire, this->state_.places_M, this->room_.loads);
@@ -262,11 +278,14 @@ private:
     forces.force_N.setZero(3 * n);
     for (int i = 0; i < n; ++i)
     {
-      const Vec3 since = motionAt(touches[i], this->room_.since);
+      // Across the normal its own compliance keeps the force with which the tick began: else all that sticks creeps.
+      const Vec3 since =
+        motionAt(touches[i], this->room_.since) -
+        this->own_u_per_N(touches[i].beam) * this->goesOn_N(i, this->room_.begun, this->room_.begunCount);
       problem.free.segment<3>(3 * i) = motionAt(touches[i], this->room_.free) + Vec3(0.0, since.y(), since.z());
       problem.free[3 * i] += this->room_.chosen[i]->gap_u;
       problem.compliance.diagonal().segment<3>(3 * i).array() += this->own_u_per_N(touches[i].beam);
-      forces.force_N.segment<3>(3 * i) = this->before_N(i);
+      forces.force_N.segment<3>(3 * i) = this->goesOn_N(i, this->state_.presses, this->state_.pressCount);
     }
     this->result_.work += touchWork(n);
     if (this->plan_.friction > 0.0)
@@ -294,23 +313,35 @@ private:
     return evenly * b.length_u * b.length_u * b.length_u / (192.0 * b.section.bend_Nu2);
   }
 
-  /// The force of the same place among those of its beam in the step before.
-  [[nodiscard]] Vec3 before_N(int touch) const noexcept
+  /// Each force before goes on at the contact of its beam that is the nearest to it now: that of this one, or none [N].
+  [[nodiscard]] Vec3 goesOn_N(int touch, const WirePresses& before, int count) const noexcept
   {
-    const auto& touches = this->room_.touches;
-    int place = 0;
-    for (int i = touch - 1; i >= 0 && touches[i].beam == touches[touch].beam; --i)
+    Vec3 force_N = Vec3::Zero();
+    for (int i = 0; i < count; ++i)
     {
-      ++place;
-    }
-    for (int i = 0; i < this->state_.pressCount; ++i)
-    {
-      if (this->state_.presses[i].beam == touches[touch].beam && place-- == 0)
+      if (before[i].beam == this->room_.touches[touch].beam && this->nearestTo(before[i]) == touch)
       {
-        return this->state_.presses[i].axes_N;
+        force_N = before[i].axes_N;
       }
     }
-    return Vec3::Zero();
+    return force_N;
+  }
+
+  [[nodiscard]] int nearestTo(const WirePress& before) const noexcept
+  {
+    int nearest = -1;
+    double nearest2_u2 = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < this->contacts_; ++i)
+    {
+      const WireContact& contact = *this->room_.chosen[i];
+      const double away2_u2 = (before.at_M - contact.at_M).squaredNorm();
+      if (contact.beam == before.beam && away2_u2 < nearest2_u2)
+      {
+        nearest2_u2 = away2_u2;
+        nearest = i;
+      }
+    }
+    return nearest;
   }
 
   void move() noexcept
@@ -341,19 +372,60 @@ private:
     this->result_.share = std::min(this->result_.share, share * taken);
   }
 
-  /// Of a step, so that no axis of a beam reaches the wall and no skin goes through a wall that is not looked at: all
-  /// places of a beam move along straight lines, and no further than one of its nodes.
+  /// Of a step, so that no axis of a beam reaches the wall and no skin goes through a wall that is not looked at.
   [[nodiscard]] double provenShare(const WireVector& motion) const noexcept
   {
     double share = 1.0;
     for (int b = 0; b < this->plan_.wire.count; ++b)
     {
-      const double goes_u = std::max(motion[b].head<3>().norm(), motion[b + 1].head<3>().norm());
-      const double away_u = std::min(this->room_.near.away_u[b], this->plan_.mouthAway_u);
-      const double most_u = std::min(proven * away_u, this->reach_u_);
+      const double goes_u = this->goesOffWire_u(b, motion);
+      const double reach_u = b + 1 < this->plan_.wire.count ? this->reach_.shaft_u : this->reach_.tip_u;
+      const double most_u = std::min(proven * this->wallAway_u(b), reach_u);
       share = goes_u * share > most_u ? most_u / goes_u : share;
     }
     return share;
+  }
+
+  /// Of the wall from a beam and from those beside it, onto whose lines it slides.
+  [[nodiscard]] double wallAway_u(int beam) const noexcept
+  {
+    const auto& away_u = this->room_.near.away_u;
+    const int last = this->plan_.wire.count - 1;
+    return std::min(
+      { this->plan_.mouthAway_u, away_u[std::max(beam - 1, 0)], away_u[beam], away_u[std::min(beam + 1, last)] });
+  }
+
+  [[nodiscard]] Vec3 chord_M(int beam) const noexcept
+  {
+    return this->state_.places_M[beam + 1].p - this->state_.places_M[beam].p;
+  }
+
+  /// How far places of a beam go from the wire as it was, at the most: all go along straight lines, and by a mean of
+  /// both nodes' ways. One that slides along the beam comes onto the line of the next one, past the tip of none.
+  [[nodiscard]] double goesOffWire_u(int beam, const WireVector& motion) const noexcept
+  {
+    const Vec3 first = motion[beam].head<3>(), second = motion[beam + 1].head<3>();
+    const Vec3 along_M = this->chord_M(beam).normalized();
+    const double firstAlong_u = along_M.dot(first), secondAlong_u = along_M.dot(second);
+    const double across_u =
+      std::max((first - firstAlong_u * along_M).norm(), (second - secondAlong_u * along_M).norm());
+    const double on_u = std::max({ firstAlong_u, secondAlong_u, 0.0 });
+    const double back_u = std::max({ -firstAlong_u, -secondAlong_u, 0.0 });
+    return across_u + on_u * this->leavesBy(beam, beam + 1, on_u) + back_u * this->leavesBy(beam, beam - 1, back_u);
+  }
+
+  /// How far a place that slides so far from one beam to the other leaves its line, of its way: the sine of the angle
+  /// between them. Nothing goes on past the tip.
+  [[nodiscard]] double leavesBy(int beam, int other, double way_u) const noexcept
+  {
+    if (other < 0 || other >= this->plan_.wire.count)
+    {
+      return other < 0 ? 0.0 : 1.0; // the outer end stays in the sheath
+    }
+    const Vec3 a = this->chord_M(beam), b = this->chord_M(other);
+    const double length_u = b.norm();
+    const bool onLine = way_u < length_u && a.dot(b) > 0.0;
+    return onLine ? a.cross(b).norm() / (a.norm() * length_u) : 1.0;
   }
 
   void tell() noexcept
@@ -396,8 +468,8 @@ private:
   WireScratch& room_;
   WireState& state_;
   WireResult& result_;
-  double reach_u_ = 0.0; ///< contacts are looked for so far from the skin
-  int contacts_ = 0;     ///< chosen
+  WireReach reach_;
+  int contacts_ = 0; ///< chosen
   int leftOut_ = 0;
   bool stuck_ = false; ///< no step could be made
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "haptics/core/Across.h"
 #include "haptics/geometry/tree/TreeWalk.h"
 
 namespace palpate
@@ -13,9 +14,11 @@ namespace
 {
 
 /// Of a beam: a list goes on so much further along its line than is needed.
-constexpr double beyond = 0.3;
+constexpr double beyond = 0.6;
 /// Of the radius: likewise across its line.
-constexpr double aside = 1.0;
+constexpr double aside = 0.5;
+/// Of the radius: a list with no more left is renewed where no other one had to be.
+constexpr double soon = 3.0;
 /// Of a beam: less of it outside of the sheath has no direction.
 constexpr double leastOutside = 1e-6;
 
@@ -26,6 +29,7 @@ struct Line
 {
   const Vec3& from_M;
   const Vec3& along_M;
+  std::array<Vec3, 2> across_M; ///< at right angles to it and to each other
   double low_u;
   double high_u;
 };
@@ -37,10 +41,12 @@ struct LineBounds
   double high_u;
 };
 
-/// Distance of the origin from the segment between two places of a plane through it.
-double awayFromEdge2(const Vec3& a, const Vec3& b) noexcept
+using Vec2 = Eigen::Vector2d;
+
+/// Squared distance of the origin from the segment between two places of a plane through it.
+double awayFromEdge2(const Vec2& a, const Vec2& b) noexcept
 {
-  const Vec3 edge = b - a;
+  const Vec2 edge = b - a;
   const double length2 = edge.squaredNorm();
   const double share = length2 > 0.0 ? std::clamp(-a.dot(edge) / length2, 0.0, 1.0) : 0.0;
   return (a + share * edge).squaredNorm();
@@ -57,29 +63,26 @@ bool mayBeNear(const Line& line, const Box& box, double reach_u) noexcept
          along_u <= line.high_u + ball_u;
 }
 
-/// Distance of a triangle from the whole line, and its interval along it.
+/// Distance of a triangle from the whole line, and its interval along it; infinite where that is elsewhere.
 LineBounds boundsOf(const Line& line, const std::array<Vec3, 3>& corner) noexcept
 {
-  std::array<Vec3, 3> across;
-  LineBounds bounds{ 0.0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
-  for (int k = 0; k < 3; ++k)
-  {
-    const Vec3 there = corner[k] - line.from_M;
-    const double along_u = line.along_M.dot(there);
-    across[k] = there - along_u * line.along_M;
-    bounds.low_u = std::min(bounds.low_u, along_u);
-    bounds.high_u = std::max(bounds.high_u, along_u);
-  }
+  const std::array<Vec3, 3> there{ corner[0] - line.from_M, corner[1] - line.from_M, corner[2] - line.from_M };
+  const Vec3 along_u(line.along_M.dot(there[0]), line.along_M.dot(there[1]), line.along_M.dot(there[2]));
+  LineBounds bounds{ std::numeric_limits<double>::infinity(), along_u.minCoeff(), along_u.maxCoeff() };
   if (bounds.low_u > line.high_u || bounds.high_u < line.low_u)
   {
-    bounds.away_u = std::numeric_limits<double>::infinity();
     return bounds;
+  }
+  std::array<Vec2, 3> across;
+  for (int k = 0; k < 3; ++k)
+  {
+    across[k] = Vec2(line.across_M[0].dot(there[k]), line.across_M[1].dot(there[k]));
   }
   double away2_u2 = std::numeric_limits<double>::infinity(), least = away2_u2, most = -away2_u2;
   for (int k = 0; k < 3; ++k)
   {
-    const Vec3 &a = across[k], &b = across[(k + 1) % 3];
-    const double turns = line.along_M.dot(a.cross(b));
+    const Vec2 &a = across[k], &b = across[(k + 1) % 3];
+    const double turns = a.x() * b.y() - a.y() * b.x();
     least = std::min(least, turns);
     most = std::max(most, turns);
     away2_u2 = std::min(away2_u2, awayFromEdge2(a, b));
@@ -151,11 +154,11 @@ WireVessel::Beside WireVessel::besideOf(const Around& around, const Axis& axis) 
   return beside;
 }
 
-bool WireVessel::covers(const Around& around, const Beside& beside, double needed_u) noexcept
+double WireVessel::leftOf(const Around& around, const Beside& beside, double needed_u) noexcept
 {
-  return around.all_u >= needed_u + std::max(beside.firstOff_u, beside.secondOff_u) &&
-         around.low_u <= std::min(beside.first_u, beside.second_u) - needed_u &&
-         around.high_u >= std::max(beside.first_u, beside.second_u) + needed_u;
+  return std::min({ around.all_u - needed_u - std::max(beside.firstOff_u, beside.secondOff_u),
+    std::min(beside.first_u, beside.second_u) - needed_u - around.low_u,
+    around.high_u - needed_u - std::max(beside.first_u, beside.second_u) });
 }
 
 void WireVessel::askAroundLine(
@@ -171,7 +174,7 @@ void WireVessel::askAroundLine(
   around.low_u = -on_u;
   around.high_u = length_u + on_u;
   around.all_u = needed_u + aside * plan.radius_u;
-  const Line line{ around.from_M, around.along_M, around.low_u, around.high_u };
+  const Line line{ around.from_M, around.along_M, tangentsOf(around.along_M), around.low_u, around.high_u };
   const auto visit = [&](std::uint32_t triangle)
   {
     const LineBounds bounds = boundsOf(line, vessel.cornersOf(triangle));
@@ -193,29 +196,40 @@ bool WireVessel::gatherFromLine(
 {
   Around& around = this->around_[beam];
   Beside beside = besideOf(around, axis);
-  if (!around.known || !covers(around, beside, needed_u))
+  double left_u = leftOf(around, beside, needed_u);
+  if (!around.known || !(left_u >= 0.0))
   {
     this->askAroundLine(plan, beam, axis, needed_u, around);
     beside = besideOf(around, axis);
+    left_u = leftOf(around, beside, needed_u);
     ++contacts.queries;
   }
   this->looked_.count = 0;
   const SurfaceData& vessel = plan.vessel->data();
+  if (left_u < this->leastLeft_u_)
+  {
+    this->leastLeft_u_ = left_u;
+    this->soonest_ = beam;
+  }
   const double off_u = std::max(beside.firstOff_u, beside.secondOff_u);
   const double low_u = std::min(beside.first_u, beside.second_u), high_u = std::max(beside.first_u, beside.second_u);
-  bool fits = covers(around, beside, needed_u);
+  bool fits = left_u >= 0.0;
   for (int i = 0; i < around.count && fits; ++i)
   {
     const Near& near = around.near[i];
-    const auto from = [&near](double off, double low, double high) {
-      return std::max({ near.away_u - off, near.low_u - high, low - near.high_u });
-    };
-    const double away_u = from(off_u, low_u, high_u);
-    fits = away_u > needed_u || this->looked_.count < BeamTriangles::most;
-    if (fits && away_u <= needed_u)
+    if (near.away_u > needed_u + off_u || near.low_u > high_u + needed_u || near.high_u < low_u - needed_u)
     {
-      this->looked_.all[this->looked_.count++] = { vessel.cornersOf(near.triangle),
-        &vessel.plane(near.triangle).normal_W, away_u, from(beside.firstOff_u, beside.first_u, beside.first_u),
+      continue;
+    }
+    fits = this->looked_.count < BeamTriangles::most;
+    if (fits)
+    {
+      const auto from = [&near](double off, double low, double high) {
+        return std::max({ near.away_u - off, near.low_u - high, low - near.high_u });
+      };
+      const FacePlane& plane = vessel.plane(near.triangle);
+      this->looked_.all[this->looked_.count++] = { vessel.cornersOf(near.triangle), &plane.normal_W, plane.owned,
+        from(off_u, low_u, high_u), from(beside.firstOff_u, beside.first_u, beside.first_u),
         from(beside.secondOff_u, beside.second_u, beside.second_u) };
     }
   }
@@ -249,8 +263,8 @@ double WireVessel::gatherAroundBeam(const WirePlan& plan, const Axis& axis, doub
   {
     const Near& near = around.near[i];
     const double away_u = near.away_u;
-    this->looked_.all[i] = { vessel.cornersOf(near.triangle), &vessel.plane(near.triangle).normal_W, away_u, away_u,
-      away_u };
+    const FacePlane& plane = vessel.plane(near.triangle);
+    this->looked_.all[i] = { vessel.cornersOf(near.triangle), &plane.normal_W, plane.owned, away_u, away_u, away_u };
   }
   return all_u;
 }
@@ -275,16 +289,20 @@ void WireVessel::findOf(
   this->nodeAway_u_ = around.crowded ? std::numeric_limits<double>::quiet_NaN() : this->nodeAway_u_;
 }
 
-void WireVessel::find(const WirePlan& plan, const WirePlaces& places_M, double reach_u, WireContacts& contacts) noexcept
+void WireVessel::find(
+  const WirePlan& plan, const WirePlaces& places_M, const WireReach& reach, WireContacts& contacts) noexcept
 {
   contacts.count = contacts.queries = contacts.looked = contacts.crowded = 0;
+  this->leastLeft_u_ = std::numeric_limits<double>::infinity();
   this->nodeAway_u_ = std::numeric_limits<double>::quiet_NaN();
+  bool inSheath = true;
   for (int beam = 0; beam < plan.wire.count; ++beam)
   {
     const Vec3 &a = places_M[beam].p, &b = places_M[beam + 1].p;
     contacts.away_u[beam] = std::numeric_limits<double>::infinity();
-    // Behind the mouth and on the axis a beam is in the sheath; one that has come back beside it is not.
-    const bool clips = a.x() < 0.0;
+    // Up to the first node before the mouth a wire is in the sheath; what has come back beside it is not.
+    inSheath = inSheath && a.x() <= 0.0;
+    const bool clips = inSheath && a.x() < 0.0;
     if (clips)
     {
       this->nodeAway_u_ = std::numeric_limits<double>::quiet_NaN();
@@ -296,8 +314,13 @@ void WireVessel::find(const WirePlan& plan, const WirePlaces& places_M, double r
     const double from = clips ? -a.x() / (b.x() - a.x()) : 0.0;
     if (from < 1.0 - leastOutside)
     {
+      const double reach_u = beam + 1 < plan.wire.count ? reach.shaft_u : reach.tip_u;
       this->findOf(plan, beam, { a + from * (b - a), b, from }, reach_u, contacts);
     }
+  }
+  if (contacts.queries == 0 && this->leastLeft_u_ < soon * plan.radius_u)
+  {
+    this->around_[this->soonest_].known = false;
   }
 }
 

@@ -10,6 +10,13 @@
 namespace palpate
 {
 
+/// How far from the skin contacts are looked for.
+struct WireReach
+{
+  double shaft_u = 0.0;
+  double tip_u = 0.0; ///< of the last beam, which goes on to where no beam was
+};
+
 /// Finds where a wire touches its vessel. Each beam keeps the triangles near its line, with bounds of their distances
 /// that a motion of the beam lessens; the tree is asked again when the bounds are used up. Answers do not depend on the
 /// questions before. Some 600 kB: not for the stack. Real-time safe.
@@ -18,8 +25,8 @@ class WireVessel
 public:
   /// Of another plan nothing is kept.
   void forget() noexcept;
-  /// Contacts no further apart than `reach_u`. Beams inside of the sheath, before x = 0, have none.
-  void find(const WirePlan& plan, const WirePlaces& places_M, double reach_u, WireContacts& contacts) noexcept;
+  /// Contacts no further apart than the reach. Beams inside of the sheath, before x = 0, have none.
+  void find(const WirePlan& plan, const WirePlaces& places_M, const WireReach& reach, WireContacts& contacts) noexcept;
 
 private:
   static constexpr int mostKept = 512; ///< around the line of a beam
@@ -61,7 +68,8 @@ private:
   };
 
   [[nodiscard]] static Beside besideOf(const Around& around, const Axis& axis) noexcept;
-  [[nodiscard]] static bool covers(const Around& around, const Beside& beside, double needed_u) noexcept;
+  /// How far the beam can go before its list is used up; below 0: it is.
+  [[nodiscard]] static double leftOf(const Around& around, const Beside& beside, double needed_u) noexcept;
   void askAroundLine(const WirePlan& plan, int beam, const Axis& axis, double needed_u, Around& around) noexcept;
   [[nodiscard]] bool gatherFromLine(
     const WirePlan& plan, int beam, const Axis& axis, double needed_u, WireContacts& contacts) noexcept;
@@ -72,7 +80,9 @@ private:
   std::array<Around, Wire::mostBeams> around_;
   BeamTriangles looked_; ///< within reach of the beam that is looked at
   BeamScratch room_;
-  double nodeAway_u_ = 0.0; ///< of the wall from the node between the beam before and the next; not a number: unknown
+  double leastLeft_u_ = 0.0; ///< of the lists
+  int soonest_ = 0;          ///< the beam whose list is that
+  double nodeAway_u_ = 0.0;  ///< of the wall from the node between the beam before and the next; not a number: unknown
 };
 
 } // namespace palpate

@@ -126,7 +126,7 @@ void RodInChannel::addWalls()
   {
     const Eigen::Vector2d p = this->at_.segment<2>(2 * i);
     const Wall wall = this->wallAt(p);
-    if (p.x() <= 0.0 || wall.off_mm <= 0.0)
+    if ((i < this->out_ && p.x() <= 0.0) || wall.off_mm <= 0.0)
     {
       continue;
     }
@@ -157,7 +157,7 @@ void RodInChannel::assemble(double hand_mm)
   for (int i = 0; i <= this->form_.pieces; ++i) // the sheath
   {
     const int row = 2 * i + 1;
-    if (this->before_[2 * i] <= 0.0 && (i == 0 || this->at_[2 * i] <= 0.0))
+    if (i < this->out_ && (i == 0 || this->at_[2 * i] <= 0.0))
     {
       for (int other = std::max(row - half, 0); other <= std::min(row + half, static_cast<int>(this->at_.size()) - 1);
            ++other)
@@ -206,6 +206,11 @@ double RodInChannel::push(double hand_mm)
   constexpr double enough_N = 1e-7, most_mm = 0.2;
   double drag = 0.0;
   this->before_ = this->at_;
+  this->out_ = 0;
+  while (this->out_ <= this->form_.pieces && this->before_[2 * this->out_] <= 0.0)
+  {
+    ++this->out_;
+  }
   this->rests_ = false;
   this->assemble(hand_mm);
   for (int i = 0; i < mostSteps && !this->rests_; ++i)
@@ -237,7 +242,7 @@ double RodInChannel::largestWall_N() const
   for (int i = 0; i <= this->form_.pieces; ++i)
   {
     const Eigen::Vector2d p = this->at_.segment<2>(2 * i);
-    most_N = p.x() > 0.0 ? std::max(most_N, wall_N_per_mm * this->wallAt(p).off_mm) : most_N;
+    most_N = i >= this->out_ || p.x() > 0.0 ? std::max(most_N, wall_N_per_mm * this->wallAt(p).off_mm) : most_N;
   }
   return most_N;
 }

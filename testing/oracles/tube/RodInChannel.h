@@ -60,6 +60,7 @@ private:
   Eigen::VectorXd before_; ///< at the end of the step before
   Eigen::VectorXd force_;  ///< on the joints
   Eigen::MatrixXd band_;   ///< minus its derivative, rows of 2 half + 1
+  int out_ = 0; ///< the first joint that was out of the sheath before; those that come back beside it are not in it
   bool rests_ = true;
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -112,7 +113,126 @@ TEST(WireInTube, WithoutFrictionItsMeanForceInTheBendIsThatOfTenTimesThePieces)
   RecordProperty("rms", std::to_string(ways.rms()));
   RecordProperty("mean", std::to_string(wire_N / truth_N));
   EXPECT_NEAR(wire_N / truth_N, 1.0, 0.02);
-  EXPECT_LE(ways.rms(), 0.05);
+  EXPECT_LE(ways.rms(), 0.03);
+}
+
+/// A hand that goes along the sheath, turns round, and goes back. The oracle goes by steps of five ticks, but tick by
+/// tick from the turn on, where friction is turned round.
+struct ThereAndBack
+{
+  static constexpr int ticksAStep = 5, turns = 1202, nearTurn = 10, ends = 1602;
+
+  [[nodiscard]] static double hand_mm(int tick) { return way_mm * std::min(tick, 2 * turns - tick); }
+  [[nodiscard]] static bool isTurning(int tick) { return tick >= turns && tick < turns + nearTurn; }
+};
+
+/// Beyond the bend the spring of 1 N/mm is .07 N, before and after the turn: two ticks turn the force round.
+TEST(WireInTube, PushedThereAndPulledBackAgainstFrictionItsForceIsThatOfTenTimesThePieces)
+{
+  using Way = ThereAndBack;
+  PushedWire wire(nitinolWire(length_mm, 64, 0.1), bentTube().mesh());
+  RodInChannel truth = oracle(0.1);
+  std::vector<double> wire_N;
+  for (int i = 0; i <= Way::ends + 2; ++i)
+  {
+    wire_N.push_back(-wire.tick(Way::hand_mm(i)).wrench_W.force.x());
+  }
+  Ways ways, turning;
+  for (int i = 2; i <= Way::ends; i += Way::isTurning(i) ? 1 : Way::ticksAStep)
+  {
+    const double mean_N = std::accumulate(wire_N.begin() + i - 2, wire_N.begin() + i + 3, 0.0) / 5.0;
+    Ways& part = Way::isTurning(i) ? turning : ways;
+    part.wire_N.push_back(Way::isTurning(i) ? wire_N[i] : mean_N);
+    part.truth_N.push_back(truth.push(Way::hand_mm(i)));
+    part.rests.push_back(truth.rests());
+  }
+  RecordProperty("rms", std::to_string(ways.rms()) + " " + std::to_string(turning.rms()));
+  EXPECT_LE(ways.rms(), 0.07);
+  EXPECT_LE(turning.rms(), 0.07);
+  EXPECT_GT(turning.truth_N.front(), 0.06);
+  EXPECT_LT(turning.truth_N.back(), -0.06) << "friction has turned the force round";
+  EXPECT_GT(std::ranges::count(ways.rests, true), 0.9 * static_cast<double>(ways.rests.size()));
+}
+
+/// The vessel turns by half a turn and leads on beside the sheath: there the wire is not in the sheath.
+TEST(WireInTube, WhereItComesBackBesideTheSheathTheWallHoldsIt)
+{
+  const Tube tube{ .first_mm = 10.0, .angle_rad = std::numbers::pi, .last_mm = 40.0, .around = 24, .ring_mm = 0.5 };
+  PushedWire wire(nitinolWire(length_mm, 64, 0.0), tube.mesh());
+  double deepest_mm = 0.0;
+  Vec3 tip_mm = Vec3::Zero();
+  for (int i = 0; i <= 1150; ++i)
+  {
+    const WireResult& result = wire.tick(way_mm * i);
+    deepest_mm = std::max(deepest_mm, result.deepest_u);
+    tip_mm = result.tip_W;
+  }
+  EXPECT_LT(tip_mm.x(), -10.0);
+  EXPECT_NEAR(tip_mm.y(), 50.0, 0.75);
+  EXPECT_LE(std::abs(tip_mm.z()), 0.75);
+  EXPECT_LE(deepest_mm, 0.03);
+  EXPECT_GE(nearestWall_mm(*wire.planned.plan, wire.ticks.state()), 0.25 - 0.03);
+}
+
+/// A wire that leaves the sheath by 50 mm and presses a flat wall without friction: its tip slides along the wall, so
+/// that it is half of a pinned column of 100 mm. The sheath is a little askew, else it would stay straight.
+class PressedColumn
+{
+public:
+  static constexpr double wall_mm = 50.0, wire_mm = 62.0;
+
+  /// The force at which so much more wire is outside than there is room for.
+  double bent_N(double more_mm)
+  {
+    WireResult result;
+    for (; result.pushed_u < wall_mm + more_mm; this->hand_mm_ += 0.02)
+    {
+      result = this->wire_.tick(this->hand_mm_);
+    }
+    for (int i = 0; i < 200; ++i)
+    {
+      result = this->wire_.tick(this->hand_mm_);
+    }
+    this->outside_mm_ = result.pushed_u;
+    return result.wrench_W.force.norm();
+  }
+
+  /// Euler's force, and the elastica's first term beyond it, of a wire that is clamped so far behind the mouth.
+  [[nodiscard]] double theory_N(double behind_mm) const
+  {
+    const double column_mm = this->outside_mm_ + behind_mm;
+    const double euler_N = std::pow(0.5 * std::numbers::pi / column_mm, 2) * roundSection(0.25, 60e3, 0.3).bend_Nu2;
+    return euler_N * (1.0 + 0.5 * (this->outside_mm_ - wall_mm) / this->outside_mm_);
+  }
+  [[nodiscard]] double beam_mm() const { return this->wire_.planned.plan->wire.beams[0].length_u; }
+
+private:
+  static WireDescription description()
+  {
+    WireDescription wire = nitinolWire(wire_mm, 64, 0.0);
+    wire.direction_W = Vec3(1.0, 1e-3, 0.0);
+    return wire;
+  }
+
+  PushedWire wire_{ description(),
+    Tube{ .radius_mm = 30.0, .before_mm = 5.0, .first_mm = wall_mm + 0.25, .blind = true, .ring_mm = 10.0 }.mesh() };
+  double hand_mm_ = 0.0;
+  double outside_mm_ = wall_mm;
+};
+
+/// The mouth holds the wire's place alone, and the node behind it is let go as it comes out: for the column that is a
+/// clamp up to four tenths of a beam behind the mouth.
+TEST(WireInTube, AWireThatPressesAWallBucklesAtEulersForceAndThenFollowsTheElastica)
+{
+  PressedColumn column;
+  ASSERT_NEAR(column.theory_N(0.0), 0.18168, 1e-5);
+  for (const double more_mm : { 0.2, 0.5, 1.0, 2.0 })
+  {
+    const double force_N = column.bent_N(more_mm);
+    RecordProperty("at" + std::to_string(more_mm), std::to_string(force_N / column.theory_N(0.0)));
+    EXPECT_LE(force_N, 1.002 * column.theory_N(0.0)) << more_mm;
+    EXPECT_GE(force_N, 0.998 * column.theory_N(0.4 * column.beam_mm())) << more_mm;
+  }
 }
 
 /// Of 1700 ticks, which lead the tip through the bend and on.
@@ -213,7 +333,7 @@ TEST(WireInTube, WithFrictionForcesLieInTheirConesAndTheHandFeelsTheirSum)
     EXPECT_LE(press.axes_N.tail<2>().norm(), 0.1 * press.axes_N.x() * (1.0 + 1e-9));
     EXPECT_NEAR(press.axes_N.norm(), press.force_M.norm(), 1e-12);
   }
-  EXPECT_NEAR(result.wrench_W.force.x(), wallOf_N(result).x(), 1e-9); // stuck contacts creep by their own compliance
+  EXPECT_NEAR(result.wrench_W.force.x(), wallOf_N(result).x(), 1e-12);
   EXPECT_LE(result.deepest_u, 1e-6);
 }
 

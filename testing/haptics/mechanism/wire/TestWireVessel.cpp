@@ -49,11 +49,14 @@ public:
 
   void run(const WirePlaces& places_M)
   {
+    const auto isOut = [](const Pose& node) { return node.p.x() > 0.0; };
+    const auto nodes = this->plan_.wire.nodes();
+    const auto out = std::find_if(places_M.begin(), places_M.begin() + nodes, isOut) - places_M.begin();
     for (int b = 0; b < this->plan_.wire.count; ++b)
     {
       const Vec3 &a = places_M[b].p, &c = places_M[b + 1].p;
-      const bool inside = a.x() < 0.0 && c.x() <= 0.0;
-      const double from = a.x() < 0.0 ? -a.x() / (c.x() - a.x()) : 0.0;
+      const bool inside = b + 1 < out || (b < out && c.x() <= 0.0);
+      const double from = b < out ? -a.x() / (c.x() - a.x()) : 0.0;
       this->away_mm.push_back(far_mm);
       if (!inside && from < 1.0 - 1e-6)
       {
@@ -88,6 +91,10 @@ private:
         { away, ends.back().gap_u + r, (nearestOnTriangle(first, corner[0], corner[1], corner[2]) - first).norm() });
       for (int k = 0; k < 3; ++k)
       {
+        if ((vessel.plane(t).owned & ownsEdge0 << k) == 0)
+        {
+          continue; // the other triangle's: from its other end the same edge has other last bits
+        }
         const SegmentPair pair = nearestOfSegments(first, second, corner[k], corner[(k + 1) % 3]);
         away = std::min(away, pair.away_u);
         if (pair.along > atNode && pair.along < 1.0 - atNode)
@@ -196,7 +203,7 @@ TEST(WireVessel, PushedTurnedAndPulledItsContactsAreBitForBitThoseOfAllTriangles
     static_cast<void>(wire.tick(perTick_mm * out, 0.02 * std::clamp(i - pushed, 0, turned)));
     const double reach_mm = i % 10 == 9 ? 0.3 : 0.15;
     const WirePlaces& places_M = wire.ticks.state().places_M;
-    kept->find(*wire.planned.plan, places_M, reach_mm, *found);
+    kept->find(*wire.planned.plan, places_M, { reach_mm, reach_mm }, *found);
     most = std::max(most, found->count);
     if (i % 3 == 0)
     {
@@ -217,7 +224,7 @@ TEST(WireVessel, OfPlacesThatAreAllAsNearItTakesTheSmallestOne)
   }
   const auto kept = std::make_unique<WireVessel>();
   const auto found = std::make_unique<WireContacts>();
-  kept->find(*wire.planned.plan, places_M, 0.55, *found);
+  kept->find(*wire.planned.plan, places_M, { 0.55, 0.55 }, *found);
   EXPECT_GT(found->count, 5);
   ASSERT_NO_FATAL_FAILURE(expectBitsOfPlain(*wire.planned.plan, places_M, 0.55, *found));
 }
@@ -269,7 +276,7 @@ TEST(WireVessel, ForNodesAtRandomInStraightTubesItsContactsAreThoseOfAllTriangle
     {
       const WirePlaces places_M = nodes.move();
       const double reach_mm = random.uniform(0.1, 0.4);
-      kept->find(*wire.planned.plan, places_M, reach_mm, *found);
+      kept->find(*wire.planned.plan, places_M, { reach_mm, reach_mm }, *found);
       ASSERT_NO_FATAL_FAILURE(expectBitsOfPlain(*wire.planned.plan, places_M, reach_mm, *found)) << k << " " << i;
       contacts += found->count;
     }
@@ -294,7 +301,7 @@ TEST(WireVessel, AlongAStraightWallOnlyNodesTouchAlsoWhereTheNextOneIsOutOfReach
   }
   const auto kept = std::make_unique<WireVessel>();
   const auto found = std::make_unique<WireContacts>();
-  kept->find(*wire.planned.plan, places_M, reach_mm, *found);
+  kept->find(*wire.planned.plan, places_M, { reach_mm, reach_mm }, *found);
   ASSERT_EQ(found->count, 1);
   EXPECT_EQ(found->all[0].beam, 1);
   EXPECT_EQ(found->all[0].share, 1.0);
@@ -322,11 +329,11 @@ TEST(WireVessel, AnswersDoNotDependOnTheQuestionsBefore)
   {
     static_cast<void>(slide.tick(i));
     const WirePlaces& places_M = slide.wire.ticks.state().places_M;
-    kept->find(*slide.wire.planned.plan, places_M, 0.15, *found);
+    kept->find(*slide.wire.planned.plan, places_M, { 0.15, 0.15 }, *found);
     if (i % 5 == 0)
     {
       fresh->forget();
-      fresh->find(*slide.wire.planned.plan, places_M, 0.15, *again);
+      fresh->find(*slide.wire.planned.plan, places_M, { 0.15, 0.15 }, *again);
       ASSERT_EQ(found->count, again->count) << i;
       ASSERT_EQ(found->away_u, again->away_u) << i;
       for (int k = 0; k < found->count; ++k)
