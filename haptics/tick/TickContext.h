@@ -101,6 +101,9 @@ struct TickContext
       this->s.fault = fault;
     }
   }
+
+  /// Ends the force where a pressed body is not computed any more, whose last answer would hold the hand where it was.
+  void judgeAge(double age_s) noexcept { this->latch(age_s > this->p.softLate_s ? Fault::BodyLate : Fault::None); }
 };
 
 } // namespace palpate

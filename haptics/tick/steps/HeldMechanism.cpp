@@ -201,16 +201,6 @@ void tellChanges(TickContext& tick, const MechanismResult& result, MechanismNow&
   now.changes = changes;
 }
 
-/// Constraints on a body that is not computed any more would hold the hand where it was.
-void endIfLate(TickContext& tick, const MechanismResult& result, MechanismNow& now) noexcept
-{
-  now.age_s = age_s(tick, result);
-  if (now.age_s > tick.p.softLate_s)
-  {
-    tick.latch(Fault::BodyLate);
-  }
-}
-
 /// Input of the worker's next snapshots.
 void tellWorker(TickContext& tick, const MechanismResult& result) noexcept
 {
@@ -255,7 +245,8 @@ void HeldMechanism::step(TickContext& tick) noexcept
   pull(tick, result, feltLever_m(tick, lever_m));
   tell(tick, result, tick.out.state);
   tellChanges(tick, result, tick.out.state.mechanism);
-  endIfLate(tick, result, tick.out.state.mechanism);
+  tick.out.state.mechanism.age_s = age_s(tick, result);
+  tick.judgeAge(tick.out.state.mechanism.age_s);
   tick.s.mechanismTick = tick.input.tick;
   tellWorker(tick, result);
 }

@@ -132,10 +132,7 @@ void Soft::step(TickContext& tick) noexcept
   }
   report.yielded_W = tick.s.soft.yielded_W;
   balance(tick, report);
-  if (tick.s.softAge_s > tick.p.softLate_s)
-  {
-    tick.latch(Fault::BodyLate);
-  }
+  tick.judgeAge(report.age_s);
 }
 
 } // namespace palpate::stage
