@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "haptics/contact/carry/NearestPassing.h"
 #include "haptics/contact/carry/PassingTriangles.h"
 #include "haptics/contact/moves/Seat.h"
 #include "haptics/contact/sweep/BoxTest.h"
@@ -42,16 +43,6 @@ SweepHit sweepStraight(const AnyScene& scene, const ContactPlan& plan, double ra
 
 namespace
 {
-
-const Vec3& inFrame(const SurfaceData&, const Vec3& x_W) noexcept
-{
-  return x_W;
-}
-
-Vec3 inFrame(const PosedSurface& s, const Vec3& x_W) noexcept
-{
-  return s.toSurface(x_W);
-}
 
 /// A point of a surface: a triangle and the weights of its corners.
 struct SurfacePoint
@@ -112,38 +103,6 @@ Vec3 turnedAlong(const Vec3& from, const Vec3& to, const Vec3& v) noexcept
   const double cosine = from.dot(to);
   constexpr double opposite = -0.999; // within 3 degrees of a half turn its axis is lost
   return cosine < opposite ? Vec3(v.norm() * to) : Vec3(v + axis.cross(v) + axis.cross(axis.cross(v)) / (1.0 + cosine));
-}
-
-/// The triangle nearest to a ball among those of a surface that may have come over it.
-struct NearestPassing
-{
-  std::uint32_t triangle = 0;
-  std::array<FaceList::Face, 8> alike{}; ///< all faces of the scene that are about as near
-  std::size_t alikeCount = 0;            ///< 0: they are not known
-};
-
-/// The same from the list that is kept around the ball where that suffices.
-template<SceneView AnyScene, class View>
-std::optional<NearestPassing> nearestPassing(const AnyScene& from, const View& before, const View& now,
-  std::uint32_t surface, const Vec3& x_W, double reach, const ContactPlan& plan, const FacesAround& around) noexcept
-{
-  PassingTriangles passing(before, now, inFrame(before, x_W), inFrame(now, x_W), reach, plan.workBudget);
-  const SweptBall still = sweptBallOf(straightQuery(x_W, x_W, plan.radius_u));
-  if (const FaceList* const list = listAround(from, still, around))
-  {
-    if (const std::optional<std::uint32_t> found = passing.nearestIn(*list, surface, x_W, still.tol))
-    {
-      NearestPassing nearest{ *found };
-      static_assert(nearest.alike.size() == decltype(passing)::mostAlike);
-      for (const std::uint32_t t : passing.alike())
-      {
-        nearest.alike[nearest.alikeCount++] = { surface, t };
-      }
-      return nearest;
-    }
-  }
-  const std::optional<std::uint32_t> found = passing.nearest();
-  return found ? std::optional(NearestPassing{ *found }) : std::nullopt;
 }
 
 /// A ball and one surface before and after its vertices moved.

@@ -183,8 +183,8 @@ private:
       [&](std::uint32_t lane) noexcept
       {
         const PlacedDisc disc = placed(view, discIn(shape, index, lane));
-        this->list_.add(this->toEnd_ ? toTheEnd<Shape>(disc, this->list_.frame().perUnit) : disc,
-          { surface, leaf.first + lane });
+        this->list_.add(
+          this->toEnd_ ? toTheEnd<Shape>(disc, this->list_.frame().perUnit) : disc, { surface, leaf.first + lane });
       });
     return true;
   }

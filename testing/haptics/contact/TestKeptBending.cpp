@@ -289,8 +289,7 @@ TEST(KeptWhileBending, AListHoldsEveryFaceWithinItsReachToTheEndOfTheWay)
 /// The centroid of a triangle, and how far its corners are from there.
 struct TriangleBall
 {
-  explicit TriangleBall(const std::array<Vec3, 3>& corners)
-    : centre_W((corners[0] + corners[1] + corners[2]) / 3.0)
+  explicit TriangleBall(const std::array<Vec3, 3>& corners) : centre_W((corners[0] + corners[1] + corners[2]) / 3.0)
   {
     for (const Vec3& corner : corners)
     {
@@ -319,8 +318,8 @@ TEST(KeptWhileBending, AListIsPickedOfAllFacesThatAreNearAtItsMomentAndOfNoneWho
     const Reach reach{ 0.05 * random.direction() + random.inCube(2e-3), random.uniform(2e-3, 8e-3) };
     std::uint32_t nodes = 0;
     const MovingScene begin(scene, around.since);
-    ASSERT_TRUE(gatherFaces(
-      begin, Moments::ToTheEnd, reach, resolution, FaceList::capacity, 100000, nodes, around.far));
+    ASSERT_TRUE(
+      gatherFaces(begin, Moments::ToTheEnd, reach, resolution, FaceList::capacity, 100000, nodes, around.far));
     const double share = random.uniform(around.since, 1.0);
     const MovingScene now(scene, share);
     pickAround(now, reach.centre_W, 0.5 * reach.reach_u, around);
@@ -360,16 +359,17 @@ TEST(PassingTriangles, TheNearestOfAListComesWithAllThatAreAboutAsNear)
   const PosedSurface before = surfaceOf(from, 0), now = surfaceOf(to, 0);
   const TriangleMesh& mesh = scene.surfaces()[0].tree->mesh();
   Random random(testSeed(834));
-  std::array<int, 3> met{}; // over faces, edges and vertices
+  std::array<int, 4> met{}; // over faces, edges, vertices, and beside edges
   for (std::size_t i = 0; i < testCount(600); ++i)
   {
-    // A ball that touches a convex corner: over its face, its edge, or its vertex.
+    // A ball that touches a face, at its border or so near to it that the next face is hardly further away.
     const auto face = static_cast<std::uint32_t>(random.uniform(0.0, static_cast<double>(mesh.triangles.size())));
     const auto [a, b, c] = before.cornersOf(face);
-    const std::array<Vec3, 3> places{ (a + b + c) / 3.0, 0.5 * (a + b), a };
-    const std::size_t kind = i % 3;
-    const double radius_u = random.uniform(1e-4, 1e-3);
-    const Vec3 x_W = places[kind] + radius_u * places[kind].normalized();
+    const Vec3 middle = (a + b + c) / 3.0, edge = 0.5 * (a + b);
+    const std::array<Vec3, 4> places{ middle, edge, a, edge + 1e-4 * (middle - edge) };
+    const std::size_t kind = i % places.size();
+    const double radius_u = random.uniform(3e-4, 1e-3);
+    const Vec3 x_W = places[kind] + radius_u * before.face(face).normal_W;
     Resolution resolution;
     resolution.include(x_W);
     FaceList list;
