@@ -34,7 +34,7 @@ inline constexpr std::array tickRows = std::to_array<TickRow>({
   { "point, noise", false, { 3.7, 40.4, 108.0 } },
   { "ball, noise", false, { 4.4, 109.6, 332.9 } },
   { "ball, whole tick", false, { 5.9, 84.0, 186.0 } },
-  { "ball, bending", false, { 25.6, 171.8, 332.9 } },
+  { "ball, bending", false, { 22.9, 157.2, 321.1 } },
   { "point", true, { 4.4, 21.3, 140.7 } },
   { "ball", true, { 9.0, 82.8, 422.9 } },
   { "ball, friction", true, { 7.8, 107.2, 683.4 } },

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "haptics/contact/carry/NearestPassing.h"
 #include "haptics/contact/carry/PassingTriangles.h"
 #include "haptics/contact/moves/Seat.h"
 #include "haptics/contact/sweep/BoxTest.h"
@@ -19,29 +20,29 @@
 
 namespace palpate
 {
+namespace
+{
+
+SweepQuery freeQuery(const Vec3& from_W, const Vec3& to_W, double radius_u) noexcept
+{
+  SweepQuery query = straightQuery(from_W, to_W, radius_u);
+  query.resolution.include(Vec3::Constant(radius_u));
+  return query;
+}
+
+} // namespace
 
 template<SceneView AnyScene>
 SweepHit sweepStraight(const AnyScene& scene, const ContactPlan& plan, double radius_u, const Vec3& from_W,
   const Vec3& to_W, const FacesAround* around) noexcept
 {
-  SweepQuery query = straightQuery(from_W, to_W, radius_u);
-  query.resolution.include(Vec3::Constant(radius_u));
+  const SweepQuery query = freeQuery(from_W, to_W, radius_u);
   const FaceList* const list = around != nullptr ? listAround(scene, sweptBallOf(query), *around) : nullptr;
   return list != nullptr ? sweepListed(scene, query, *list, plan.workBudget) : sweepBall(scene, query, plan.workBudget);
 }
 
 namespace
 {
-
-const Vec3& inFrame(const SurfaceData&, const Vec3& x_W) noexcept
-{
-  return x_W;
-}
-
-Vec3 inFrame(const PosedSurface& s, const Vec3& x_W) noexcept
-{
-  return s.toSurface(x_W);
-}
 
 /// A point of a surface: a triangle and the weights of its corners.
 struct SurfacePoint
@@ -104,24 +105,6 @@ Vec3 turnedAlong(const Vec3& from, const Vec3& to, const Vec3& v) noexcept
   return cosine < opposite ? Vec3(v.norm() * to) : Vec3(v + axis.cross(v) + axis.cross(axis.cross(v)) / (1.0 + cosine));
 }
 
-/// The triangle nearest to a ball among those of a surface that may have come over it, from the list that is kept
-/// around the ball where that suffices.
-template<SceneView AnyScene, class View>
-std::optional<std::uint32_t> nearestPassing(const AnyScene& from, const View& before, const View& now,
-  std::uint32_t surface, const Vec3& x_W, double reach, const ContactPlan& plan, const FacesAround& around) noexcept
-{
-  PassingTriangles passing(before, now, inFrame(before, x_W), inFrame(now, x_W), reach, plan.workBudget);
-  const SweptBall still = sweptBallOf(straightQuery(x_W, x_W, plan.radius_u));
-  if (const FaceList* const list = listAround(from, still, around))
-  {
-    if (const std::optional<std::uint32_t> found = passing.nearestIn(*list, surface, x_W, still.tol))
-    {
-      return found;
-    }
-  }
-  return passing.nearest();
-}
-
 /// A ball and one surface before and after its vertices moved.
 template<SceneView AnyScene>
 class Advection
@@ -139,7 +122,7 @@ public:
   [[nodiscard]] std::optional<Vec3> run() noexcept
   {
     const double reach = this->plan_.radius_u + 4 * this->resolution_.tol();
-    const std::optional<std::uint32_t> nearest = nearestPassing(
+    const std::optional<NearestPassing> nearest = nearestPassing(
       this->from_, this->before_, this->now_, this->surface_, this->x_W_, reach, this->plan_, this->around_);
     if (!nearest || !this->look(*nearest))
     {
@@ -161,18 +144,15 @@ public:
 
 private:
   /// Finds the point of the old surface that the ball sees in the direction of that triangle, and on which side it is.
-  [[nodiscard]] bool look(std::uint32_t triangle) noexcept
+  [[nodiscard]] bool look(const NearestPassing& nearest) noexcept
   {
-    const Vec3 foot_W = this->nearestOn(triangle);
-    constexpr double beyond = 1.0 + 1e-6; // the foot itself is met, whatever rounding does to it
-    const SweepHit seen = sweepStraight(
-      this->from_, this->plan_, 0.0, this->x_W_, this->x_W_ + beyond * (foot_W - this->x_W_), &this->around_);
+    const SweepHit seen = this->firstTowards(nearest);
     this->keptApart_ = seen.hit && seen.feature.surface != this->surface_;
     if (this->keptApart_)
     {
       return false;
     }
-    this->at_.triangle = seen.hit ? seen.feature.a : triangle;
+    this->at_.triangle = seen.hit ? seen.feature.a : nearest.triangle;
     this->at_.weights = weightsAt(this->before_.face(this->at_.triangle), this->x_W_);
     this->apart_W_ = this->x_W_ - this->nearestOn(this->at_.triangle);
     this->touches_ = this->apart_W_.norm() <= 16 * this->resolution_.tol();
@@ -182,6 +162,20 @@ private:
     }
     this->side_ = sideOf(this->before_, this->at_.triangle, this->x_W_);
     return this->side_ != 0;
+  }
+
+  /// The first face on the way to the nearest point. A face that is further from the ball than that point is not on it.
+  [[nodiscard]] SweepHit firstTowards(const NearestPassing& nearest) const noexcept
+  {
+    if (nearest.alikeCount == 1)
+    {
+      return {}; // that triangle itself, if any
+    }
+    constexpr double beyond = 1.0 + 1e-6; // the foot itself is met, whatever rounding does to it
+    const Vec3 to_W = this->x_W_ + beyond * (this->nearestOn(nearest.triangle) - this->x_W_);
+    return nearest.alikeCount > 1
+             ? sweepFaces(this->from_, freeQuery(this->x_W_, to_W, 0.0), { nearest.alike.data(), nearest.alikeCount })
+             : sweepStraight(this->from_, this->plan_, 0.0, this->x_W_, to_W, &this->around_);
   }
 
   [[nodiscard]] Vec3 nearestOn(std::uint32_t triangle) const noexcept
@@ -273,12 +267,12 @@ std::optional<Vec3> carryWithCurve(const AnyScene& from, const AnyScene& to, std
   Resolution resolution;
   resolution.include(x_W);
   const double reach = plan.radius_u + dataOf(is).coat_u + 4 * resolution.tol();
-  const std::optional<std::uint32_t> nearest = nearestPassing(from, was, is, before, x_W, reach, plan, around);
+  const std::optional<NearestPassing> nearest = nearestPassing(from, was, is, before, x_W, reach, plan, around);
   if (!nearest)
   {
     return std::nullopt;
   }
-  const FaceRecord old = was.face(*nearest), fresh = is.face(*nearest);
+  const FaceRecord old = was.face(nearest->triangle), fresh = is.face(nearest->triangle);
   const Vec3 along = old.corner_W[1] - old.corner_W[0];
   const double at = std::clamp((x_W - old.corner_W[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
   const auto pointAt = [at](const FaceRecord& face)

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "haptics/contact/sweep/NearFilter.h"
@@ -50,14 +52,15 @@ class PassingTriangles
 public:
   PassingTriangles(const View& before, const View& now, const Vec3& xBefore, const Vec3& xNow, double reach,
     std::uint32_t budget) noexcept
-    : before_(before), now_(now), nodesBefore_(nodesIn(before)), nodesNow_(nodesIn(now)), x_(xBefore),
-      low_(xBefore.cwiseMin(xNow).array() - reach), high_(xBefore.cwiseMax(xNow).array() + reach), budget_(budget)
+    : before_(before), now_(now), x_(xBefore), reach_(reach), low_(xBefore.cwiseMin(xNow).array() - reach),
+      high_(xBefore.cwiseMax(xNow).array() + reach), budget_(budget)
   {
   }
 
   [[nodiscard]] std::optional<std::uint32_t> nearest() noexcept
   {
     const SurfaceData& data = dataOf(this->before_);
+    const auto &nodesBefore = nodesIn(this->before_), &nodesNow = nodesIn(this->now_);
     this->stack_[this->top_++] = { data.nodes.empty() ? TreeNode::leafBit : 0u, 0.0 };
     while (this->top_ > 0 && this->visited_++ < this->budget_)
     {
@@ -65,7 +68,7 @@ public:
       if (next.distance2 <= this->best2_)
       {
         (next.child & TreeNode::leafBit) != 0 ? this->visitLeaf(data.leaves[next.child & ~TreeNode::leafBit])
-                                              : this->visitNode(next.child);
+                                              : this->visitNode(nodesBefore[next.child], nodesNow[next.child]);
       }
     }
     return std::isfinite(this->best2_) ? std::optional(this->triangle_) : std::nullopt;
@@ -81,32 +84,32 @@ public:
     {
       return std::nullopt;
     }
-    SweptBall still = standing({ x_W, certain }, {});
-    NearFilter filter(still, list.frame());
-    for (int quad = 0; quad < list.quads(); ++quad)
+    // A ball that touches something has its nearest triangle within reach, and few others.
+    this->visitListed(list, surface, { x_W, std::min(certain, this->reach_ + 8 * tol) }, tol);
+    const double told = 1e6 * tol; // at a distance of less rounding decides which face a way meets
+    this->allAlike_ = this->allAlike_ && this->best2_ > told * told && this->best2_ <= this->reach_ * this->reach_ &&
+                      this->reach_ < certain;
+    if (this->best2_ > this->reach_ * this->reach_)
     {
-      forEachLane(filter.near(list.discs(quad)) & list.lanesOf(quad),
-        [&](std::uint32_t lane) noexcept
-        {
-          const FaceList::Face& face = list.face(quad * 4 + static_cast<int>(lane));
-          if (face.surface == surface)
-          {
-            this->visitTriangle(face.triangle);
-          }
-        });
-      constexpr double shorter = 0.81; // of squares: from then on a new filter is worth its making
-      if (this->best2_ < shorter * still.r * still.r)
-      {
-        still.r = std::sqrt(this->best2_) + 8 * tol;
-        filter = NearFilter(still, list.frame());
-      }
+      this->visitListed(list, surface, { x_W, certain }, tol);
     }
     const bool isNearest = this->best2_ < certain * certain;
     this->best2_ = isNearest ? this->best2_ : std::numeric_limits<double>::infinity();
     return isNearest ? std::optional(this->triangle_) : std::nullopt;
   }
 
+  /// After nearestIn(): the nearest triangle and all of the scene that are about as near, which a way to the nearest
+  /// point can meet; none where they are not known.
+  [[nodiscard]] std::span<const std::uint32_t> alike() const noexcept
+  {
+    return { this->alike_.data(), this->allAlike_ ? this->alikeCount_ : 0 };
+  }
+  static constexpr std::size_t mostAlike = 8; ///< a vertex has six triangles mostly
+
 private:
+  /// A triangle whose squared distance is larger by no more is about as near.
+  static constexpr double aboutAsNear = 1.0 + 1e-5;
+
   struct Pending
   {
     std::uint32_t child = 0;
@@ -124,9 +127,8 @@ private:
     return (low.array() <= this->high_.array()).all() && (high.array() >= this->low_.array()).all();
   }
 
-  void visitNode(std::uint32_t index) noexcept
+  void visitNode(const TreeNode& before, const TreeNode& now) noexcept
   {
-    const TreeNode &before = this->nodesBefore_[index], &now = this->nodesNow_[index];
     std::array<Pending, 2> children;
     int count = 0;
     for (std::size_t k = 0; k < 2; ++k)
@@ -153,10 +155,60 @@ private:
     }
   }
 
+  void visitListed(const FaceList& list, std::uint32_t surface, const Reach& reach, double tol) noexcept
+  {
+    SweptBall still = standing(reach, {});
+    NearFilter filter(still, list.frame());
+    for (int quad = 0; quad < list.quads(); ++quad)
+    {
+      forEachLane(filter.near(list.discs(quad)) & list.lanesOf(quad),
+        [&](std::uint32_t lane) noexcept
+        {
+          const FaceList::Face& face = list.face(quad * 4 + static_cast<int>(lane));
+          if (face.surface == surface)
+          {
+            this->visitTriangle(face.triangle);
+          }
+          this->allAlike_ = this->allAlike_ && face.surface == surface;
+        });
+      constexpr double shorter = 0.81; // of squares: from then on a new filter is worth its making
+      if (this->best2_ < shorter * still.r * still.r)
+      {
+        still.r = aboutAsNear * std::sqrt(this->best2_) + 8 * tol;
+        filter = NearFilter(still, list.frame());
+      }
+    }
+  }
+
+  void noteAlike(std::uint32_t t, double distance2) noexcept
+  {
+    if (distance2 <= aboutAsNear * this->best2_)
+    {
+      this->allAlike_ = this->allAlike_ && this->alikeCount_ < mostAlike;
+      this->alikeCount_ = this->allAlike_ ? this->alikeCount_ : 0;
+      this->alike_[this->alikeCount_] = t;
+      this->alikeDistances2_[this->alikeCount_++] = distance2;
+    }
+  }
+
+  void dropFurther() noexcept
+  {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < this->alikeCount_; ++i)
+    {
+      if (this->alikeDistances2_[i] <= aboutAsNear * this->best2_)
+      {
+        this->alike_[kept] = this->alike_[i];
+        this->alikeDistances2_[kept++] = this->alikeDistances2_[i];
+      }
+    }
+    this->alikeCount_ = kept;
+  }
+
   void visitTriangle(std::uint32_t t) noexcept
   {
     const auto& old = ownCorners(this->before_, t);
-    if (distance2To(boxOf(old), this->x_) > this->best2_)
+    if (distance2To(boxOf(old), this->x_) > aboutAsNear * this->best2_)
     {
       return;
     }
@@ -166,19 +218,26 @@ private:
     {
       this->best2_ = distance2;
       this->triangle_ = t;
+      this->dropFurther();
     }
+    this->noteAlike(t, distance2);
   }
 
   const View& before_;
   const View& now_;
-  decltype(nodesIn(std::declval<const View&>())) nodesBefore_, nodesNow_;
-  Vec3 x_, low_, high_;
+  Vec3 x_;
+  double reach_;
+  Vec3 low_, high_;
   std::uint32_t budget_;
   std::uint32_t visited_ = 0;
   std::array<Pending, mostPending> stack_;
   int top_ = 0;
   double best2_ = std::numeric_limits<double>::infinity();
   std::uint32_t triangle_ = 0;
+  bool allAlike_ = true; ///< no other surface is about as near, and there is room for all
+  std::size_t alikeCount_ = 0;
+  std::array<std::uint32_t, mostAlike> alike_;
+  std::array<double, mostAlike> alikeDistances2_;
 };
 
 } // namespace palpate

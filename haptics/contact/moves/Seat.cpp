@@ -111,17 +111,25 @@ template<SceneView AnyScene>
 Nearest nearestWithin(const AnyScene& scene, const Vec3& x_W, double reach, const FacesAround* around) noexcept
 {
   Nearest nearest;
+  const double reach2 = reach * reach;
+  double within2 = reach2; // more than rounding makes of the best so far
   forEachNear(scene, x_W, reach, around,
     [&](const auto& surface, std::uint32_t s, std::uint32_t t)
     {
       const auto& [a, b, c] = cornersIn(surface, t);
-      const Vec3 foot_W = nearestOnTriangle(x_W, a, b, c);
+      const Vec3 low_W = a.cwiseMin(b).cwiseMin(c), high_W = a.cwiseMax(b).cwiseMax(c);
       const double coat = dataOf(surface).coat_u;
+      if (coat == 0.0 && (low_W - x_W).cwiseMax(x_W - high_W).cwiseMax(0.0).squaredNorm() > within2)
+      {
+        return; // further than the best so far, or out of reach
+      }
+      const Vec3 foot_W = nearestOnTriangle(x_W, a, b, c);
       const double clearance = (x_W - foot_W).norm() - coat;
       // Of triangles that are as near the one of the lowest number counts, in whatever order they come.
       if (std::tie(clearance, s, t) < std::tie(nearest.clearance, nearest.surface, nearest.triangle))
       {
         nearest = { clearance, coat, foot_W, s, t };
+        within2 = std::min(reach2, (1.0 + 1e-12) * clearance * clearance);
       }
     });
   return nearest;

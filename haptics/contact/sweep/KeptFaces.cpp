@@ -21,20 +21,30 @@ void pickFaces(const FaceList& from, const Reach& reach, double coat_u, FaceList
   forEachNear(from, NearFilter(still, from.frame()), [&](int i) { list.take(from, i); });
 }
 
-/// The same of balls that faces are in on their way: the list gets their discs as they are now.
+/// The same of balls that go with faces: the list gets the discs of the faces as they are now.
 template<SceneView AnyScene>
-void placeFaces(const AnyScene& scene, const FaceList& from, const Reach& reach, FaceList& list) noexcept
+void placeFaces(const AnyScene& scene, double share, const Reach& reach, FacesAround& around) noexcept
 {
-  list.begin(reach);
+  around.near.begin(reach);
   SweptBall still = standing(reach, {});
   still.r += sceneOf(scene).mostCoat_u();
   OneSurface<AnyScene> surface;
-  forEachNear(from, NearFilter(still, from.frame()),
+  const double moment = (share - around.since) / (1.0 - around.since);
+  forEachNear(around.far, GoingFilter(still, around.far.frame(), moment),
     [&](int i)
     {
-      const FaceList::Face& face = from.face(i);
-      list.add(discNow(surface.of(scene, face.surface), face.triangle), face);
+      const FaceList::Face& face = around.far.face(i);
+      around.near.add(discOf(surface.of(scene, face.surface).face(face.triangle)), face);
     });
+}
+
+double shareOf(const Scene&) noexcept
+{
+  return 1.0;
+}
+double shareOf(const MovingScene& moving) noexcept
+{
+  return moving.share();
 }
 
 template<SceneView AnyScene>
@@ -42,7 +52,7 @@ void pick(const AnyScene& scene, const Reach& reach, FacesAround& around) noexce
 {
   if (around.bends())
   {
-    placeFaces(scene, around.far, reach, around.near);
+    placeFaces(scene, shareOf(scene), reach, around);
   }
   else
   {
@@ -50,17 +60,19 @@ void pick(const AnyScene& scene, const Reach& reach, FacesAround& around) noexce
   }
 }
 
+/// Of the list's room a point takes this share for the faces that are picked: found by trying, as room in reachFor().
+constexpr double roomShare = 0.4;
+
 /// The reach that a motion needs of a kept list. The reach of a point's motion is small: with a share of the list's
 /// room the faces that are picked serve some ticks.
 Reach pickedReach(const SweptBall& m, const FacesAround& around) noexcept
 {
-  constexpr double share = 0.4; // found by trying, as room in reachFor()
   Reach reach = reachFor(m);
   const Reach& whole = around.far.reach();
   if (m.r == 0.0 && whole.covers(reach))
   {
     const double most = whole.reach_u - (reach.centre_W - whole.centre_W).norm();
-    reach.reach_u = std::min(reach.reach_u + share * around.room_u, most);
+    reach.reach_u = std::min(reach.reach_u + roomShare * around.room_u, most);
   }
   return reach;
 }
@@ -88,15 +100,6 @@ void learnRoom(bool fits, int most, FacesAround& around) noexcept
 {
   around.mostRoom_u *= fits && around.far.count() < most / 2 ? 1.5 : 1.0;
   around.mostRoom_u = fits ? around.mostRoom_u : 0.6 * std::exchange(around.room_u, 0.0);
-}
-
-double shareOf(const Scene&) noexcept
-{
-  return 1.0;
-}
-double shareOf(const MovingScene& moving) noexcept
-{
-  return moving.share();
 }
 
 /// Whether a list can hold for more than this moment: a surface that turns leaves all hulls of its vertices.
@@ -131,17 +134,21 @@ const FaceList* keptFor(const AnyScene& scene, const SweptBall& m, FacesAround& 
     work += static_cast<std::uint32_t>(around.far.quads()) / 2; // eight discs are a leaf's
     return &around.near;
   }
-  return covers(around.far.reach(), m) ? &around.far : nullptr;
+  return !around.bends() && covers(around.far.reach(), m) ? &around.far : nullptr;
 }
 
 template<SceneView AnyScene>
 void pickAround(const AnyScene& scene, const Vec3& x_W, double radius_u, FacesAround& around) noexcept
 {
-  constexpr double room = 0.25; // in radii, for the way of a tick; found by trying
+  constexpr double room = 0.15; // in radii, for the way of a tick; found by trying
+  if (around.content != sceneOf(scene).contentHash() || !(shareOf(scene) >= around.since))
+  {
+    return;
+  }
   const Reach most = around.far.reach();
-  Reach reach{ x_W, (1.0 + room) * radius_u };
+  Reach reach{ x_W, radius_u > 0.0 ? (1.0 + room) * radius_u : roomShare * around.room_u };
   reach.reach_u = std::min(reach.reach_u, most.reach_u - (1.0 + 1e-12) * (x_W - most.centre_W).norm());
-  if (radius_u > 0.0 && around.bends() && reach.reach_u > radius_u)
+  if (around.bends() && reach.reach_u > radius_u)
   {
     pick(scene, reach, around);
   }
@@ -159,7 +166,7 @@ const FaceList* listAround(const AnyScene& scene, const SweptBall& m, const Face
   {
     return &around.near;
   }
-  return share >= around.since && covers(around.far.reach(), m) ? &around.far : nullptr;
+  return !around.bends() && covers(around.far.reach(), m) ? &around.far : nullptr;
 }
 
 template<SceneView AnyScene>

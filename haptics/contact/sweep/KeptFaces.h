@@ -23,8 +23,7 @@ template<SceneView AnyScene>
   const AnyScene& scene, const SweptBall& m, FacesAround& around, std::uint32_t& work) noexcept;
 
 /// Picks the faces around a ball while surfaces bend, as they are now, for the questions of a tick that are near
-/// enough. The kept list must be open for the scene. Nothing is done for a point, nor where there is nothing to pick
-/// from.
+/// enough. Nothing is done where no faces of the scene are kept to pick from.
 template<SceneView AnyScene>
 void pickAround(const AnyScene& scene, const Vec3& x_W, double radius_u, FacesAround& around) noexcept;
 

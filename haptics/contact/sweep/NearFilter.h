@@ -50,9 +50,39 @@ private:
   __m128 lost_, lost2_, reach2_;
 };
 
+/// The same of balls that go straight with faces, at a moment of the rest of their way, 0..1.
+class GoingFilter
+{
+public:
+  GoingFilter(const SweptBall& still, const FaceList::Frame& frame, double moment) noexcept
+  {
+    const Vec3 centre = frame.perUnit * (still.x_W - frame.centre_W);
+    const double reach = frame.perUnit * (still.r + still.tol);
+    const double handled = centre.cwiseAbs().maxCoeff() + reach + frame.extent;
+    this->centre_ = fourOf(centre);
+    this->moment_ = _mm_set1_ps(float(moment));
+    this->reach_ = _mm_set1_ps(float(reach + 2e-5 * handled)); // as in NearFilter
+    this->lost2_ = _mm_set1_ps(float(1e-6 * handled * handled));
+  }
+
+  [[nodiscard]] int near(const DiscQuad& quad) const noexcept
+  {
+    const FourVectors at =
+      along(fourFrom(quad.cx, quad.cy, quad.cz), this->moment_, fourFrom(quad.nx, quad.ny, quad.nz));
+    const FourVectors q = minus(this->centre_, at);
+    const __m128 touches = _mm_add_ps(_mm_load_ps(quad.radius.data()), this->reach_);
+    const __m128 touches2 = _mm_add_ps(_mm_mul_ps(touches, touches), this->lost2_);
+    return _mm_movemask_ps(_mm_cmple_ps(dot(q, q), touches2)) & 15;
+  }
+
+private:
+  FourVectors centre_;
+  __m128 moment_, reach_, lost2_;
+};
+
 /// Calls visit(i) for each face of a list that may be near, in its order.
-template<class Visit>
-void forEachNear(const FaceList& list, const NearFilter& filter, const Visit& visit) noexcept
+template<class Filter, class Visit>
+void forEachNear(const FaceList& list, const Filter& filter, const Visit& visit) noexcept
 {
   for (int quad = 0; quad < list.quads(); ++quad)
   {

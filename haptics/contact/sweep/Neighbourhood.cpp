@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "haptics/contact/sweep/BoxTest.h"
@@ -41,14 +42,19 @@ PlacedDisc discIn(const SurfaceData& data, std::uint32_t leaf, std::uint32_t lan
 /// holds its face.
 constexpr double wider = 1.000001;
 
+double radius2Of(const std::array<Vec3, 3>& corners, const Vec3& centre) noexcept
+{
+  const auto& [a, b, c] = corners;
+  return std::max({ (a - centre).squaredNorm(), (b - centre).squaredNorm(), (c - centre).squaredNorm() });
+}
+
 /// A disc that holds a face where it is now: around the centroid, which is quick to find, so not the least one. Of a
 /// face that is on its way the tree has no disc but a ball.
 PlacedDisc discOn(const std::array<Vec3, 3>& corners) noexcept
 {
   const auto& [a, b, c] = corners;
   const Vec3 centre = (a + b + c) / 3.0, cross = (b - a).cross(c - a);
-  const double radius2 =
-    std::max({ (a - centre).squaredNorm(), (b - centre).squaredNorm(), (c - centre).squaredNorm() });
+  const double radius2 = radius2Of(corners, centre);
   const double radius_u = std::sqrt(radius2), area = cross.norm();
   // A triangle a thousand times as long as it is high would need an exact normal, and one without area has none.
   const bool flat = area > 1e-3 * radius2;
@@ -60,22 +66,23 @@ PlacedDisc discIn(const BentSurface& shape, std::uint32_t leaf, std::uint32_t la
   return discOn(shape.cornersOf(shape.data().leaves[leaf].first + lane));
 }
 
-/// A ball around a face on all the rest of its way.
+/// A ball that goes with a face on all the rest of its way: corners go evenly, and so does their centroid. A distance
+/// between two points that go evenly is largest at an end.
 PlacedDisc discIn(const RestOfWay& rest, std::uint32_t leaf, std::uint32_t lane) noexcept
 {
-  const std::array<Vec3, 6> corners = rest.cornersOf(rest.data().leaves[leaf].first + lane);
-  Vec3 centre = Vec3::Zero();
-  for (const Vec3& corner : corners)
-  {
-    centre += corner / 6.0;
-  }
-  double radius2 = 0.0;
-  for (const Vec3& corner : corners)
-  {
-    radius2 = std::max(radius2, (corner - centre).squaredNorm());
-  }
-  const double radius_u = std::sqrt(radius2);
-  return { centre, centre, Vec3::Zero(), wider * radius_u, radius_u };
+  const auto [now, end] = rest.cornersOf(rest.data().leaves[leaf].first + lane);
+  const Vec3 centre = (now[0] + now[1] + now[2]) / 3.0, last = (end[0] + end[1] + end[2]) / 3.0, way = last - centre;
+  const double radius_u = std::sqrt(std::max(radius2Of(now, centre), radius2Of(end, last)));
+  return { centre, centre, way, wider * radius_u, radius_u + way.cwiseAbs().maxCoeff() };
+}
+
+/// A disc for a list that holds to the end: ways are in the unit of the list. The ball around a face that stands goes
+/// nowhere.
+template<class Shape>
+PlacedDisc toTheEnd(PlacedDisc disc, double perUnit) noexcept
+{
+  disc.normal_W *= std::is_same_v<Shape, RestOfWay> ? perUnit : 0.0;
+  return disc;
 }
 
 PlacedDisc placed(const SurfaceData&, const PlacedDisc& inSurface) noexcept
@@ -173,8 +180,11 @@ private:
       return false;
     }
     forEachLane(lanes,
-      [&](std::uint32_t lane) noexcept {
-        this->list_.add(placed(view, discIn(shape, index, lane)), { surface, leaf.first + lane });
+      [&](std::uint32_t lane) noexcept
+      {
+        const PlacedDisc disc = placed(view, discIn(shape, index, lane));
+        this->list_.add(
+          this->toEnd_ ? toTheEnd<Shape>(disc, this->list_.frame().perUnit) : disc, { surface, leaf.first + lane });
       });
     return true;
   }
@@ -228,14 +238,12 @@ bool gatherFaces(const AnyScene& scene, Moments moments, const Reach& reach, con
   return fits;
 }
 
-PlacedDisc discNow(const SurfaceData& surface, std::uint32_t triangle) noexcept
+PlacedDisc discOf(const FaceRecord& face) noexcept
 {
-  return discOn(surface.cornersOf(triangle));
-}
-
-PlacedDisc discNow(const PosedSurface& surface, std::uint32_t triangle) noexcept
-{
-  return placed(surface, discOn(surface.shape().cornersOf(triangle)));
+  const Vec3 centre = (face.corner_W[0] + face.corner_W[1] + face.corner_W[2]) / 3.0;
+  const double radius_u = std::sqrt(radius2Of(face.corner_W, centre));
+  constexpr float flat = 1e3F; // the normal of a face that is more of a needle would have to be exact
+  return { centre, centre, face.sliver < flat ? face.normal_W : Vec3(Vec3::Zero()), wider * radius_u, radius_u };
 }
 
 template bool gatherFaces(

@@ -30,12 +30,11 @@ namespace palpate
 enum class Moments
 {
   Now,
-  ToTheEnd, ///< from now to the end of their way. Their discs are balls. No surface may move as a whole
+  ToTheEnd, ///< from now to the end of their way. Balls go with them. No surface may move as a whole
 };
 
-/// The disc of a triangle where it is now, in W.
-[[nodiscard]] PlacedDisc discNow(const SurfaceData& surface, std::uint32_t triangle) noexcept;
-[[nodiscard]] PlacedDisc discNow(const PosedSurface& surface, std::uint32_t triangle) noexcept;
+/// A disc around a face.
+[[nodiscard]] PlacedDisc discOf(const FaceRecord& face) noexcept;
 
 /// Fills the list with the faces within reach. False if they are more than `most`, or the walk takes more nodes than
 /// the budget: the list is then empty.

@@ -29,10 +29,11 @@ inline constexpr double longWay2 = 1e4;
 }
 
 /// True if the way surely keeps clear of a triangle where it is now. A triangle on its way has a ball where others have
-/// a disc, so many that are asked for are not near; and to make a whole face of each would be most of a tick.
+/// a disc, so many that are asked for are not near; and to make a whole face of each would be most of a tick, unless it
+/// is kept for the next question.
 [[nodiscard]] inline bool isClear(const BentSurface& shape, std::uint32_t triangle, const SweptBall& m) noexcept
 {
-  if (!shape.bends())
+  if (!shape.bends() || shape.keepsFaces())
   {
     return false;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/contact/sweep/Sweep.h"
 
+#include <array>
 #include <type_traits>
 
 #include "haptics/contact/sweep/DiscFilter.h"
@@ -151,19 +152,27 @@ SweepHit sweepBall(const AnyScene& scene, const SweepQuery& query, std::uint32_t
 }
 
 template<SceneView AnyScene>
-bool meetsFace(const AnyScene& scene, const ActiveFeature& f, const SweepQuery& query) noexcept
+SweepHit sweepFaces(const AnyScene& scene, const SweepQuery& query, std::span<const FaceList::Face> faces) noexcept
 {
   SweepHit best;
-  const auto& surface = surfaceOf(scene, f.surface);
-  askTree(surface, sweptBallOf(query),
-    [&](const SweptBall& inSurface) noexcept
-    {
-      askShape(surface,
-        [&](const auto& shape) noexcept { SurfaceSweep(shape, f.surface, query, inSurface, best).testTriangle(f.a); });
-    });
-  return best.hit;
+  const SweptBall m = sweptBallOf(query);
+  MotionInSurfaces motion(scene, m);
+  for (const FaceList::Face& face : faces)
+  {
+    motion.ask(face.surface, [&](const auto& shape, const SweptBall& inSurface) noexcept
+      { SurfaceSweep(shape, face.surface, query, inSurface, best).testTriangle(face.triangle); });
+  }
+  return best;
 }
 
+template<SceneView AnyScene>
+bool meetsFace(const AnyScene& scene, const ActiveFeature& f, const SweepQuery& query) noexcept
+{
+  return sweepFaces(scene, query, std::array{ FaceList::Face{ f.surface, f.a } }).hit;
+}
+
+template SweepHit sweepFaces(const Scene&, const SweepQuery&, std::span<const FaceList::Face>) noexcept;
+template SweepHit sweepFaces(const MovingScene&, const SweepQuery&, std::span<const FaceList::Face>) noexcept;
 template bool meetsFace(const Scene&, const ActiveFeature&, const SweepQuery&) noexcept;
 template bool meetsFace(const MovingScene&, const ActiveFeature&, const SweepQuery&) noexcept;
 template SweepHit sweepSurface(const SurfaceData&, std::uint32_t, const SweepQuery&, std::uint32_t) noexcept;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "haptics/contact/view/FaceList.h"
 #include "haptics/contact/view/SceneView.h"
@@ -31,6 +32,11 @@ template<SceneView AnyScene>
 template<SceneView AnyScene>
 [[nodiscard]] SweepHit sweepListed(
   const AnyScene& scene, const SweepQuery& query, const FaceList& list, std::uint32_t budget) noexcept;
+
+/// The same over some faces: all that the way can meet.
+template<SceneView AnyScene>
+[[nodiscard]] SweepHit sweepFaces(
+  const AnyScene& scene, const SweepQuery& query, std::span<const FaceList::Face> faces) noexcept;
 
 /// True if the closed straight way meets face f, decided as the sweep of a point decides it.
 template<SceneView AnyScene>

@@ -34,7 +34,7 @@ FaceRecord BentSurface::faceOnItsWay(std::uint32_t triangle) const noexcept
 {
   const FacePlane& end = this->data_.plane(triangle);
   FaceRecord face;
-  face.corner_W = this->cornersOf(triangle);
+  face.corner_W = this->cornersOnTheirWay(triangle);
   face.owned = end.owned;
   const Vec3 e = face.corner_W[1] - face.corner_W[0], f = face.corner_W[2] - face.corner_W[0], cross = e.cross(f);
   const double area2 = cross.squaredNorm(), sides2 = e.squaredNorm() * f.squaredNorm();

@@ -30,6 +30,8 @@ public:
 
   /// False where the vertices are those of the tree.
   [[nodiscard]] bool bends() const noexcept { return this->from_ != nullptr; }
+  /// True if a face that was asked for once costs little when it is asked for again.
+  [[nodiscard]] bool keepsFaces() const noexcept { return this->cache_ != nullptr; }
   [[nodiscard]] const SurfaceData& data() const noexcept { return this->data_; }
   [[nodiscard]] Vec3 vertex(std::uint32_t v) const noexcept
   {
@@ -38,8 +40,9 @@ public:
   }
   [[nodiscard]] std::array<Vec3, 3> cornersOf(std::uint32_t triangle) const noexcept
   {
-    const auto& t = this->data_.corners(triangle);
-    return { this->vertex(t[0]), this->vertex(t[1]), this->vertex(t[2]) };
+    const FaceRecord* const kept =
+      this->bends() && this->keepsFaces() ? this->cache_->find(this->number_, triangle) : nullptr;
+    return kept != nullptr ? kept->corner_W : this->cornersOnTheirWay(triangle);
   }
   /// A face that has no area at this moment keeps the normal it ends with.
   [[nodiscard]] FaceRecord face(std::uint32_t triangle) const noexcept;
@@ -52,6 +55,11 @@ public:
 
 private:
   [[nodiscard]] FaceRecord faceOnItsWay(std::uint32_t triangle) const noexcept;
+  [[nodiscard]] std::array<Vec3, 3> cornersOnTheirWay(std::uint32_t triangle) const noexcept
+  {
+    const auto& t = this->data_.corners(triangle);
+    return { this->vertex(t[0]), this->vertex(t[1]), this->vertex(t[2]) };
+  }
 
   const SurfaceData& data_;
   const VertexStart* from_;

@@ -24,7 +24,8 @@ struct Reach
   }
 };
 
-/// A disc in W that holds a face now, or, without a normal, a ball that may hold it for longer.
+/// A disc in W that holds a face now, or a ball without a normal. In a list for all the rest of a way it is a ball that
+/// goes straight with its face, by `normal_W` until the end, in the unit of the list.
 struct PlacedDisc
 {
   Vec3 origin_W, centre_W, normal_W;
@@ -70,7 +71,7 @@ public:
   [[nodiscard]] int count() const noexcept { return this->count_; }
   [[nodiscard]] int quads() const noexcept { return (this->count_ + 3) / 4; }
   [[nodiscard]] const Face& face(int i) const noexcept { return this->faces_[static_cast<std::size_t>(i)]; }
-  /// Discs of faces 4 quad .. 4 quad + 3.
+  /// Discs of faces 4 quad .. 4 quad + 3, or balls on their way.
   [[nodiscard]] const DiscQuad& discs(int quad) const noexcept { return this->discs_[static_cast<std::size_t>(quad)]; }
 
   /// Which of these four are faces: bit k for face 4 quad + k.
@@ -136,7 +137,7 @@ private:
 };
 
 /// The faces around a ball that are kept from one tick to the next. They are of one content. While surfaces bend, `far`
-/// holds for the rest of their way: a disc of it is a ball around a face wherever that is on it.
+/// holds for the rest of their way: a ball of it goes straight with its face.
 struct FacesAround
 {
   std::uint64_t content = 0; ///< Scene::contentHash(); 0: nothing is kept
@@ -152,7 +153,7 @@ struct FacesAround
   FaceList far;        ///< within reach of the ticks to come
   FaceList near;       ///< of the last sweeps, mostly a part of `far`
 
-  /// True if discs are balls, which hold wherever the faces are on their way.
+  /// True if `far` has balls that go with faces on their way.
   [[nodiscard]] bool bends() const noexcept { return this->since < 1.0; }
   /// Drops lists of another content or place.
   void openFor(std::uint64_t other, double otherShare) noexcept

@@ -12,10 +12,7 @@ namespace palpate
 FaceRecord PosedSurface::face(std::uint32_t triangle) const noexcept
 {
   FaceRecord face = this->shape_.face(triangle);
-  for (Vec3& corner : face.corner_W)
-  {
-    corner = this->toWorld(corner);
-  }
+  this->place(face.corner_W);
   face.normal_W = this->turned(face.normal_W);
   return face;
 }

@@ -20,17 +20,24 @@ class PosedSurface
 {
 public:
   PosedSurface(const BentSurface& shape, const Pose& pose_WS) noexcept
-    : data_(shape.data()), shape_(shape), turn_WS_(pose_WS.q.toRotationMatrix()), shift_W_(pose_WS.p)
+    : data_(shape.data()), shape_(shape), turn_WS_(pose_WS.q.toRotationMatrix()), shift_W_(pose_WS.p),
+      inPlace_(pose_WS.q.coeffs() == Quat::Identity().coeffs() && pose_WS.p == Vec3::Zero())
   {
   }
 
-  [[nodiscard]] Vec3 toWorld(const Vec3& x_S) const noexcept { return this->turn_WS_ * x_S + this->shift_W_; }
+  [[nodiscard]] Vec3 toWorld(const Vec3& x_S) const noexcept
+  {
+    return this->inPlace_ ? x_S : Vec3(this->turn_WS_ * x_S + this->shift_W_);
+  }
   [[nodiscard]] Vec3 toSurface(const Vec3& x_W) const noexcept
   {
-    return this->turn_WS_.transpose() * (x_W - this->shift_W_);
+    return this->inPlace_ ? x_W : Vec3(this->turn_WS_.transpose() * (x_W - this->shift_W_));
   }
   [[nodiscard]] const Vec3& shift_W() const noexcept { return this->shift_W_; }
-  [[nodiscard]] Vec3 turned(const Vec3& v_S) const noexcept { return this->turn_WS_ * v_S; }
+  [[nodiscard]] Vec3 turned(const Vec3& v_S) const noexcept
+  {
+    return this->inPlace_ ? v_S : Vec3(this->turn_WS_ * v_S);
+  }
   /// The same motion as the surface's tree sees it, with room for the rounding of the way there.
   [[nodiscard]] SweptBall toSurface(const SweptBall& m) const noexcept;
 
@@ -40,8 +47,9 @@ public:
   [[nodiscard]] FaceRecord face(std::uint32_t triangle) const noexcept;
   [[nodiscard]] std::array<Vec3, 3> cornersOf(std::uint32_t triangle) const noexcept
   {
-    const auto& [a, b, c] = this->shape_.cornersOf(triangle);
-    return { this->toWorld(a), this->toWorld(b), this->toWorld(c) };
+    std::array<Vec3, 3> corners = this->shape_.cornersOf(triangle);
+    this->place(corners);
+    return corners;
   }
   [[nodiscard]] Vec3 vertex(std::uint32_t v) const noexcept { return this->toWorld(this->shape_.vertex(v)); }
   /// On which side of a face a point is, exactly, in the surface's own frame.
@@ -71,10 +79,22 @@ public:
   }
 
 private:
+  void place(std::array<Vec3, 3>& corners) const noexcept
+  {
+    if (!this->inPlace_)
+    {
+      for (Vec3& corner : corners)
+      {
+        corner = this->toWorld(corner);
+      }
+    }
+  }
+
   const SurfaceData& data_;
   BentSurface shape_;
   Mat3 turn_WS_;
   Vec3 shift_W_;
+  bool inPlace_; ///< its frame is W, as that of most surfaces that bend
 };
 
 } // namespace palpate

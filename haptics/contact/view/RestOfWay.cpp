@@ -4,11 +4,9 @@
 namespace palpate
 {
 
-std::array<Vec3, 6> RestOfWay::cornersOf(std::uint32_t triangle) const noexcept
+std::array<std::array<Vec3, 3>, 2> RestOfWay::cornersOf(std::uint32_t triangle) const noexcept
 {
-  const auto [a, b, c] = this->now_.cornersOf(triangle);
-  const auto [d, e, f] = this->data().cornersOf(triangle);
-  return { a, b, c, d, e, f };
+  return { this->now_.cornersOf(triangle), this->data().cornersOf(triangle) };
 }
 
 TreeNode RestNodes::operator[](std::uint32_t index) const noexcept

@@ -22,7 +22,7 @@ public:
   [[nodiscard]] const BentSurface& now() const noexcept { return this->now_; }
   [[nodiscard]] const SurfaceData& data() const noexcept { return this->now_.data(); }
   /// Corners of a triangle now, and at the end.
-  [[nodiscard]] std::array<Vec3, 6> cornersOf(std::uint32_t triangle) const noexcept;
+  [[nodiscard]] std::array<std::array<Vec3, 3>, 2> cornersOf(std::uint32_t triangle) const noexcept;
 
 private:
   const BentSurface& now_;

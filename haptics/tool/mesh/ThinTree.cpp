@@ -248,8 +248,8 @@ private:
       return false;
     }
     const Vec3 normal = unitNormal(this->corners_[things.front()]);
-    return std::ranges::all_of(things,
-      [&](std::uint32_t i) { return std::abs(normal.dot(unitNormal(this->corners_[i]))) >= leafAgreement; });
+    return std::ranges::all_of(
+      things, [&](std::uint32_t i) { return std::abs(normal.dot(unitNormal(this->corners_[i]))) >= leafAgreement; });
   }
 
   [[nodiscard]] Spread spreadOf(std::span<const std::uint32_t> things) const

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lists of faces that are kept while surfaces bend, against ticks that know none: the same answer to the last bit.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <tuple>
@@ -7,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/contact/carry/PassingTriangles.h"
+#include "haptics/contact/sweep/KeptFaces.h"
 #include "haptics/contact/sweep/Neighbourhood.h"
 #include "haptics/contact/view/SceneView.h"
 #include "haptics/geometry/mesh/NearestOnTriangle.h"
@@ -280,6 +284,120 @@ TEST(KeptWhileBending, AListHoldsEveryFaceWithinItsReachToTheEndOfTheWay)
       }
     }
   }
+}
+
+/// The centroid of a triangle, and how far its corners are from there.
+struct TriangleBall
+{
+  explicit TriangleBall(const std::array<Vec3, 3>& corners) : centre_W((corners[0] + corners[1] + corners[2]) / 3.0)
+  {
+    for (const Vec3& corner : corners)
+    {
+      this->radius_u = std::max(this->radius_u, (corner - this->centre_W).norm());
+    }
+  }
+
+  Vec3 centre_W;
+  double radius_u = 0.0;
+};
+
+TEST(KeptWhileBending, AListIsPickedOfAllFacesThatAreNearAtItsMomentAndOfNoneWhoseBallIsNot)
+{
+  Bender bender(sphere(2000), waving, 50);
+  Random random(testSeed(833));
+  int passedOver = 0; // near at another moment
+  for (std::size_t i = 0; i < testCount(100); ++i)
+  {
+    static_cast<void>(bender.tick({ 0, 0, 0.1 }));
+    const Scene& scene = *bender.scene();
+    FacesAround around;
+    around.content = scene.contentHash();
+    around.since = random.uniform();
+    Resolution resolution;
+    resolution.include(Vec3::Constant(0.06));
+    const Reach reach{ 0.05 * random.direction() + random.inCube(2e-3), random.uniform(2e-3, 8e-3) };
+    std::uint32_t nodes = 0;
+    const MovingScene begin(scene, around.since);
+    ASSERT_TRUE(
+      gatherFaces(begin, Moments::ToTheEnd, reach, resolution, FaceList::capacity, 100000, nodes, around.far));
+    const double share = random.uniform(around.since, 1.0);
+    const MovingScene now(scene, share);
+    pickAround(now, reach.centre_W, 0.5 * reach.reach_u, around);
+    const Reach& picked = around.near.reach();
+    ASSERT_GT(picked.reach_u, 0.5 * reach.reach_u);
+    std::vector<bool> listed(scene.surfaces()[0].tree->mesh().triangles.size());
+    for (int k = 0; k < around.near.count(); ++k)
+    {
+      listed[around.near.face(k).triangle] = true;
+    }
+    for (std::uint32_t t = 0; t < listed.size(); ++t)
+    {
+      const std::array<Vec3, 3> corners = surfaceOf(now, 0).cornersOf(t);
+      const auto [a, b, c] = corners;
+      const double distance_u = (nearestOnTriangle(picked.centre_W, a, b, c) - picked.centre_W).norm();
+      ASSERT_TRUE(listed[t] || distance_u > picked.reach_u) << "face " << t << " at " << share;
+      // The ball that goes with a face is as large as at the end at which the face is larger.
+      const double radius_u = std::max(TriangleBall(surfaceOf(begin, 0).cornersOf(t)).radius_u,
+        TriangleBall(surfaceOf(MovingScene(scene, 1.0), 0).cornersOf(t)).radius_u);
+      const double away_u = (TriangleBall(corners).centre_W - picked.centre_W).norm();
+      ASSERT_TRUE(!listed[t] || away_u <= 1.001 * (picked.reach_u + radius_u)) << "face " << t << " at " << share;
+    }
+    for (int k = 0; k < around.far.count(); ++k)
+    {
+      passedOver += listed[around.far.face(k).triangle] ? 0 : 1;
+    }
+  }
+  EXPECT_GT(passedOver, 0);
+}
+
+TEST(PassingTriangles, TheNearestOfAListComesWithAllThatAreAboutAsNear)
+{
+  Bender bender(sphere(2000), waving, 50);
+  static_cast<void>(bender.tick({ 0, 0, 0.1 }));
+  const Scene& scene = *bender.scene();
+  const MovingScene from(scene, 0.3), to(scene, 0.4);
+  const PosedSurface before = surfaceOf(from, 0), now = surfaceOf(to, 0);
+  const TriangleMesh& mesh = scene.surfaces()[0].tree->mesh();
+  Random random(testSeed(834));
+  std::array<int, 4> met{}; // over faces, edges, vertices, and beside edges
+  for (std::size_t i = 0; i < testCount(600); ++i)
+  {
+    // A ball that touches a face, at its border or so near to it that the next face is hardly further away.
+    const auto face = static_cast<std::uint32_t>(random.uniform(0.0, static_cast<double>(mesh.triangles.size())));
+    const auto [a, b, c] = before.cornersOf(face);
+    const Vec3 middle = (a + b + c) / 3.0, edge = 0.5 * (a + b);
+    const std::array<Vec3, 4> places{ middle, edge, a, edge + 1e-4 * (middle - edge) };
+    const std::size_t kind = i % places.size();
+    const double radius_u = random.uniform(3e-4, 1e-3);
+    const Vec3 x_W = places[kind] + radius_u * before.face(face).normal_W;
+    Resolution resolution;
+    resolution.include(x_W);
+    FaceList list;
+    std::uint32_t nodes = 0;
+    ASSERT_TRUE(gatherFaces(from, Moments::Now, { x_W, 2e-2 }, resolution, FaceList::capacity, 100000, nodes, list));
+    PassingTriangles passing(before, now, x_W, x_W, 1.1 * radius_u, 100000);
+    const auto nearest = passing.nearestIn(list, 0, x_W, resolution.tol());
+    std::vector<double> distances2;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    {
+      const auto [p, q, r] = before.cornersOf(t);
+      distances2.push_back((nearestOnTriangle(x_W, p, q, r) - x_W).squaredNorm());
+    }
+    const auto least = std::ranges::min_element(distances2);
+    ASSERT_TRUE(nearest && distances2[*nearest] == *least);
+    std::vector<std::uint32_t> alike(passing.alike().begin(), passing.alike().end()), truth;
+    std::ranges::sort(alike);
+    for (std::uint32_t t = 0; t < distances2.size(); ++t)
+    {
+      if (distances2[t] <= (1.0 + 2e-6) * *least) // all that a way can meet which is a millionth longer
+      {
+        ASSERT_TRUE(std::ranges::binary_search(alike, t)) << "triangle " << t << ", place " << kind;
+        truth.push_back(t);
+      }
+    }
+    met[kind] += truth.size() > (kind == 0 ? 0 : 1) ? 1 : 0;
+  }
+  EXPECT_GT(*std::ranges::min_element(met), 0);
 }
 
 TEST(FaceCache, GivesTheFaceOfThatSurfaceAndTriangleHoweverManyThereAre)
