@@ -52,8 +52,9 @@ void StandingContacts::goFree() noexcept
       this->part_ *= shorter;
       continue;
     }
-    if (free.spent) // at the first look, the contacts that were found hold the mesh alone
+    if (free.spent) // the contacts that were found hold the mesh alone, unless they are not met: then the mesh stays
     {
+      this->stopsAt_ = this->laws_.capped() ? std::optional(way.step.from_W) : std::nullopt;
       return;
     }
     this->stopsAt_ = free.share * way.share < 1.0 ? std::optional(way.step.end_W(free.share)) : std::nullopt;
