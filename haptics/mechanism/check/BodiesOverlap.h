@@ -22,8 +22,8 @@ using BodyPair = std::pair<std::string, std::string>;
 /// coinciding vertices decide nothing. Not real-time safe.
 [[nodiscard]] std::vector<BodyPair> overlapsOf(const Mechanism& mechanism, std::span<const MechanismSoft> soft);
 
-/// How deep a loose and another rigid mesh lie in one another as they stand [u]: the largest distance from the surface of
-/// the other one of a vertex, a little inside of its own surface, or of the mean of the vertices. 0 where only edges
+/// How deep a loose and another rigid mesh lie in one another as they stand [u]: the largest distance from the surface
+/// of the other one of a vertex, a little inside of its own surface, or of the mean of the vertices. 0 where only edges
 /// cross. Not real-time safe.
 [[nodiscard]] double overlapDepth(const Mechanism& mechanism, const BodyPair& pair);
 
@@ -31,6 +31,10 @@ using BodyPair = std::pair<std::string, std::string>;
 /// as a constraint joins it to. Of a mesh its whole surface is looked at. Not real-time safe.
 [[nodiscard]] std::vector<BodyPair> overlapsOfHeld(
   const Mechanism& mechanism, std::span<const MechanismSoft> soft, const Pose& hand_W = {});
+
+/// The first loose body that would lie in that which the hand holds, as it lies now, once all bodies are where they
+/// began: put back there, it would have the hand in it, without a force. "": none. Not real-time safe.
+[[nodiscard]] std::string looseInHand(const Mechanism& mechanism, const Pose& held_W);
 
 /// Likewise in a tick: rigid bodies and the held body have the poses of the last solution, soft ones the shape of their
 /// last computation. A held rod counts by its middle line, a held mesh not at all: its contacts are found. Poses
