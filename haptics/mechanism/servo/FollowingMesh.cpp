@@ -2,7 +2,6 @@
 #include "haptics/mechanism/servo/FollowingMesh.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "haptics/core/Fade.h"
 #include "haptics/core/PoseMath.h"
@@ -167,7 +166,7 @@ double FollowingMesh::shareOfTick(const ScrewStep& way) const noexcept
     const double most_u = 2.0 * (way.from_W.p - lead_W.p).norm() + this->plan_.characteristic_u;
     return shareOf(most_u, way.v_W.norm());
   }
-  if (this->pushesLoose() && !this->laws_.capped())
+  if (this->isBesideLoose() && !this->laws_.capped())
   {
     return 1.0;
   }
@@ -176,19 +175,10 @@ double FollowingMesh::shareOfTick(const ScrewStep& way) const noexcept
   return std::min(shareOf(most_u, way.v_W.norm()), shareOf(this->mostTurn_rad(), way.w_W.norm()));
 }
 
-bool FollowingMesh::pushesLoose() const noexcept
+bool FollowingMesh::isBesideLoose() const noexcept
 {
-  for (int l = 0; l < this->plan_.lawCount; ++l)
-  {
-    const auto& [a, b] = std::pair(this->plan_.laws[l].a, this->plan_.laws[l].b);
-    const bool both = (a == this->plan_.held && isLoose(this->plan_.bodies[b])) ||
-                      (b == this->plan_.held && isLoose(this->plan_.bodies[a]));
-    if (both && this->laws_.outcome(l).holds)
-    {
-      return true;
-    }
-  }
-  return false;
+  const auto last = this->plan_.bodies.begin() + this->plan_.bodyCount;
+  return std::any_of(this->plan_.bodies.begin(), last, [](const PlannedBody& body) { return isLoose(body); });
 }
 
 double FollowingMesh::mostTurn_rad() const noexcept

@@ -31,8 +31,8 @@ public:
   void slowTurn() noexcept;
   /// The share of a way that the mesh goes in this tick: as far as the hand leads the mesh, and a step of the force
   /// that is felt at once. A mesh that was held by something comes free without a leap. At rest in each tick, the mesh
-  /// goes no further than past the hand. One that pushes a loose body goes all the way: short of that, the mesh would
-  /// take momentum from the body.
+  /// goes no further than past the hand. Beside loose bodies the mesh goes all the way where the constraints are met:
+  /// short of that, the mesh would take momentum from a body that it pushes.
   [[nodiscard]] double shareOfTick(const ScrewStep& way) const noexcept;
   /// Of a force on the hand, whitened, the part that the hand feels: where the turn was held, its own spring alone.
   [[nodiscard]] Vec6 felt(Vec6 hand_N) const noexcept;
@@ -50,8 +50,7 @@ public:
   [[nodiscard]] const Pose& hand_W() const noexcept { return this->hand_W_; }
 
 private:
-  /// Whether the mesh presses a loose body in this tick.
-  [[nodiscard]] bool pushesLoose() const noexcept;
+  [[nodiscard]] bool isBesideLoose() const noexcept;
   /// That a mesh beside meshes that stand turns in a tick.
   [[nodiscard]] double mostTurn_rad() const noexcept;
   /// Share of an answer's reach that the mesh took in the tick before.
