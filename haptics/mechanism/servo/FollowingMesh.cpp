@@ -157,7 +157,7 @@ void FollowingMesh::holdTurn(const Quat& at_W) noexcept
   this->laws_.settle();
 }
 
-double FollowingMesh::shareOfTick(const ScrewStep& way) const noexcept
+double FollowingMesh::shareOfTick(const ScrewStep& way, bool freely) const noexcept
 {
   const Pose& lead_W = this->laws_.lead_W();
   const auto shareOf = [](double most, double length) { return most / std::max(most, length); };
@@ -166,7 +166,7 @@ double FollowingMesh::shareOfTick(const ScrewStep& way) const noexcept
     const double most_u = 2.0 * (way.from_W.p - lead_W.p).norm() + this->plan_.characteristic_u;
     return shareOf(most_u, way.v_W.norm());
   }
-  if (this->isBesideLoose() && !this->laws_.capped())
+  if (freely && !this->laws_.capped())
   {
     return 1.0;
   }

@@ -31,9 +31,10 @@ public:
   void slowTurn() noexcept;
   /// The share of a way that the mesh goes in this tick: as far as the hand leads the mesh, and a step of the force
   /// that is felt at once. A mesh that was held by something comes free without a leap. At rest in each tick, the mesh
-  /// goes no further than past the hand. Beside loose bodies the mesh goes all the way where the constraints are met:
-  /// short of that, the mesh would take momentum from a body that it pushes.
-  [[nodiscard]] double shareOfTick(const ScrewStep& way) const noexcept;
+  /// goes no further than past the hand. `freely`: as far as the constraints bring the mesh, where they are met.
+  [[nodiscard]] double shareOfTick(const ScrewStep& way, bool freely) const noexcept;
+  /// Short of where the constraints bring it, a mesh would take momentum from a loose body that it pushes.
+  [[nodiscard]] bool isBesideLoose() const noexcept;
   /// Of a force on the hand, whitened, the part that the hand feels: where the turn was held, its own spring alone.
   [[nodiscard]] Vec6 felt(Vec6 hand_N) const noexcept;
   /// A tick that has no work left to meet its constraints brings the mesh no further into a body that stands: it goes
@@ -50,7 +51,6 @@ public:
   [[nodiscard]] const Pose& hand_W() const noexcept { return this->hand_W_; }
 
 private:
-  [[nodiscard]] bool isBesideLoose() const noexcept;
   /// That a mesh beside meshes that stand turns in a tick.
   [[nodiscard]] double mostTurn_rad() const noexcept;
   /// Share of an answer's reach that the mesh took in the tick before.

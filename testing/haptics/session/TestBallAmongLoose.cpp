@@ -20,7 +20,7 @@ namespace
 Pose rubbingHand_W(double time_s)
 {
   const double pressed_m = 1e-3 * std::min(time_s / 0.3, 1.0), rubs = time_s < 1.0 ? std::sin(12.0 * time_s) : 0.0;
-  return { Vec3(2e-3 * rubs, 0.0, 2.0 * half_m.z() + fingertip_m + 5e-4 - 1.5 * pressed_m),
+  return { Vec3(2e-3 * rubs, 0.0, 2.0 * half_m.z() + fingertip_m + 5e-4 - 2.5 * pressed_m),
     turnBy(Vec3(0.2 * rubs, 0.3 * rubs, 0.1 * rubs)) };
 }
 
@@ -130,7 +130,7 @@ TEST(BallAmongLoose, IsFeltToTurnByTheSpringOfTheLeverThatTheDampersAndLimitsAre
   }
   const HapticState& state = session.state();
   const double turn_rad = turnFromTo(state.mechanism.hand_W.q, state.proxy_W.q).norm();
-  const double ofContact_Nm = friction * firm_N_per_m * deep_m * fingertip_m;
+  const double ofContact_Nm = friction * state.force_W.z() * fingertip_m;
   EXPECT_NEAR(firm_N_per_m * std::pow(50.0 * fingertip_m, 2) * turn_rad, ofContact_Nm, 0.02 * ofContact_Nm);
   const double felt_Nm = 3.0 * firm_N_per_m * fingertip_m * fingertip_m * turn_rad;
   EXPECT_NEAR(state.torque_D.norm(), felt_Nm, 0.01 * felt_Nm);

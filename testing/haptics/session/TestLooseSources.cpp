@@ -373,8 +373,6 @@ TEST(LooseSources, TheHandThatIsWhereOneWouldBePutBackIsKnown)
   hand.session.setLoose(stones());
   const auto inHand = [&]
   { return looseInHand(hand.session.feltMechanism()->mechanism, hand.session.state().mechanism.hand_W); };
-  hand.at(away, 200);
-  EXPECT_EQ(inHand(), "");
   (void)pushed_N(hand, 2.0); // by 9 cm: the hand is then where the stone's front was
   ASSERT_GT(hand.middleOf("stone").x() - half_m.x(), half_m.x()) << "the stone has left its place";
   EXPECT_EQ(inHand(), "");
