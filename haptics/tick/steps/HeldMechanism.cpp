@@ -100,8 +100,9 @@ double feltLever_m(const TickContext& tick, double lever_m) noexcept
   return farthest_u > 0.0 ? std::min(lever_m, farthest_u / tick.p.map.scale_u_per_m) : lever_m;
 }
 
-/// Force and torque as the stretch of a plain spring of the coupling's stiffness. Of a spring that keeps a mesh upright
-/// the hand feels the turn, by the spring of its own lever: damper and limits hold for no stiffer one.
+/// Force and torque as the stretch of a plain spring of the coupling's stiffness. Of a spring that keeps a mesh
+/// upright, whose lever is far longer than the mesh, the hand feels the turn by the spring of the lever that is felt:
+/// damper and limits hold for no stiffer one.
 void pull(TickContext& tick, const MechanismResult& result, double ofSpring_m) noexcept
 {
   const double lever_m = feltLever_m(tick, ofSpring_m);
@@ -113,7 +114,8 @@ void pull(TickContext& tick, const MechanismResult& result, double ofSpring_m) n
   tick.stretch_m = std::sqrt(2.0 * std::max(result.stored_Nu, 0.0) / scale_u_per_m * perNewton_m);
   if (lever_m > 0.0)
   {
-    const double share = lever_m * lever_m / (ofSpring_m * ofSpring_m);
+    constexpr double farLonger = 2.0;
+    const double times = ofSpring_m / lever_m, share = times > farLonger ? 1.0 / (times * times) : 1.0;
     const Vec3 turned_W = share * perNewton_m / (scale_u_per_m * lever_m) * result.wrench_W.torque;
     tick.turn = { tick.p.map.directionToDevice(turned_W), Tool::turning_D(tick, lever_m), lever_m };
   }
