@@ -33,9 +33,6 @@ namespace
 /// Of the lever in a second: so fast loose bodies leave one another.
 constexpr double apartOfLever_per_s = 0.02;
 
-/// Of the lever in a tick: so much further a loose body goes at most in a tick that does not meet the constraints.
-constexpr double unmetOfLever = 0.01;
-
 bool isPose(const Pose& pose) noexcept
 {
   return pose.p.allFinite() && std::abs(pose.q.squaredNorm() - 1.0) < 1e-6;
@@ -287,21 +284,12 @@ private:
       return;
     }
     const bool slept = this->state_.loose[b].asleep;
-    const double share = this->laws_.capped() ? this->shareOfUnmet(b) : 1.0;
+    const double share = this->laws_.shareOfLoose(b);
     const Pose before_W = this->state_.pose_W[b], at_W = share < 1.0 ? partOfWay(before_W, moved_W, share) : moved_W;
     const double away_u = (at_W.p - this->plan_.bodies[b].pose_W.p).norm();
     this->state_.loose[b] = motionAfter(this->plan_, this->plan_.bodies[b], this->state_.loose[b],
       { share * this->laws_.motion(b), before_W.q, away_u }, this->input_.dt_s);
     this->state_.pose_W[b] = slept && this->state_.loose[b].asleep ? before_W : at_W;
-  }
-
-  /// Forces that do not meet the constraints may be any: they change a loose body's way by little in a tick.
-  [[nodiscard]] double shareOfUnmet(int b) const noexcept
-  {
-    const Vec6& way_u = this->laws_.motion(b);
-    const Vec6& free_u = this->laws_.scene().loose[static_cast<std::size_t>(b)].back_u;
-    const double most_u = free_u.norm() + unmetOfLever * this->plan_.characteristic_u;
-    return most_u / std::max(most_u, way_u.norm());
   }
 
   void keepConstraint(int l) noexcept

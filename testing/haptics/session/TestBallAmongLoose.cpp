@@ -16,12 +16,12 @@ namespace palpate::test
 namespace
 {
 
-/// Presses the stone on the floor, rubs it and turns for a second, then holds still.
-Pose rubbingHand_W(double time_s)
+/// Presses the stone on the floor, goes to and fro and turns for a second, then holds still.
+Pose swayingHand_W(double time_s)
 {
-  const double pressed_m = 1e-3 * std::min(time_s / 0.3, 1.0), rubs = time_s < 1.0 ? std::sin(12.0 * time_s) : 0.0;
-  return { Vec3(2e-3 * rubs, 0.0, 2.0 * half_m.z() + fingertip_m + 5e-4 - 2.5 * pressed_m),
-    turnBy(Vec3(0.2 * rubs, 0.3 * rubs, 0.1 * rubs)) };
+  const double pressed_m = 1e-3 * std::min(time_s / 0.3, 1.0), sways = time_s < 1.0 ? std::sin(12.0 * time_s) : 0.0;
+  return { Vec3(2e-3 * sways, 0.0, 2.0 * half_m.z() + fingertip_m + 5e-4 - 2.5 * pressed_m),
+    turnBy(Vec3(0.2 * sways, 0.3 * sways, 0.1 * sways)) };
 }
 
 struct Rubbed
@@ -44,7 +44,7 @@ Rubbed rub(const HandModel& hand)
   SessionOptions options;
   options.virtualTime = true;
   auto made =
-    std::make_unique<SimulatedDevice>(*deviceModel("simulated-6d"), hand, HandPath{ { rubbingHand_W(0.0).p } });
+    std::make_unique<SimulatedDevice>(*deviceModel("simulated-6d"), hand, HandPath{ { swayingHand_W(0.0).p } });
   SimulatedDevice& device = *made;
   EXPECT_EQ(session.start(std::move(made), options), "");
   Rubbed seen;
@@ -53,7 +53,7 @@ Rubbed rub(const HandModel& hand)
   constexpr int ticks = 1600, last = 200;
   for (int i = 0; i < ticks; ++i)
   {
-    device.lead(rubbingHand_W(handTick_s * i));
+    device.lead(swayingHand_W(handTick_s * i));
     session.step(1);
     const HapticState& state = session.state();
     seen.pressed_N = std::max(seen.pressed_N, state.force_D.norm());
