@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticTouchedMechanism.h"
 
+#include "haptics/mechanism/check/BodiesOverlap.h"
+#include "haptics/session/mechanism/MechanismBodies.h"
 #include "vtkHapticHeldMechanism.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSessionInternals.h"
@@ -56,6 +58,14 @@ std::string vtkHapticTouchedMechanism::GetConstraintsWithout(const char* name)
 
 bool vtkHapticTouchedMechanism::PutBack()
 {
+  const auto felt = this->Behind().Core.feltMechanism();
+  const auto now = this->Behind().Core.state().mechanism;
+  const std::string inHand = felt && now.held ? palpate::looseInHand(felt->mechanism, now.hand_W) : "";
+  if (!inHand.empty())
+  {
+    this->Behind().Refuse("the hand is where " + inHand + " would be put back: move the hand away first");
+    return false;
+  }
   vtkHapticHeldMechanism& mechanism = this->Behind().Mechanism;
   const bool held = mechanism.BeginAgain();
   if (held)

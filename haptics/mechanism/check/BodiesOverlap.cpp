@@ -358,6 +358,21 @@ std::vector<BodyPair> overlapsOfHeld(
   return pairs;
 }
 
+std::string looseInHand(const Mechanism& mechanism, const Pose& held_W)
+{
+  Mechanism both = mechanism; // of the others no one comes back
+  std::erase_if(both.bodies,
+    [](const MechanismBody& body) { return body.kind != MechanismBodyKind::Held && !(isLoose(body) && body.mesh); });
+  const auto held = std::ranges::find(both.bodies, MechanismBodyKind::Held, &MechanismBody::kind);
+  if (held == both.bodies.end())
+  {
+    return "";
+  }
+  const Pose hand_W{ held_W.p, held_W.q * held->pose_W.q.normalized().conjugate() };
+  const std::vector<BodyPair> pairs = overlapsOfHeld(both, {}, hand_W);
+  return pairs.empty() ? "" : pairs.front().first == held->name ? pairs.front().second : pairs.front().first;
+}
+
 const std::vector<BodyPair>& OverlapWatch::look(const Mechanism& mechanism, std::span<const MechanismSoft> soft,
   std::span<const Pose> pose_W, std::span<const ConstraintPhase> phases)
 {

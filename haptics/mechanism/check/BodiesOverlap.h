@@ -32,6 +32,10 @@ using BodyPair = std::pair<std::string, std::string>;
 [[nodiscard]] std::vector<BodyPair> overlapsOfHeld(
   const Mechanism& mechanism, std::span<const MechanismSoft> soft, const Pose& hand_W = {});
 
+/// The first loose body that would lie in that which the hand holds, as it lies now, once all bodies are where they
+/// began: put back there, it would have the hand in it, without a force. "": none. Not real-time safe.
+[[nodiscard]] std::string looseInHand(const Mechanism& mechanism, const Pose& held_W);
+
 /// Likewise in a tick: rigid bodies and the held body have the poses of the last solution, soft ones the shape of their
 /// last computation. A held rod counts by its middle line, a held mesh not at all: its contacts are found. Poses
 /// between two ticks are not looked at: a body thinner than the displacement of a tick can be jumped over. Bodies that

@@ -140,8 +140,7 @@ Roundness roundness(const std::vector<NearPlace>& near, const Pose& mesh_W, doub
       round.seen_u = std::max(round.seen_u, away_u);
     }
   }
-  const double radius_u = rise > 0.0 ? 0.5 * square / rise : round.radius_u;
-  round.radius_u = radius_u < flatFrom * round.seen_u ? radius_u : round.radius_u;
+  round.radius_u = rise > 0.0 ? 0.5 * square / rise : round.radius_u;
   return round;
 }
 
@@ -319,8 +318,11 @@ double ContactFinder::apartOnSoft(const Meeting& meeting, double edge_u, const F
   const int mesh = this->meshes_[meeting.mesh].body;
   const double force_N = forceOn(static_cast<int>(meeting.other), mesh, view.presses);
   Ball& ball = body.balls[meeting.mesh];
-  const Roundness round = roundness(meeting.near, view.pose_W[static_cast<std::size_t>(mesh)],
+  Roundness round = roundness(meeting.near, view.pose_W[static_cast<std::size_t>(mesh)],
     std::max(seenEdges * edge_u, seenOfBall * ball.contact_u.value_or(0.0)));
+  // A ball that does not press yet has a contact of no size, and a loose body may lie there from the first tick on.
+  const bool flat = this->meshes_[meeting.mesh].loose && round.radius_u > flatFrom * round.seen_u;
+  round.radius_u = flat ? std::numeric_limits<double>::infinity() : round.radius_u;
   const double deep_u = -std::ranges::min_element(meeting.near, {}, &NearPlace::free_u)->free_u;
   const double deeper_u = ball.deep_u ? deep_u - *ball.deep_u : 0.0;
   ball.deep_u = deep_u;

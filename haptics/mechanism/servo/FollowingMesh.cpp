@@ -157,7 +157,7 @@ void FollowingMesh::holdTurn(const Quat& at_W) noexcept
   this->laws_.settle();
 }
 
-double FollowingMesh::shareOfTick(const ScrewStep& way) const noexcept
+double FollowingMesh::shareOfTick(const ScrewStep& way, bool freely) const noexcept
 {
   const Pose& lead_W = this->laws_.lead_W();
   const auto shareOf = [](double most, double length) { return most / std::max(most, length); };
@@ -166,9 +166,19 @@ double FollowingMesh::shareOfTick(const ScrewStep& way) const noexcept
     const double most_u = 2.0 * (way.from_W.p - lead_W.p).norm() + this->plan_.characteristic_u;
     return shareOf(most_u, way.v_W.norm());
   }
+  if (freely && !this->laws_.capped())
+  {
+    return 1.0;
+  }
   const double ofHand_u = (lead_W.p - this->state_.led.lead_W.p).norm();
   const double most_u = ofHand_u + ToolBlend::largestStep_N / this->input_.grip.coupling_N_per_u;
   return std::min(shareOf(most_u, way.v_W.norm()), shareOf(this->mostTurn_rad(), way.w_W.norm()));
+}
+
+bool FollowingMesh::isBesideLoose() const noexcept
+{
+  const auto last = this->plan_.bodies.begin() + this->plan_.bodyCount;
+  return std::any_of(this->plan_.bodies.begin(), last, [](const PlannedBody& body) { return isLoose(body); });
 }
 
 double FollowingMesh::mostTurn_rad() const noexcept

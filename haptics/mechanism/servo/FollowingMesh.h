@@ -31,8 +31,10 @@ public:
   void slowTurn() noexcept;
   /// The share of a way that the mesh goes in this tick: as far as the hand leads the mesh, and a step of the force
   /// that is felt at once. A mesh that was held by something comes free without a leap. At rest in each tick, the mesh
-  /// goes no further than past the hand.
-  [[nodiscard]] double shareOfTick(const ScrewStep& way) const noexcept;
+  /// goes no further than past the hand. `freely`: as far as the constraints bring the mesh, where they are met.
+  [[nodiscard]] double shareOfTick(const ScrewStep& way, bool freely) const noexcept;
+  /// Short of where the constraints bring it, a mesh would take momentum from a loose body that it pushes.
+  [[nodiscard]] bool isBesideLoose() const noexcept;
   /// Of a force on the hand, whitened, the part that the hand feels: where the turn was held, its own spring alone.
   [[nodiscard]] Vec6 felt(Vec6 hand_N) const noexcept;
   /// A tick that has no work left to meet its constraints brings the mesh no further into a body that stands: it goes

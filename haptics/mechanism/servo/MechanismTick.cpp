@@ -7,6 +7,7 @@
 
 #include "haptics/core/PoseMath.h"
 #include "haptics/mechanism/servo/FollowingMesh.h"
+#include "haptics/mechanism/servo/HandLead.h"
 #include "haptics/mechanism/servo/JoinedFound.h"
 #include "haptics/mechanism/servo/SettledConstraints.h"
 #include "haptics/mechanism/servo/SoftReturn.h"
@@ -286,10 +287,12 @@ private:
       return;
     }
     const bool slept = this->state_.loose[b].asleep;
-    const double away_u = (moved_W.p - this->plan_.bodies[b].pose_W.p).norm();
+    const double share = this->laws_.shareOfLoose(b);
+    const Pose before_W = this->state_.pose_W[b], at_W = share < 1.0 ? partOfWay(before_W, moved_W, share) : moved_W;
+    const double away_u = (at_W.p - this->plan_.bodies[b].pose_W.p).norm();
     this->state_.loose[b] = motionAfter(this->plan_, this->plan_.bodies[b], this->state_.loose[b],
-      { this->laws_.motion(b), this->state_.pose_W[b].q, away_u }, this->input_.dt_s);
-    this->state_.pose_W[b] = slept && this->state_.loose[b].asleep ? this->state_.pose_W[b] : moved_W;
+      { share * this->laws_.motion(b), before_W.q, away_u }, this->input_.dt_s);
+    this->state_.pose_W[b] = slept && this->state_.loose[b].asleep ? before_W : at_W;
   }
 
   void keepConstraint(int l) noexcept

@@ -16,6 +16,8 @@ constexpr int mostParts = 24; ///< in which a tick goes a longer turn, and follo
 /// Of the lever: a mismatch that turns leave between rows and bodies is reduced from there on, and reported as too
 /// large.
 constexpr double bentFrom = 5e-15, bentMost = 1e-12;
+/// Likewise in a tick: so much further a loose body goes at most in a tick that does not meet the constraints.
+constexpr double unmetOfLever = 0.01;
 /// A step that is not Newton's leaves a share of itself.
 constexpr double turnedFrom_rad = 1e-11;
 
@@ -238,6 +240,12 @@ Pose SettledConstraints::movedPose(int body) const noexcept
   Pose moved{ this->movedPlace_W(body), turnBy(turn_rad) * this->reference_[body].q };
   moved.q.normalize();
   return moved;
+}
+
+double SettledConstraints::shareOfLoose(int body) const noexcept
+{
+  const double most_u = this->loose_[body].back_u.norm() + unmetOfLever * this->plan_.characteristic_u;
+  return this->capped() ? most_u / std::max(most_u, this->motion_[body].norm()) : 1.0;
 }
 
 bool SettledConstraints::capped() const noexcept

@@ -52,6 +52,10 @@ public:
   /// From there, whitened.
   [[nodiscard]] const Vec6& motion(int body) const noexcept { return this->motion_[body]; }
 
+  /// The share of its motion that a loose body goes: forces that do not meet the constraints may be any, and change its
+  /// way by little in a tick.
+  [[nodiscard]] double shareOfLoose(int body) const noexcept;
+
   [[nodiscard]] std::uint32_t work() const noexcept { return this->work_; }
   /// A further constraint may take some work beside that of a tick.
   void allowMore() noexcept { this->budget_ += lawWorkBudget / 5; }

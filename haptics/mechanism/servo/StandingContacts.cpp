@@ -2,6 +2,7 @@
 #include "haptics/mechanism/servo/StandingContacts.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "haptics/core/PoseMath.h"
 #include "haptics/mechanism/sided/StandingBody.h"
@@ -29,7 +30,7 @@ constexpr double firstLift = 0.5, mostLift = 8.0;
 StandingContacts::StandingContacts(const MechanismInput& input, int named, MechanismPlan& joined, MechanismState& state,
   SettledConstraints& laws, FollowingMesh& mesh) noexcept
   : plan_(*input.plan), named_(named), joined_(joined), state_(state), laws_(laws), mesh_(mesh), guard_(input.meshes),
-    lift_u_(firstLift * guard_.rest_u())
+    lift_u_(firstLift * guard_.rest_u()), freely_(mesh.isBesideLoose())
 {
 }
 
@@ -47,6 +48,10 @@ void StandingContacts::goFree() noexcept
   {
     const Way way = this->wayOfTick();
     const FreeWay free = this->look(way.step);
+    if (free.spent && std::exchange(this->freely_, false))
+    {
+      continue;
+    }
     if (free.spent && this->part_ > leastPart && this->work_ < workOfTick)
     {
       this->part_ *= shorter;
@@ -54,7 +59,11 @@ void StandingContacts::goFree() noexcept
     }
     if (free.spent) // at the first look, the contacts that were found hold the mesh alone
     {
-      return;
+      if (round == 0)
+      {
+        this->stayNear();
+      }
+      return; // later on, the mesh goes as far as was proven before
     }
     this->stopsAt_ = free.share * way.share < 1.0 ? std::optional(way.step.end_W(free.share)) : std::nullopt;
     const bool last = round == mostRounds || this->laws_.work() > mostOfSolver;
@@ -67,11 +76,22 @@ void StandingContacts::goFree() noexcept
   }
 }
 
+/// Beside loose bodies constraints may bring the mesh anywhere in a tick, as nothing else is behind the body that it
+/// pushes: unproven, the mesh goes no further than others do, and stays where the constraints are not met.
+void StandingContacts::stayNear() noexcept
+{
+  if (this->mesh_.isBesideLoose())
+  {
+    this->part_ = 1.0;
+    this->stopsAt_ = this->wayOfTick().step.end_W(this->laws_.capped() ? 0.0 : 1.0);
+  }
+}
+
 StandingContacts::Way StandingContacts::wayOfTick() const noexcept
 {
   const int held = this->plan_.held;
   Way way{ wayOf(this->state_.pose_W[held], this->laws_.movedPose(held)), this->part_ };
-  way.share *= this->mesh_.shareOfTick(way.step);
+  way.share *= this->mesh_.shareOfTick(way.step, this->freely_);
   way.step.v_W *= way.share;
   way.step.w_W *= way.share;
   return way;
@@ -79,7 +99,8 @@ StandingContacts::Way StandingContacts::wayOfTick() const noexcept
 
 FreeWay StandingContacts::look(const ScrewStep& way) noexcept
 {
-  const std::uint64_t granted = std::min(workOfLook, workOfTick - std::min(workOfTick, this->work_));
+  const std::uint64_t most = this->freely_ ? workOfLook / 2 : workOfLook;
+  const std::uint64_t granted = std::min(most, workOfTick - std::min(workOfTick, this->work_));
   WorkBudget budget(granted);
   const FreeWay free = this->guard_.look(way, budget);
   this->work_ += granted - budget.left();

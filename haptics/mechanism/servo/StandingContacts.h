@@ -48,6 +48,7 @@ private:
     double share = 1.0;
   };
   [[nodiscard]] Way wayOfTick() const noexcept;
+  void stayNear() noexcept;
   [[nodiscard]] FreeWay look(const ScrewStep& way) noexcept;
   void settle() noexcept;
   void settleSmooth() noexcept;
@@ -69,6 +70,7 @@ private:
   StandingGuard guard_;
   double lift_u_;
   double part_ = 1.0; ///< of the motion
+  bool freely_;       ///< the mesh goes as far as the constraints bring it, while that can be proven
   bool smooth_ = false;
   std::uint64_t work_ = 0;
   std::array<Instead, most> instead_;

@@ -164,9 +164,7 @@ void MechanismBodies::gatherMeshes(const Mechanism& mechanism, const MechanismPl
     surface.material.frictionStatic = surface.material.frictionKinetic = foundFrictionOf(mechanism, body);
     surfaces.push_back(std::move(surface));
   };
-  // A mesh that stops short of where the constraints bring it would take momentum from a loose body that it pushes.
-  const bool anyLoose = std::ranges::any_of(mechanism.bodies, [](const MechanismBody& body) { return isLoose(body); });
-  const bool holds = !anyLoose && plan.held >= 0 && mechanism.bodies[static_cast<std::size_t>(plan.held)].mesh;
+  const bool holds = plan.held >= 0 && mechanism.bodies[static_cast<std::size_t>(plan.held)].mesh;
   if (holds && mechanism.findsContacts)
   {
     add(mechanism.bodies[static_cast<std::size_t>(plan.held)]);

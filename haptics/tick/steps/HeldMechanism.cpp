@@ -100,9 +100,12 @@ double feltLever_m(const TickContext& tick, double lever_m) noexcept
   return farthest_u > 0.0 ? std::min(lever_m, farthest_u / tick.p.map.scale_u_per_m) : lever_m;
 }
 
-/// Force and torque as the stretch of a plain spring of the coupling's stiffness.
-void pull(TickContext& tick, const MechanismResult& result, double lever_m) noexcept
+/// Force and torque as the stretch of a plain spring of the coupling's stiffness. Of a spring that keeps a mesh
+/// upright, whose lever is far longer than the mesh, the hand feels the turn by the spring of the lever that is felt:
+/// damper and limits hold for no stiffer one.
+void pull(TickContext& tick, const MechanismResult& result, double ofSpring_m) noexcept
 {
+  const double lever_m = feltLever_m(tick, ofSpring_m);
   const double scale_u_per_m = tick.p.map.scale_u_per_m;
   const double stiffness_N_per_m = tick.out.state.stiffness_N_per_m;
   const bool pulls = stiffness_N_per_m > 0.0;
@@ -111,7 +114,9 @@ void pull(TickContext& tick, const MechanismResult& result, double lever_m) noex
   tick.stretch_m = std::sqrt(2.0 * std::max(result.stored_Nu, 0.0) / scale_u_per_m * perNewton_m);
   if (lever_m > 0.0)
   {
-    const Vec3 turned_W = perNewton_m / (scale_u_per_m * lever_m) * result.wrench_W.torque;
+    constexpr double farLonger = 2.0;
+    const double times = ofSpring_m / lever_m, share = times > farLonger ? 1.0 / (times * times) : 1.0;
+    const Vec3 turned_W = share * perNewton_m / (scale_u_per_m * lever_m) * result.wrench_W.torque;
     tick.turn = { tick.p.map.directionToDevice(turned_W), Tool::turning_D(tick, lever_m), lever_m };
   }
 }
@@ -242,7 +247,7 @@ void HeldMechanism::step(TickContext& tick) noexcept
   takePlan(tick);
   breakConstraints(tick);
   const MechanismResult& result = compute(tick, lever_m);
-  pull(tick, result, feltLever_m(tick, lever_m));
+  pull(tick, result, lever_m);
   tell(tick, result, tick.out.state);
   tellChanges(tick, result, tick.out.state.mechanism);
   tick.out.state.mechanism.age_s = age_s(tick, result);

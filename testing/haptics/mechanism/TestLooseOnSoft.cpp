@@ -31,7 +31,8 @@ struct StoneOnPad
     this->body.name = "stone";
     this->body.kind = MechanismBodyKind::Rigid;
     this->body.halfSize_u = halfOfStone_m;
-    this->body.pose_W.p = middleOfPad() + (halfOfStone_m.z() + above_m) * Vec3::UnitZ();
+    this->body.pose_W.p = middleOfPad() + halfOfStone_m.z() * Vec3::UnitZ();
+    this->body.pose_W.p.z() += above_m;
     EXPECT_EQ(giveMass(this->body, density_kg_per_m3, 1.0).refusal, "");
     this->body.load_W = -this->weight_N() * Vec3::UnitZ();
     this->inputs.mechanism.bodies.push_back(this->body);
@@ -126,10 +127,9 @@ TEST(LooseOnSoft, AStoneThatFallsGainsNoEnergy)
 TEST(LooseOnSoft, AFlatSideIsFlatWithinRounding)
 {
   double least_N = 1e9, most_N = 0.0;
-  for (const double off_m : { 0.0, 1e-17, 7e-18, -1.4e-17, 2.1e-17 })
+  for (int k = -4; k <= 4; ++k)
   {
-    StoneOnPad scene(7800.0, 50e3, 1e-4);
-    scene.inputs.mechanism.bodies.back().pose_W.p.z() += off_m;
+    StoneOnPad scene(7800.0, 50e3, 1e-4 + 7e-18 * k); // the last bit of a place there
     MeshTouch touch(scene.inputs, firmHold(30.0));
     double force_N = 0.0;
     for (int i = 0; i < 20; ++i)

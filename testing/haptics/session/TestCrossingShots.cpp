@@ -9,6 +9,7 @@
 
 #include "haptics/compliance/snapshot/PointCompliance.h"
 #include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/BodyMass.h"
 #include "testing/haptics/mechanism/HeldMesh.h"
 #include "testing/haptics/tool/CrossingJudge.h"
 #include "testing/support/Random.h"
@@ -156,6 +157,67 @@ TEST(CrossingShots, AtMeshesThatStandMeetNoneOfTheirTriangles)
         [&](const Pose& hand_W)
         {
           const MechanismResult& r = touch.to(hand_W);
+          meets = meets || r.exact_W.force.norm() > 0.1;
+          crossings += judge.crossings(r.pose_W[0].p, r.pose_W[0].q.toRotationMatrix());
+        });
+      pressed += meets ? 1 : 0;
+    }
+    ASSERT_EQ(crossings, 0U) << "hand " << hand;
+  }
+  EXPECT_GT(pressed, count / 3);
+}
+
+/// A tool above a thin wall on which a loose stone lies.
+MechanismInputs beforeStoneOnWall(const TriangleMesh& tool, const TriangleMesh& wall, double friction)
+{
+  MechanismInputs inputs;
+  MechanismBody held, standing, stone;
+  held.name = "tool";
+  held.kind = MechanismBodyKind::Held;
+  held.mesh = heldMesh(tool);
+  standing.name = "wall";
+  standing.mesh = heldMesh(wall);
+  stone.name = "stone";
+  stone.kind = MechanismBodyKind::Rigid;
+  stone.halfSize_u = Vec3(0.01, 0.008, 0.005);
+  stone.pose_W.p = overTarget + stone.halfSize_u.z() * Vec3::UnitZ();
+  EXPECT_EQ(giveMass(stone, 2500.0, 1.0).refusal, "");
+  stone.load_W = -9.81 * stone.mass.mass_Ns2_per_u * Vec3::UnitZ();
+  inputs.mechanism.bodies = { held, standing, stone };
+  inputs.mechanism.findsContacts = true;
+  inputs.mechanism.foundFriction = friction;
+  return inputs;
+}
+
+/// The hand aims at the stone while it is over the wall: the tool may have the stone between the wall and itself.
+TEST(CrossingShots, AtALooseStoneMeetNoTriangleOfTheWallThatItLiesOn)
+{
+  constexpr int stone = 2;
+  const Vec3 half(0.06, 0.06, 0.003);
+  const TriangleMesh wall = makeBox(overTarget - half, overTarget + Vec3(half.x(), half.y(), 0.0));
+  Random random(testSeed(347));
+  const std::vector<TriangleMesh> tools = shotTools();
+  const std::size_t count = testCount(90);
+  std::size_t pressed = 0, crossings = 0;
+  for (std::size_t hand = 0; hand * shotsOfAHand < count; ++hand)
+  {
+    const TriangleMesh& tool = tools[hand % tools.size()];
+    const ToolMesh whole = makeTool(tool).value;
+    const CrossingJudge judge(*whole.shape_B, *makeToolScene(cleanMesh(wall).mesh, whole), 0);
+    MeshTouch touch(beforeStoneOnWall(tool, wall, random.uniform() < 0.5 ? 0.3 : 0.0),
+      shotHold(200.0, turnings_N_m_per_rad[random.below(turnings_N_m_per_rad.size())]));
+    ShootingHand shooting(overTarget + Vec3(0, 0, 0.05));
+    Vec3 stone_W = overTarget;
+    for (std::size_t s = 0; s < shotsOfAHand; ++s)
+    {
+      const bool lies = ((stone_W - overTarget).array().abs() < half.array() + 0.02).all();
+      const Vec3 over = lies ? Vec3(stone_W.x(), stone_W.y(), overTarget.z()) : overTarget;
+      bool meets = false;
+      shooting.shoot(randomShot(random, over, 0.01),
+        [&](const Pose& hand_W)
+        {
+          const MechanismResult& r = touch.to(hand_W);
+          stone_W = r.pose_W[stone].p;
           meets = meets || r.exact_W.force.norm() > 0.1;
           crossings += judge.crossings(r.pose_W[0].p, r.pose_W[0].q.toRotationMatrix());
         });

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/check/BodiesOverlap.h"
 #include "haptics/recording/Recording.h"
 #include "testing/haptics/session/LooseStones.h"
 #include "testing/support/TemporaryFolder.h"
@@ -363,6 +364,23 @@ TEST(LooseSources, PutBackIsWhereItsSourceIs)
   EXPECT_TRUE(hand.session.putBack());
   hand.at(away, 200);
   EXPECT_LE((hand.middleOf("stone") - Vec3(0, 0, half_m.z())).norm(), 1e-6);
+}
+
+TEST(LooseSources, TheHandThatIsWhereOneWouldBePutBackIsKnown)
+{
+  FreeHand hand(0.3);
+  hand.session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
+  hand.session.setLoose(stones());
+  const auto inHand = [&]
+  { return looseInHand(hand.session.feltMechanism()->mechanism, hand.session.state().mechanism.hand_W); };
+  (void)pushed_N(hand, 2.0); // by 9 cm: the hand is then where the stone's front was
+  ASSERT_GT(hand.middleOf("stone").x() - half_m.x(), half_m.x()) << "the stone has left its place";
+  EXPECT_EQ(inHand(), "");
+  const double inside_m = 1e-4;
+  hand.at(Vec3(half_m.x() + fingertip_m - inside_m, 0.0, half_m.z()), 200);
+  EXPECT_EQ(inHand(), "stone");
+  hand.at(Vec3(half_m.x() + fingertip_m + inside_m, 0.0, half_m.z()), 200);
+  EXPECT_EQ(inHand(), "");
 }
 
 TEST(LooseSources, OneThatIsDeletedWhileItIsPressedLeavesTheHandWithoutAJump)
