@@ -105,7 +105,8 @@ TEST_P(BarOnBed, MeetsItWhereTheGapClosesAndBearsWhatAWholeSolveOfBothSays)
   WholeBar whole(bar({ 5 * through, 2 * through, through }));
   whole.standOn(WholeBar(lower, [](const Vec3& p)
     { return p.z() > -gap_m - 1e-9 && p.x() < barSize.x() + 1e-9 && p.y() > -1e-9 && p.y() < barSize.y() + 1e-9; }));
-  // The mean gap of a part closes after that of its nearest vertex, and a step brings the free end further than the hand.
+  // The mean gap of a part closes after that of its nearest vertex, and a step brings the free end further than the
+  // hand.
   constexpr double closes_m = 1e-4;
   bool met = false;
   double before_m = gap_m, worst_N = 0.0, most_N = 0.0;
@@ -163,6 +164,30 @@ TEST(BarOnBed, IsHeldByFrictionWithinItsConeAndSlipsAtItsEdge)
   }
   EXPECT_LE(mostOut_N, 1e-9);
   EXPECT_GT(slips, 100);
+}
+
+TEST(BarOnBed, InOneAnotherAreRefusedByTheirNamesAndNotNamedOnceTheyArePressed)
+{
+  MechanismInputs inputs = onBarAndBed(2);
+  const auto refusal = [&inputs](double up_m)
+  {
+    SoftBodyInput lifted = bed(2);
+    for (Vec3& p : lifted.mesh.vertices_W)
+    {
+      p.z() += up_m;
+    }
+    inputs.soft[1].input = std::make_shared<const SoftBodyInput>(lifted);
+    std::string said;
+    (void)MechanismTouch::make(inputs, firmHold(), said);
+    return said;
+  };
+  EXPECT_EQ(refusal(gap_m), "") << "bodies may touch";
+  EXPECT_EQ(refusal(gap_m + 1e-3), "bar and bed lie in one another: move one of them.");
+  MeshTouch touch(onBarAndBed(2), firmHold());
+  EXPECT_TRUE(std::ranges::none_of(
+    touch.touch().check().remarks, [](const std::string& remark) { return remark.find("bed") != std::string::npos; }));
+  EXPECT_GT(sumOn(touch.to(Vec3(aboveBar - Vec3(0, 0, 4e-3)), 1e-3, 300), 1).norm(), 0.1);
+  EXPECT_TRUE(touch.touch().overlaps().empty());
 }
 
 TEST(BarOnBed, GivesAHandNoMoreThanItStored)
