@@ -390,17 +390,20 @@ void ContactFinder::forget(const std::vector<Meeting>& met)
   }
 }
 
-/// Where bodies are loose, pairs that touch come first and share all the room: those that only may meet take none of
-/// it.
-std::size_t ContactFinder::touchingFirst(std::vector<Meeting>& met) const
+/// Where bodies are loose, or two soft ones may meet, pairs that touch come first and share all the room: those that
+/// only may meet take none of it.
+std::size_t ContactFinder::touchingFirst(std::vector<Meeting>& met, const FinderView& view) const
 {
   const bool loose = std::ranges::any_of(met, [this](const Meeting& meeting) { return this->isOfLoose(meeting); });
-  const auto touches = [this](const Meeting& meeting)
+  const bool soft = std::ranges::any_of(met, [this](const Meeting& meeting) { return this->isOfSoft(meeting); });
+  const auto touches = [&](const Meeting& meeting)
   {
     const double gap_u = std::ranges::min_element(meeting.near, {}, &NearPlace::gap_u)->gap_u;
-    return gap_u <= nearlyTouching * this->surfaceOf(meeting.mesh).diagonal_u;
+    const double soon_u = (this->isHeld(meeting.mesh) ? view.held : view.standing).touches_u;
+    const double nearly_u = nearlyTouching * this->surfaceOf(meeting.mesh).diagonal_u;
+    return gap_u <= (loose ? nearly_u : std::max(nearly_u, soon_u));
   };
-  const auto others = loose ? std::stable_partition(met.begin(), met.end(), touches) : met.end();
+  const auto others = loose || soft ? std::stable_partition(met.begin(), met.end(), touches) : met.end();
   return static_cast<std::size_t>(others - met.begin());
 }
 
@@ -416,7 +419,7 @@ const FoundContacts& ContactFinder::find(const FinderView& view)
     found.held_W = view.pose_W[static_cast<std::size_t>(this->held_)];
   }
   this->forget(met);
-  const std::size_t touching = this->touchingFirst(met);
+  const std::size_t touching = this->touchingFirst(met, view);
   for (std::size_t i = 0; i < met.size(); ++i)
   {
     const Meeting& meeting = met[i];

@@ -214,6 +214,40 @@ TEST(BarOnBed, GivesAHandNoMoreThanItStored)
   EXPECT_GE(least_J, -5e-3);
 }
 
+/// The surface of a body, as the finder has it.
+std::shared_ptr<const SidedSurface> surfaceOf(const PressedBody& body)
+{
+  return makeSided(body.scene->surfaces()[body.touch.surface].tree);
+}
+
+TEST(NearPlaces, OfTwoSoftBodiesAreJudgedWithoutTheForcesBetweenThem)
+{
+  // Without the contact the load brings the upper block down by P h / (E A), and nothing presses the lower one.
+  PairAlone pair(blocksOf({ 8, 1.0 }, 0.0));
+  const MechanismResult r = pair.rest(6);
+  const PressedBody &upper = *pair.bodies().newest()[0], &lower = *pair.bodies().newest()[1];
+  const auto mesh = surfaceOf(upper), other = surfaceOf(lower);
+  const std::span presses(r.presses.data(), static_cast<std::size_t>(r.pressCount));
+  PairView view{ *mesh, {}, *other, &lower, 0, 1, 1, 1e-3, presses };
+  view.softMesh = &upper;
+  view.other_i = 2;
+  const double deep_m = pressed_N * high_m / (soft_Pa * pairWide_m * pairWide_m);
+  const std::vector<NearPlace> near = nearPlaces(view);
+  ASSERT_GT(near.size(), 50u);
+  for (const NearPlace& place : near)
+  {
+    EXPECT_NEAR(place.free_u, -deep_m, 1e-3 * deep_m); // along normals of faces that the forces bend
+    EXPECT_GT(place.gap_u, -0.3 * deep_m) << "with the forces they hardly overlap";
+  }
+  const FoundContacts& found = pair.bodies().found();
+  for (int i = 0; i < found.count; ++i)
+  {
+    const FoundContact& contact = found.contacts[static_cast<std::size_t>(i)];
+    EXPECT_EQ(contact.point_A, upper.snapshot->free_W[contact.place_A.vertices[0]]);
+    EXPECT_EQ(contact.place_B.x_W, lower.snapshot->free_W[contact.place_B.vertices[0]]);
+  }
+}
+
 TEST(NearPlaces, BetweenTwoSoftBodiesHaveTheirGapAndBothTheirPlaces)
 {
   constexpr double apart_m = 1e-3;
@@ -225,8 +259,6 @@ TEST(NearPlaces, BetweenTwoSoftBodiesHaveTheirGapAndBothTheirPlaces)
   blocks.front().load_N.clear();
   PairAlone pair(blocks);
   const PressedBody &upper = *pair.bodies().first()[0], &lower = *pair.bodies().first()[1];
-  const auto surfaceOf = [](const PressedBody& body)
-  { return makeSided(body.scene->surfaces()[body.touch.surface].tree); };
   const auto mesh = surfaceOf(upper), other = surfaceOf(lower);
   PairView view{ *mesh, {}, *other, &lower, 0, 1, 1, 2.0 * apart_m, {} };
   view.softMesh = &upper;
