@@ -39,6 +39,8 @@ constexpr double acrossBall = 2.2;
 /// Of the size of the mesh in the hand: contacts with a mesh that stands are no further apart, however large the
 /// triangles of that are.
 constexpr double apartOfHeld = 0.1;
+/// Of the share of a tick's contacts for two soft bodies: that of a rigid mesh with another body.
+constexpr std::size_t weightOfMesh = 2;
 /// Of a mesh's size: pairs with a loose body that are no further apart touch, or will soon.
 constexpr double nearlyTouching = 0.01;
 
@@ -424,9 +426,15 @@ const FoundContacts& ContactFinder::find(const FinderView& view)
   {
     const Meeting& meeting = met[i];
     this->watch(meeting);
-    // Pairs that follow have an even share at least, and all that is left over.
-    const std::size_t left = (i < touching ? touching : met.size()) - i;
-    const std::size_t share = (this->most_ - static_cast<std::size_t>(found.count)) / left;
+    // Pairs that follow have an even share at least, and all that is left over. Two soft bodies press parts, of which
+    // fewer do as well.
+    const auto weightOf = [this](const Meeting& of) { return this->isOfSoft(of) ? std::size_t{ 1 } : weightOfMesh; };
+    std::size_t left = 0;
+    for (std::size_t k = i; k < (i < touching ? touching : met.size()); ++k)
+    {
+      left += weightOf(met[k]);
+    }
+    const std::size_t share = weightOf(meeting) * (this->most_ - static_cast<std::size_t>(found.count)) / left;
     const PlaceRoom room{ share, i + 1 < met.size() ? (share + 1) / 2 : share };
     if (this->softMeshOf(meeting))
     {

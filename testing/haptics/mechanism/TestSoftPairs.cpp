@@ -86,11 +86,11 @@ INSTANTIATE_TEST_SUITE_P(Each, SoftPairs,
 const Vec3 aboveBar(0.08, 0.02, barSize.z() + 0.015);
 constexpr double step_m = 1e-4;
 
-/// Cells through the bar, rate of its snapshots [Hz], share of the largest force that a contact may be off.
+/// Cells through the bar, rate of its snapshots [Hz]; 0: at rest in each tick.
 struct BedCase
 {
   int through = 0;
-  double rate_Hz = 0.0, off = 0.0;
+  double rate_Hz = 0.0;
 };
 
 class BarOnBed : public testing::TestWithParam<BedCase>
@@ -99,7 +99,7 @@ class BarOnBed : public testing::TestWithParam<BedCase>
 
 TEST_P(BarOnBed, MeetsItWhereTheGapClosesAndBearsWhatAWholeSolveOfBothSays)
 {
-  const auto [through, rate_Hz, off] = GetParam();
+  const auto [through, rate_Hz] = GetParam();
   MeshTouch touch(onBarAndBed(through), firmHold(rate_Hz));
   const SoftBodyInput lower = bed(through);
   WholeBar whole(bar({ 5 * through, 2 * through, through }));
@@ -128,12 +128,11 @@ TEST_P(BarOnBed, MeetsItWhereTheGapClosesAndBearsWhatAWholeSolveOfBothSays)
   }
   EXPECT_TRUE(met);
   EXPECT_GT(most_N, 3.0);
-  EXPECT_LE(worst_N, off * most_N);
+  // The tool's force is spread over a patch here and acts on a vertex there, as on the bar above a rigid block.
+  EXPECT_LE(worst_N, 0.02 * barSize.z() / through / 0.005 * most_N);
 }
 
-// Half the edges, a third of the error.
-INSTANTIATE_TEST_SUITE_P(
-  Each, BarOnBed, testing::Values(BedCase{ 2, 0.0, 0.03 }, BedCase{ 4, 0.0, 0.01 }, BedCase{ 4, 30.0, 0.01 }));
+INSTANTIATE_TEST_SUITE_P(Each, BarOnBed, testing::Values(BedCase{ 2, 0.0 }, BedCase{ 4, 0.0 }, BedCase{ 4, 30.0 }));
 
 TEST(BarOnBed, IsHeldByFrictionWithinItsConeAndSlipsAtItsEdge)
 {
