@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "haptics/compliance/servo/PressedBody.h"
-#include "haptics/compliance/snapshot/PressedPart.h"
+#include "haptics/compliance/snapshot/SpreadPatches.h"
 #include "haptics/mechanism/FoundContacts.h"
 #include "haptics/mechanism/servo/MechanismTick.h"
 #include "haptics/mechanism/sided/SidedSurface.h"
