@@ -7,7 +7,6 @@
 #include "haptics/compliance/snapshot/BallDepth.h"
 #include "haptics/compliance/snapshot/ComplianceCache.h"
 #include "haptics/compliance/snapshot/ComplianceSnapshot.h"
-#include "haptics/compliance/snapshot/PressedPart.h"
 #include "haptics/compliance/snapshot/SoftSurface.h"
 
 namespace palpate

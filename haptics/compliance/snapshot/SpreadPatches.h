@@ -9,6 +9,15 @@
 namespace palpate
 {
 
+/// A part of the surface of a soft body that a contact presses with an even pressure, in place of the patch of a
+/// vertex.
+struct PressedPart
+{
+  std::uint32_t at = 0; ///< forces on this vertex act on the part, whose mean displacement is the vertex's
+  std::vector<std::uint32_t> vertices; ///< of the part
+  std::vector<double> shares;          ///< of the force on each, above 0, which add up to 1
+};
+
 /// The patches of a surface under contacts of some width: each as wide as its edges require, and at least as wide as
 /// `spread_u`. Made on demand. Used by a worker.
 class SpreadPatches

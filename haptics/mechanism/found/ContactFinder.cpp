@@ -41,6 +41,8 @@ constexpr double acrossBall = 2.2;
 /// Of the size of the mesh in the hand: contacts with a mesh that stands are no further apart, however large the
 /// triangles of that are.
 constexpr double apartOfHeld = 0.1;
+/// Of the share of a tick's contacts for two soft bodies: that of a rigid mesh with another body.
+constexpr std::size_t weightOfMesh = 2;
 /// Of a mesh's size: pairs with a loose body that are no further apart touch, or will soon.
 constexpr double nearlyTouching = 0.01;
 
@@ -395,17 +397,20 @@ void ContactFinder::forget(const std::vector<Meeting>& met)
   }
 }
 
-/// Where bodies are loose, pairs that touch come first and share all the room: those that only may meet take none of
-/// it.
-std::size_t ContactFinder::touchingFirst(std::vector<Meeting>& met) const
+/// Where bodies are loose, or two soft ones may meet, pairs that touch come first and share all the room: those that
+/// only may meet take none of it.
+std::size_t ContactFinder::touchingFirst(std::vector<Meeting>& met, const FinderView& view) const
 {
   const bool loose = std::ranges::any_of(met, [this](const Meeting& meeting) { return this->isOfLoose(meeting); });
-  const auto touches = [this](const Meeting& meeting)
+  const bool soft = std::ranges::any_of(met, [this](const Meeting& meeting) { return this->isOfSoft(meeting); });
+  const auto touches = [&](const Meeting& meeting)
   {
     const double gap_u = std::ranges::min_element(meeting.near, {}, &NearPlace::gap_u)->gap_u;
-    return gap_u <= nearlyTouching * this->surfaceOf(meeting.mesh).diagonal_u;
+    const double soon_u = (this->isHeld(meeting.mesh) ? view.held : view.standing).touches_u;
+    const double nearly_u = nearlyTouching * this->surfaceOf(meeting.mesh).diagonal_u;
+    return gap_u <= (loose ? nearly_u : std::max(nearly_u, soon_u));
   };
-  const auto others = loose ? std::stable_partition(met.begin(), met.end(), touches) : met.end();
+  const auto others = loose || soft ? std::stable_partition(met.begin(), met.end(), touches) : met.end();
   return static_cast<std::size_t>(others - met.begin());
 }
 
@@ -421,14 +426,20 @@ const FoundContacts& ContactFinder::find(const FinderView& view)
     found.held_W = view.pose_W[static_cast<std::size_t>(this->held_)];
   }
   this->forget(met);
-  const std::size_t touching = this->touchingFirst(met);
+  const std::size_t touching = this->touchingFirst(met, view);
   for (std::size_t i = 0; i < met.size(); ++i)
   {
     const Meeting& meeting = met[i];
     this->watch(meeting);
-    // Pairs that follow have an even share at least, and all that is left over.
-    const std::size_t left = (i < touching ? touching : met.size()) - i;
-    const std::size_t share = (this->most_ - static_cast<std::size_t>(found.count)) / left;
+    // Pairs that follow have an even share at least, and all that is left over. Two soft bodies press parts, of which
+    // fewer do as well.
+    const auto weightOf = [this](const Meeting& of) { return this->isOfSoft(of) ? std::size_t{ 1 } : weightOfMesh; };
+    std::size_t left = 0;
+    for (std::size_t k = i; k < (i < touching ? touching : met.size()); ++k)
+    {
+      left += weightOf(met[k]);
+    }
+    const std::size_t share = weightOf(meeting) * (this->most_ - static_cast<std::size_t>(found.count)) / left;
     const PlaceRoom room{ share, i + 1 < met.size() ? (share + 1) / 2 : share };
     if (this->softMeshOf(meeting))
     {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "haptics/compliance/servo/PressedBody.h"
-#include "haptics/compliance/snapshot/PressedPart.h"
+#include "haptics/compliance/snapshot/SpreadPatches.h"
 #include "haptics/mechanism/FoundContacts.h"
 #include "haptics/mechanism/servo/MechanismTick.h"
 #include "haptics/mechanism/sided/SidedSurface.h"
@@ -172,10 +172,11 @@ private:
   {
     return mesh < this->meshes_.size() && this->meshes_[mesh].body == this->held_;
   }
+  [[nodiscard]] bool isOfSoft(const Meeting& meeting) const noexcept { return meeting.mesh >= this->meshes_.size(); }
   /// The soft body whose surface the mesh of a meeting is; null: a rigid body's.
   [[nodiscard]] Body* softMeshOf(const Meeting& meeting) noexcept
   {
-    return meeting.mesh < this->meshes_.size() ? nullptr : &this->bodies_[meeting.mesh - this->meshes_.size()];
+    return this->isOfSoft(meeting) ? &this->bodies_[meeting.mesh - this->meshes_.size()] : nullptr;
   }
   [[nodiscard]] const SidedSurface& surfaceOf(std::size_t mesh) const noexcept
   {
@@ -189,7 +190,7 @@ private:
   [[nodiscard]] std::vector<Meeting> meetings(const FinderView& view) const;
   /// Of two soft bodies.
   [[nodiscard]] Meeting meetingOfSoft(std::size_t first, std::size_t second, int pair, const FinderView& view) const;
-  [[nodiscard]] std::size_t touchingFirst(std::vector<Meeting>& met) const;
+  [[nodiscard]] std::size_t touchingFirst(std::vector<Meeting>& met, const FinderView& view) const;
   void forget(const std::vector<Meeting>& met);
   /// Least distance between contacts, from the edges of the soft body there and the roundness of the mesh.
   [[nodiscard]] double apartOnSoft(const Meeting& meeting, double edge_u, const FinderView& view, bool isFirst);

@@ -86,11 +86,11 @@ INSTANTIATE_TEST_SUITE_P(Each, SoftPairs,
 const Vec3 aboveBar(0.08, 0.02, barSize.z() + 0.015);
 constexpr double step_m = 1e-4;
 
-/// Cells through the bar, rate of its snapshots [Hz], share of the largest force that a contact may be off.
+/// Cells through the bar, rate of its snapshots [Hz]; 0: at rest in each tick.
 struct BedCase
 {
   int through = 0;
-  double rate_Hz = 0.0, off = 0.0;
+  double rate_Hz = 0.0;
 };
 
 class BarOnBed : public testing::TestWithParam<BedCase>
@@ -99,13 +99,14 @@ class BarOnBed : public testing::TestWithParam<BedCase>
 
 TEST_P(BarOnBed, MeetsItWhereTheGapClosesAndBearsWhatAWholeSolveOfBothSays)
 {
-  const auto [through, rate_Hz, off] = GetParam();
+  const auto [through, rate_Hz] = GetParam();
   MeshTouch touch(onBarAndBed(through), firmHold(rate_Hz));
   const SoftBodyInput lower = bed(through);
   WholeBar whole(bar({ 5 * through, 2 * through, through }));
   whole.standOn(WholeBar(lower, [](const Vec3& p)
     { return p.z() > -gap_m - 1e-9 && p.x() < barSize.x() + 1e-9 && p.y() > -1e-9 && p.y() < barSize.y() + 1e-9; }));
-  // The mean gap of a part closes after that of its nearest vertex, and a step brings the free end further than the hand.
+  // The mean gap of a part closes after that of its nearest vertex, and a step brings the free end further than the
+  // hand.
   constexpr double closes_m = 1e-4;
   bool met = false;
   double before_m = gap_m, worst_N = 0.0, most_N = 0.0;
@@ -127,12 +128,11 @@ TEST_P(BarOnBed, MeetsItWhereTheGapClosesAndBearsWhatAWholeSolveOfBothSays)
   }
   EXPECT_TRUE(met);
   EXPECT_GT(most_N, 3.0);
-  EXPECT_LE(worst_N, off * most_N);
+  // The tool's force is spread over a patch here and acts on a vertex there, as on the bar above a rigid block.
+  EXPECT_LE(worst_N, 0.02 * barSize.z() / through / 0.005 * most_N);
 }
 
-// Half the edges, a third of the error.
-INSTANTIATE_TEST_SUITE_P(
-  Each, BarOnBed, testing::Values(BedCase{ 2, 0.0, 0.03 }, BedCase{ 4, 0.0, 0.01 }, BedCase{ 4, 30.0, 0.01 }));
+INSTANTIATE_TEST_SUITE_P(Each, BarOnBed, testing::Values(BedCase{ 2, 0.0 }, BedCase{ 4, 0.0 }, BedCase{ 4, 30.0 }));
 
 TEST(BarOnBed, IsHeldByFrictionWithinItsConeAndSlipsAtItsEdge)
 {
@@ -165,6 +165,30 @@ TEST(BarOnBed, IsHeldByFrictionWithinItsConeAndSlipsAtItsEdge)
   EXPECT_GT(slips, 100);
 }
 
+TEST(BarOnBed, InOneAnotherAreRefusedByTheirNamesAndNotNamedOnceTheyArePressed)
+{
+  MechanismInputs inputs = onBarAndBed(2);
+  const auto refusal = [&inputs](double up_m)
+  {
+    SoftBodyInput lifted = bed(2);
+    for (Vec3& p : lifted.mesh.vertices_W)
+    {
+      p.z() += up_m;
+    }
+    inputs.soft[1].input = std::make_shared<const SoftBodyInput>(lifted);
+    std::string said;
+    (void)MechanismTouch::make(inputs, firmHold(), said);
+    return said;
+  };
+  EXPECT_EQ(refusal(gap_m), "") << "bodies may touch";
+  EXPECT_EQ(refusal(gap_m + 1e-3), "bar and bed lie in one another: move one of them.");
+  MeshTouch touch(onBarAndBed(2), firmHold());
+  EXPECT_TRUE(std::ranges::none_of(
+    touch.touch().check().remarks, [](const std::string& remark) { return remark.find("bed") != std::string::npos; }));
+  EXPECT_GT(sumOn(touch.to(Vec3(aboveBar - Vec3(0, 0, 4e-3)), 1e-3, 300), 1).norm(), 0.1);
+  EXPECT_TRUE(touch.touch().overlaps().empty());
+}
+
 TEST(BarOnBed, GivesAHandNoMoreThanItStored)
 {
   // A hand of .1 kg on a spring and a damper goes down, along and up, twice, at 30 answers a second.
@@ -189,6 +213,40 @@ TEST(BarOnBed, GivesAHandNoMoreThanItStored)
   EXPECT_GE(least_J, -5e-3);
 }
 
+/// The surface of a body, as the finder has it.
+std::shared_ptr<const SidedSurface> surfaceOf(const PressedBody& body)
+{
+  return makeSided(body.scene->surfaces()[body.touch.surface].tree);
+}
+
+TEST(NearPlaces, OfTwoSoftBodiesAreJudgedWithoutTheForcesBetweenThem)
+{
+  // Without the contact the load brings the upper block down by P h / (E A), and nothing presses the lower one.
+  PairAlone pair(blocksOf({ 8, 1.0 }, 0.0));
+  const MechanismResult r = pair.rest(6);
+  const PressedBody &upper = *pair.bodies().newest()[0], &lower = *pair.bodies().newest()[1];
+  const auto mesh = surfaceOf(upper), other = surfaceOf(lower);
+  const std::span presses(r.presses.data(), static_cast<std::size_t>(r.pressCount));
+  PairView view{ *mesh, {}, *other, &lower, 0, 1, 1, 1e-3, presses };
+  view.softMesh = &upper;
+  view.other_i = 2;
+  const double deep_m = pressed_N * high_m / (soft_Pa * pairWide_m * pairWide_m);
+  const std::vector<NearPlace> near = nearPlaces(view);
+  ASSERT_GT(near.size(), 50u);
+  for (const NearPlace& place : near)
+  {
+    EXPECT_NEAR(place.free_u, -deep_m, 1e-3 * deep_m); // along normals of faces that the forces bend
+    EXPECT_GT(place.gap_u, -0.3 * deep_m) << "with the forces they hardly overlap";
+  }
+  const FoundContacts& found = pair.bodies().found();
+  for (int i = 0; i < found.count; ++i)
+  {
+    const FoundContact& contact = found.contacts[static_cast<std::size_t>(i)];
+    EXPECT_EQ(contact.point_A, upper.snapshot->free_W[contact.place_A.vertices[0]]);
+    EXPECT_EQ(contact.place_B.x_W, lower.snapshot->free_W[contact.place_B.vertices[0]]);
+  }
+}
+
 TEST(NearPlaces, BetweenTwoSoftBodiesHaveTheirGapAndBothTheirPlaces)
 {
   constexpr double apart_m = 1e-3;
@@ -200,8 +258,6 @@ TEST(NearPlaces, BetweenTwoSoftBodiesHaveTheirGapAndBothTheirPlaces)
   blocks.front().load_N.clear();
   PairAlone pair(blocks);
   const PressedBody &upper = *pair.bodies().first()[0], &lower = *pair.bodies().first()[1];
-  const auto surfaceOf = [](const PressedBody& body)
-  { return makeSided(body.scene->surfaces()[body.touch.surface].tree); };
   const auto mesh = surfaceOf(upper), other = surfaceOf(lower);
   PairView view{ *mesh, {}, *other, &lower, 0, 1, 1, 2.0 * apart_m, {} };
   view.softMesh = &upper;
