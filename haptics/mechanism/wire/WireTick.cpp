@@ -7,6 +7,7 @@
 #include "haptics/core/Across.h"
 #include "haptics/core/PoseMath.h"
 #include "haptics/mechanism/wire/WireHand.h"
+#include "haptics/mechanism/wire/WireProof.h"
 #include "haptics/mechanism/wire/WireScratch.h"
 #include "haptics/mechanism/wire/WireSheath.h"
 
@@ -22,8 +23,6 @@ constexpr int usualSteps = 2, mostSteps = 3;
 constexpr std::uint32_t thirdBelow = 30000;
 /// Of the radius: so far a step leads the outer end that another one follows.
 constexpr double ledFar = 0.02;
-/// Of the distance from the wall: so far the axis of a beam goes in a step.
-constexpr double proven = 0.9;
 /// Wire radii around the shaft, and around the tip, in which contacts are looked for at least.
 constexpr double leastReach = 0.3, leastTipReach = 0.4;
 /// Of the way that the hand goes in a tick: the tip goes on by it, the shaft slides along itself.
@@ -127,11 +126,7 @@ private:
     loads.acrossDrag_N_per_u.fill(0.0);
     for (int i = 0; i < this->room_.near.count; ++i)
     {
-      const int b = this->room_.near.all[i].beam;
-      const WireBeam& beam = this->plan_.wire.beams[b];
-      const double drag_N_per_u =
-        dragged * 12.0 * beam.section.bend_Nu2 / (beam.length_u * beam.length_u * beam.length_u);
-      loads.acrossDrag_N_per_u[b] = loads.acrossDrag_N_per_u[b + 1] = drag_N_per_u;
+      this->dragBeside(this->room_.near.all[i]);
     }
     if (this->input_.turning_Nu_per_rad > 0.0)
     {
@@ -140,6 +135,20 @@ private:
       return;
     }
     loads.held[0] |= aboutX;
+  }
+
+  /// A wall that ends the wire's way does not hold its tip: a wire that presses it buckles at once.
+  void dragBeside(const WireContact& contact) noexcept
+  {
+    const WireBeam& beam = this->plan_.wire.beams[contact.beam];
+    const double ahead = contact.normal_M.dot(chordOf(this->state_.places_M, contact.beam).normalized());
+    const double across_N_per_u = 12.0 * beam.section.bend_Nu2 / (beam.length_u * beam.length_u * beam.length_u);
+    const double drag_N_per_u = dragged * (1.0 - ahead * ahead) * across_N_per_u;
+    for (double* const node :
+      { &this->room_.loads.acrossDrag_N_per_u[contact.beam], &this->room_.loads.acrossDrag_N_per_u[contact.beam + 1] })
+    {
+      *node = std::max(*node, drag_N_per_u);
+    }
   }
 
   /// One Newton step with its contacts.
@@ -270,6 +279,9 @@ private:
         this->room_.touches[n++] = this->touchOf(this->room_.near.all[i]);
       }
     }
+    const std::span chosen(this->room_.chosen.data(), static_cast<std::size_t>(n));
+    const std::span begun(this->room_.begun.data(), static_cast<std::size_t>(this->room_.begunCount));
+    const std::span last(this->state_.presses.data(), static_cast<std::size_t>(this->state_.pressCount));
     const std::span touches(this->room_.touches.data(), static_cast<std::size_t>(n));
     problem.resize(n);
     problem.friction = this->plan_.friction;
@@ -280,12 +292,11 @@ private:
     {
       // Across the normal its own compliance keeps the force with which the tick began: else all that sticks creeps.
       const Vec3 since =
-        motionAt(touches[i], this->room_.since) -
-        this->own_u_per_N(touches[i].beam) * this->goesOn_N(i, this->room_.begun, this->room_.begunCount);
+        motionAt(touches[i], this->room_.since) - this->own_u_per_N(touches[i].beam) * goesOn_N(chosen, i, begun);
       problem.free.segment<3>(3 * i) = motionAt(touches[i], this->room_.free) + Vec3(0.0, since.y(), since.z());
       problem.free[3 * i] += this->room_.chosen[i]->gap_u;
       problem.compliance.diagonal().segment<3>(3 * i).array() += this->own_u_per_N(touches[i].beam);
-      forces.force_N.segment<3>(3 * i) = this->goesOn_N(i, this->state_.presses, this->state_.pressCount);
+      forces.force_N.segment<3>(3 * i) = goesOn_N(chosen, i, last);
     }
     this->result_.work += touchWork(n);
     if (this->plan_.friction > 0.0)
@@ -313,37 +324,6 @@ private:
     return evenly * b.length_u * b.length_u * b.length_u / (192.0 * b.section.bend_Nu2);
   }
 
-  /// Each force before goes on at the contact of its beam that is the nearest to it now: that of this one, or none [N].
-  [[nodiscard]] Vec3 goesOn_N(int touch, const WirePresses& before, int count) const noexcept
-  {
-    Vec3 force_N = Vec3::Zero();
-    for (int i = 0; i < count; ++i)
-    {
-      if (before[i].beam == this->room_.touches[touch].beam && this->nearestTo(before[i]) == touch)
-      {
-        force_N = before[i].axes_N;
-      }
-    }
-    return force_N;
-  }
-
-  [[nodiscard]] int nearestTo(const WirePress& before) const noexcept
-  {
-    int nearest = -1;
-    double nearest2_u2 = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < this->contacts_; ++i)
-    {
-      const WireContact& contact = *this->room_.chosen[i];
-      const double away2_u2 = (before.at_M - contact.at_M).squaredNorm();
-      if (contact.beam == before.beam && away2_u2 < nearest2_u2)
-      {
-        nearest2_u2 = away2_u2;
-        nearest = i;
-      }
-    }
-    return nearest;
-  }
-
   void move() noexcept
   {
     this->state_.pressCount = 0;
@@ -358,7 +338,7 @@ private:
       }
     }
     WireVector& motion = this->room_.motion;
-    const double share = this->provenShare(motion);
+    const double share = provenShare({ this->plan_, this->state_.places_M, this->room_.near, this->reach_ }, motion);
     for (int i = 0; i < this->plan_.wire.nodes(); ++i)
     {
       motion[i] *= share;
@@ -370,62 +350,6 @@ private:
     }
     this->state_.turned_rad += taken * motion[0][3];
     this->result_.share = std::min(this->result_.share, share * taken);
-  }
-
-  /// Of a step, so that no axis of a beam reaches the wall and no skin goes through a wall that is not looked at.
-  [[nodiscard]] double provenShare(const WireVector& motion) const noexcept
-  {
-    double share = 1.0;
-    for (int b = 0; b < this->plan_.wire.count; ++b)
-    {
-      const double goes_u = this->goesOffWire_u(b, motion);
-      const double reach_u = b + 1 < this->plan_.wire.count ? this->reach_.shaft_u : this->reach_.tip_u;
-      const double most_u = std::min(proven * this->wallAway_u(b), reach_u);
-      share = goes_u * share > most_u ? most_u / goes_u : share;
-    }
-    return share;
-  }
-
-  /// Of the wall from a beam and from those beside it, onto whose lines it slides.
-  [[nodiscard]] double wallAway_u(int beam) const noexcept
-  {
-    const auto& away_u = this->room_.near.away_u;
-    const int last = this->plan_.wire.count - 1;
-    return std::min(
-      { this->plan_.mouthAway_u, away_u[std::max(beam - 1, 0)], away_u[beam], away_u[std::min(beam + 1, last)] });
-  }
-
-  [[nodiscard]] Vec3 chord_M(int beam) const noexcept
-  {
-    return this->state_.places_M[beam + 1].p - this->state_.places_M[beam].p;
-  }
-
-  /// How far places of a beam go from the wire as it was, at the most: all go along straight lines, and by a mean of
-  /// both nodes' ways. One that slides along the beam comes onto the line of the next one, past the tip of none.
-  [[nodiscard]] double goesOffWire_u(int beam, const WireVector& motion) const noexcept
-  {
-    const Vec3 first = motion[beam].head<3>(), second = motion[beam + 1].head<3>();
-    const Vec3 along_M = this->chord_M(beam).normalized();
-    const double firstAlong_u = along_M.dot(first), secondAlong_u = along_M.dot(second);
-    const double across_u =
-      std::max((first - firstAlong_u * along_M).norm(), (second - secondAlong_u * along_M).norm());
-    const double on_u = std::max({ firstAlong_u, secondAlong_u, 0.0 });
-    const double back_u = std::max({ -firstAlong_u, -secondAlong_u, 0.0 });
-    return across_u + on_u * this->leavesBy(beam, beam + 1, on_u) + back_u * this->leavesBy(beam, beam - 1, back_u);
-  }
-
-  /// How far a place that slides so far from one beam to the other leaves its line, of its way: the sine of the angle
-  /// between them. Nothing goes on past the tip.
-  [[nodiscard]] double leavesBy(int beam, int other, double way_u) const noexcept
-  {
-    if (other < 0 || other >= this->plan_.wire.count)
-    {
-      return other < 0 ? 0.0 : 1.0; // the outer end stays in the sheath
-    }
-    const Vec3 a = this->chord_M(beam), b = this->chord_M(other);
-    const double length_u = b.norm();
-    const bool onLine = way_u < length_u && a.dot(b) > 0.0;
-    return onLine ? a.cross(b).norm() / (a.norm() * length_u) : 1.0;
   }
 
   void tell() noexcept

@@ -300,7 +300,7 @@ void WireVessel::find(
   {
     const Vec3 &a = places_M[beam].p, &b = places_M[beam + 1].p;
     contacts.away_u[beam] = std::numeric_limits<double>::infinity();
-    // Up to the first node before the mouth a wire is in the sheath; what has come back beside it is not.
+    // Up to the first node before the mouth a wire is in the sheath; beams that have come back beside it are not.
     inSheath = inSheath && a.x() <= 0.0;
     const bool clips = inSheath && a.x() < 0.0;
     if (clips)

@@ -189,7 +189,7 @@ public:
     {
       result = this->wire_.tick(this->hand_mm_);
     }
-    for (int i = 0; i < 200; ++i)
+    for (int i = 0; i < 1000; ++i)
     {
       result = this->wire_.tick(this->hand_mm_);
     }
@@ -353,15 +353,50 @@ TEST(WireInTube, AtRestItIsNotInTheWallAndTheHandFeelsWhatTheWallPresses)
 TEST(WireInTube, NoJerkOfTheHandBringsItsAxisThroughTheWall)
 {
   PushedWire wire(nitinolWire(100.0, 32, 0.1), bentTube().mesh());
+  constexpr double middle_mm = 60.0;
+  for (int i = 0; i < middle_mm / way_mm; ++i)
+  {
+    static_cast<void>(wire.tick(way_mm * i));
+  }
   for (int i = 0; i < 100; ++i)
   {
-    const double hand_mm = 40.0 + 40.0 * std::sin(0.9 * i) + 20.0 * std::sin(0.31 * i);
+    const double hand_mm = middle_mm + 20.0 * std::sin(0.9 * i) + 10.0 * std::sin(0.31 * i);
     const WireResult& result = wire.tick(hand_mm);
     ASSERT_TRUE(result.wrench_W.force.allFinite());
     const Vec3 tip_mm = result.tip_W;
     ASSERT_GT(nearestWall_mm(*wire.planned.plan, wire.ticks.state()), 0.0) << i;
     ASSERT_LT(std::abs(tip_mm.z()), 1.0) << i; // in the tube
   }
+}
+
+TEST(WireInTube, AHandThatJumpsIsSlowedToARadiusATickAndThatIsToldAndItsTicksStayCheap)
+{
+  constexpr double jump_mm = 120.0, radius_mm = 0.25;
+  constexpr int slowed = static_cast<int>(jump_mm / radius_mm);
+  PushedWire wire(nitinolWire(length_mm, 64, 0.1), bentTube().mesh());
+  static_cast<void>(wire.tick(0.0));
+  double before_mm = 0.0, deepest_mm = 0.0;
+  int looked = 0, queries = 0;
+  for (int i = 1; i <= slowed + 100; ++i)
+  {
+    const WireResult& result = wire.tick(jump_mm);
+    ASSERT_EQ(result.capped || i >= slowed, true) << i;
+    ASSERT_EQ(result.crowded, 0) << i;
+    EXPECT_LE(result.pushed_u, radius_mm * i + 1e-9) << i;
+    EXPECT_LE(result.pushed_u - before_mm, 2.0 * radius_mm) << i;
+    before_mm = result.pushed_u;
+    deepest_mm = std::max(deepest_mm, result.deepest_u);
+    looked = std::max(looked, result.looked);
+    queries = std::max(queries, result.queries);
+  }
+  const WireResult& last = wire.tick(jump_mm);
+  RecordProperty("looked", std::to_string(looked) + " " + std::to_string(queries));
+  EXPECT_FALSE(last.capped);
+  EXPECT_NEAR(last.pushed_u, jump_mm + last.wrench_W.force.x() / wire.coupling_N_per_mm, 1e-9);
+  EXPECT_GT(last.pushed_u, jump_mm - 1.0);
+  EXPECT_LE(deepest_mm, 0.03);
+  EXPECT_LE(looked, 4000) << "no more than where it slides";
+  EXPECT_LE(queries, 20);
 }
 
 /// The bend begins before the first beam is out of the sheath.
