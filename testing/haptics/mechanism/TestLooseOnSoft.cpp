@@ -31,8 +31,14 @@ struct StoneOnPad
     this->body.name = "stone";
     this->body.kind = MechanismBodyKind::Rigid;
     this->body.halfSize_u = halfOfStone_m;
-    this->body.pose_W.p = middleOfPad() + halfOfStone_m.z() * Vec3::UnitZ();
-    this->body.pose_W.p.z() += above_m;
+    Vec3 low = soft.mesh.vertices_W.front(), high = low;
+    for (const Vec3& p : soft.mesh.vertices_W)
+    {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    const Vec3 middle = 0.5 * (low + high);
+    this->body.pose_W.p = Vec3(middle.x(), middle.y(), high.z() + halfOfStone_m.z() + above_m);
     EXPECT_EQ(giveMass(this->body, density_kg_per_m3, 1.0).refusal, "");
     this->body.load_W = -this->weight_N() * Vec3::UnitZ();
     this->inputs.mechanism.bodies.push_back(this->body);
