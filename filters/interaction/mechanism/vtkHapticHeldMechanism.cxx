@@ -198,8 +198,7 @@ std::string vtkHapticHeldMechanism::TakeAgain()
   this->Held = read.Inputs && this->HeldBody() < read.Inputs->mechanism.bodies.size()
                  ? vtkHapticHeldShape(read.Inputs->mechanism.bodies[this->HeldBody()])
                  : nullptr;
-  const auto isWire = [](const palpate::MechanismBody& body) { return body.wire != nullptr; };
-  if (read.Inputs && std::ranges::any_of(read.Inputs->mechanism.bodies, isWire)) // most of which is in its sheath, far behind
+  if (this->IsWire()) // most of which is in its sheath, far behind
   {
     this->Bounds = this->MetBounds();
   }

@@ -11,6 +11,7 @@
 
 #include "haptics/core/PoseMath.h"
 #include "haptics/geometry/tree/SurfaceData.h"
+#include "haptics/mechanism/found/MeshRoundness.h"
 #include "haptics/mechanism/found/PlacesByArea.h"
 
 namespace palpate
@@ -109,67 +110,6 @@ double forceOn(int soft, int from, std::span<const MechanismPress> presses)
     sum_N += press.soft == soft && press.from == from ? press.force_N : Vec3(Vec3::Zero());
   }
   return sum_N.norm();
-}
-
-/// A sphere that leaves the surface, as that is without the mesh's forces, like the mesh does around the place that is
-/// nearest: by least squares over the mesh's points.
-struct Roundness
-{
-  double radius_u = std::numeric_limits<double>::infinity(); ///< infinite where the mesh is flat
-  double seen_u = 0.0;                                       ///< how far from that place gaps are known
-};
-
-/// A sphere of radius R that touches a plane at a point is h above it at a distance d where d^2 + h^2 = 2 R h.
-Roundness roundness(const std::vector<NearPlace>& near, const Pose& mesh_W, double within_u)
-{
-  const NearPlace& first = *std::ranges::min_element(near, {}, &NearPlace::free_u);
-  const FoundContact& nearest = first.contact;
-  const auto heightOf = [&](const NearPlace& place)
-  { return nearest.normal_B.dot(mesh_W * place.contact.point_A - place.without_W); };
-  const double least_u = heightOf(first);
-  double rise = 0.0, square = 0.0;
-  Roundness round;
-  for (const NearPlace& place : near)
-  {
-    const Vec3 way_W = mesh_W.q * (place.contact.point_A - nearest.point_A);
-    const double away_u = (way_W - nearest.normal_B.dot(way_W) * nearest.normal_B).norm();
-    if (away_u <= within_u && place.contact.normal_B.dot(nearest.normal_B) > FoundContact::alike)
-    {
-      const double above_u = heightOf(place) - least_u;
-      const double chord2_u2 = away_u * away_u + above_u * above_u;
-      rise += chord2_u2 * above_u;
-      square += chord2_u2 * chord2_u2;
-      round.seen_u = std::max(round.seen_u, away_u);
-    }
-  }
-  round.radius_u = rise > 0.0 ? 0.5 * square / rise : round.radius_u;
-  return round;
-}
-
-/// Of a mesh before a soft body, at an answer.
-struct BallHistory
-{
-  double force_N = 0.0; ///< that it has
-  double deep_u = 0.0;  ///< of its deepest place in the body without forces; below 0: before it
-  double ahead_u = 0.0; ///< the same when the answer is in use, as the mesh has moved so far
-};
-
-/// Radius of the contact of a mesh that is as round as a ball of radius R as far as that goes, and as far as the
-/// contact of such a ball under this force would go; none: it is not. For the force that the mesh has (Hertz), and a
-/// depth d that it will have, as the radius goes with the root of d. A force under another patch is wrong by more than
-/// any layer makes it: from sqrt(R d), of a half space, to sqrt(2 R d), of a thin incompressible layer.
-std::optional<double> ballContact(const Roundness& round, const BallHistory& history, double stiffness_N_per_u2)
-{
-  if (!std::isfinite(round.radius_u))
-  {
-    return std::nullopt;
-  }
-  const double now_u = std::sqrt(round.radius_u * std::max(history.deep_u, 0.0));
-  const double ahead_u = std::sqrt(round.radius_u * std::max(history.ahead_u, 0.0));
-  const double byForce_u = std::cbrt(0.75 * history.force_N * round.radius_u / stiffness_N_per_u2);
-  const double share = history.force_N > 0.0 && now_u > 0.0 ? std::min(byForce_u / now_u, std::sqrt(2.0)) : 1.0;
-  const double contact_u = share * ahead_u;
-  return std::max(contact_u, byForce_u) <= round.seen_u ? std::optional(contact_u) : std::nullopt;
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/SoundPose.h"
 #include "haptics/mechanism/servo/FollowingMesh.h"
 #include "haptics/mechanism/servo/HandLead.h"
 #include "haptics/mechanism/servo/JoinedFound.h"
@@ -32,11 +33,6 @@ namespace
 
 /// Of the lever in a second: so fast loose bodies leave one another.
 constexpr double apartOfLever_per_s = 0.02;
-
-bool isPose(const Pose& pose) noexcept
-{
-  return pose.p.allFinite() && std::abs(pose.q.squaredNorm() - 1.0) < 1e-6;
-}
 
 /// One tick.
 class MechanismStep
@@ -416,7 +412,7 @@ MechanismTick& MechanismTick::operator=(MechanismTick&&) noexcept = default;
 
 const MechanismResult& MechanismTick::step(const MechanismInput& input) noexcept
 {
-  if (input.plan == nullptr || !isPose(input.hand_W) || !(input.grip.coupling_N_per_u > 0.0))
+  if (input.plan == nullptr || !isSound(input.hand_W) || !(input.grip.coupling_N_per_u > 0.0))
   {
     this->room_->result = {};
     return this->room_->result;

@@ -6,6 +6,7 @@
 
 #include "haptics/core/Across.h"
 #include "haptics/core/PoseMath.h"
+#include "haptics/mechanism/SoundPose.h"
 #include "haptics/mechanism/wire/WireHand.h"
 #include "haptics/mechanism/wire/WireProof.h"
 #include "haptics/mechanism/wire/WireScratch.h"
@@ -400,8 +401,7 @@ private:
 
 bool isUsable(const WireInput& input) noexcept
 {
-  return input.plan && input.hand_W.p.allFinite() && std::abs(input.hand_W.q.squaredNorm() - 1.0) < 1e-6 &&
-         input.coupling_N_per_u > 0.0 && std::isfinite(input.turnBy_rad);
+  return input.plan && isSound(input.hand_W) && input.coupling_N_per_u > 0.0 && std::isfinite(input.turnBy_rad);
 }
 
 } // namespace

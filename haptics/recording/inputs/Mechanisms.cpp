@@ -282,9 +282,9 @@ bool isUsable(const MechanismState& state)
          std::ranges::all_of(state.loose, [](const LooseMotion& motion) { return isUsable(motion); }) &&
          isUsable(state.found) && std::ranges::all_of(state.pose_W, [](const Pose& pose) { return isPlace(pose); }) &&
          state.push_N.allFinite() && state.turning_N.allFinite() && isPlace(state.led.hand_W) &&
-         isPlace(state.led.lead_W) && state.tip_W.allFinite() &&
-         std::isfinite(state.soft.given_Nu) && std::isfinite(state.soft.held_Nu) && state.blend.way_u.allFinite() &&
-         state.blend.turn_u.allFinite() && isUsable(state.wire);
+         isPlace(state.led.lead_W) && state.tip_W.allFinite() && std::isfinite(state.soft.given_Nu) &&
+         std::isfinite(state.soft.held_Nu) && state.blend.way_u.allFinite() && state.blend.turn_u.allFinite() &&
+         isUsable(state.wire);
 }
 
 bool fits(const MechanismState& state, const RecordedMechanism& mechanism)

@@ -31,8 +31,9 @@ pqHapticCharts::pqHapticCharts(QWidget* parent) : Superclass(parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(betweenStrips);
   this->Force = this->add(column, "forceStrip", tr("Force"), "N", pqHapticReadoutTip("ForceMagnitude"));
-  this->Depth = this->add(
-    column, "depthStrip", tr("Depth"), "mm", tr("Distance from the hand to the proxy; for a held wire the stretch of the spring of the hand, as displacement of the device"));
+  this->Depth = this->add(column, "depthStrip", tr("Depth"), "mm",
+    tr("Distance from the hand to the proxy; for a held wire the stretch of the spring of the hand, as displacement of "
+       "the device"));
   this->Lateness = this->add(column, "latenessStrip", tr("Lateness"), "ms", pqHapticReadoutTip("LatenessP99"));
   this->Energy = this->add(column, "energyStrip", tr("Excess energy"), "mJ", pqHapticReadoutTip("ExcessEnergy"));
 }
