@@ -177,7 +177,10 @@ class Mechanism(Held):
                 lead(0.04 * step, 0, TIP + 25)
                 GetHapticSession().Step(1)
             self.assertGreater(stone()[0] - first[0], 5.0)
+            with self.assertRaisesRegex(HapticRefusal, "the hand is where stone would be put back: move the hand away first"):
+                PutBack()
             lead(0, 0, TIP + 25)
+            GetHapticSession().Step(1)
             PutBack()
             GetHapticSession().Step(TICKS_TO_ENGAGE)
             self.assertLess(numpy.abs(stone() - first).max(), 1e-3)

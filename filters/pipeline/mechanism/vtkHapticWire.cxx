@@ -31,7 +31,7 @@ struct Assumed
   double Young_Pa;
 };
 /// Nitinol in its austenite phase, stainless steel 304, nylon 6: handbook values, rounded.
-constexpr std::array<Assumed, vtkHapticWire::OTHER_MATERIAL> Assumptions{ { { "NiTi", 6e10 }, { "steel", 1.9e11 },
+constexpr std::array<Assumed, vtkHapticWire::OTHER> Assumptions{ { { "NiTi", 6e10 }, { "steel", 1.9e11 },
   { "nylon", 2.5e9 } } };
 constexpr std::array<const char*, 4> TipNames{ "straight", "angled", "hook", "helix" };
 
@@ -95,7 +95,7 @@ std::string vtkHapticWire::Describe(const std::string& vessel, const double mout
   wire["diameter"] = this->Diameter;
   wire["length"] = this->Length;
   wire["young_Pa"] =
-    this->Material == OTHER_MATERIAL ? this->Young : Assumptions.at(static_cast<std::size_t>(this->Material)).Young_Pa;
+    this->Material == OTHER ? this->Young : Assumptions.at(static_cast<std::size_t>(this->Material)).Young_Pa;
   wire["poisson"] = this->Poisson;
   wire["friction"] = this->Friction;
   const Vec3 direction_W = Vec3(this->Ahead) - Vec3(this->Mouth);
@@ -122,7 +122,7 @@ vtkHapticMechanismResult vtkHapticWire::ReadScene()
   }
   vtkHapticMechanismResult read =
     vtkHapticParseMechanism(this->Describe("", this->Placed), "", "", {}, vtkHapticToMesh(this->Wall).Mesh);
-  if (this->Material != OTHER_MATERIAL)
+  if (this->Material != OTHER)
   {
     const Assumed& assumed = Assumptions.at(static_cast<std::size_t>(this->Material));
     std::ostringstream said;

@@ -56,11 +56,11 @@ public:
     NITI,
     STEEL,
     NYLON,
-    OTHER_MATERIAL
+    OTHER
   };
   ///@{
-  /// A stiffness that is assumed, or OTHER_MATERIAL: that of Young [Pa].
-  vtkSetClampMacro(Material, int, NITI, OTHER_MATERIAL);
+  /// A stiffness that is assumed, or OTHER: that of Young [Pa].
+  vtkSetClampMacro(Material, int, NITI, OTHER);
   vtkGetMacro(Material, int);
   vtkSetMacro(Young, double);
   vtkGetMacro(Young, double);

@@ -8,9 +8,9 @@
 #include "haptics/core/PoseMath.h"
 #include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/geometry/tree/TreeWalk.h"
-#include "haptics/mechanism/found/BentSurface.h"
 #include "haptics/mechanism/found/ContactFinder.h"
 #include "haptics/mechanism/found/NearestFace.h"
+#include "haptics/mechanism/found/SoftAsMesh.h"
 
 namespace palpate
 {
@@ -65,7 +65,7 @@ public:
         view.other, freeOf(view.other, view.soft), {}, {}, 0.0, {}, Box::empty()
       }
   {
-    const Bending ofOther(view.soft, view.soft_i, view.mesh_i, view.presses);
+    const BentBy ofOther(view.soft, view.soft_i, view.mesh_i, view.presses);
     this->placeMesh(ofOther.most_u());
     this->other_.without_W = this->other_.bent_W = this->other_.free_W;
     this->other_.bend(ofOther, widened(this->mesh_.around, ofOther.most_u() + view.reach_u));
@@ -103,7 +103,7 @@ private:
     const PairView& view = this->view_;
     if (view.softMesh)
     {
-      const Bending bending(view.softMesh, view.softMesh_i, view.other_i, view.presses);
+      const BentBy bending(view.softMesh, view.softMesh_i, view.other_i, view.presses);
       const SurfaceData& data = view.other.tree->data();
       this->mesh_.without_W = this->mesh_.bent_W = this->mesh_.free_W;
       this->mesh_.bend(bending, widened({ data.low_W, data.high_W }, other_u + bending.most_u() + view.reach_u));
@@ -195,7 +195,7 @@ private:
   }
 
   /// In a dent the surface is as steep as its triangles happen to be: pressed, it is taken as it is without forces.
-  [[nodiscard]] static Vec3 pressedNormal(const PressedBody* soft, const BentSurface& of, const NearestFace& face)
+  [[nodiscard]] static Vec3 pressedNormal(const PressedBody* soft, const SoftAsMesh& of, const NearestFace& face)
   {
     return soft ? Vec3(of.surface.areaOf(face.triangle, of.free_W).normalized()) : face.normal;
   }
@@ -226,7 +226,7 @@ private:
   void lookFromMesh(std::uint32_t v)
   {
     const Vec3& y_W = this->mesh_.bent_W[v];
-    const BentSurface& other = this->other_;
+    const SoftAsMesh& other = this->other_;
     if (outsideOf(other.around, y_W) > this->view_.reach_u)
     {
       return;
@@ -261,7 +261,7 @@ private:
   {
     const Vec3& y_W = this->mesh_.bent_W[v];
     const Vec3 out_W = this->mesh_.surface.normalAt(v, this->mesh_.bent_W);
-    const BentSurface& other = this->other_;
+    const SoftAsMesh& other = this->other_;
     const NearestFace side = nearestFace(other.surface, other.bent_W, y_W, this->view_.reach_u, other.bent_u,
       [&out_W](const Vec3& normal) { return normal.dot(out_W) < -facing; });
     if (side.triangle != SurfaceData::none && (!apart || this->isOver(side, y_W)))
@@ -321,7 +321,7 @@ private:
   }
 
   /// From an edge into one of its triangles, across the edge.
-  [[nodiscard]] static Vec3 inward(const BentSurface& of, std::uint32_t triangle, std::uint32_t i, std::uint32_t j)
+  [[nodiscard]] static Vec3 inward(const SoftAsMesh& of, std::uint32_t triangle, std::uint32_t i, std::uint32_t j)
   {
     const std::vector<Vec3>& at_W = of.bent_W;
     const Vec3 along = (at_W[j] - at_W[i]).normalized();
@@ -339,7 +339,7 @@ private:
 
   [[nodiscard]] bool isSharp(std::uint32_t t, std::uint32_t across) const
   {
-    const BentSurface& other = this->other_;
+    const SoftAsMesh& other = this->other_;
     return across != SurfaceData::none &&
            other.surface.areaOf(t, other.bent_W)
                .normalized()
@@ -382,8 +382,8 @@ private:
   }
 
   const PairView& view_;
-  BentSurface mesh_;
-  BentSurface other_;
+  SoftAsMesh mesh_;
+  SoftAsMesh other_;
   std::vector<NearPlace> places_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/mechanism/found/BentSurface.h"
+#include "haptics/mechanism/found/SoftAsMesh.h"
 
 #include <algorithm>
 
@@ -9,8 +9,7 @@
 namespace palpate
 {
 
-Bending::Bending(const PressedBody* soft, int soft_i, int without, std::span<const MechanismPress> presses)
-  : soft_(soft)
+BentBy::BentBy(const PressedBody* soft, int soft_i, int without, std::span<const MechanismPress> presses) : soft_(soft)
 {
   for (const MechanismPress& press : presses)
   {
@@ -27,12 +26,12 @@ Bending::Bending(const PressedBody* soft, int soft_i, int without, std::span<con
   this->most_u_ *= 1.5; // a vertex beside the forces may go a little further
 }
 
-Vec3 Bending::by(const SurfacePoint& at, bool own) const
+Vec3 BentBy::by(const SurfacePoint& at, bool own) const
 {
   return this->by(compliantPoint(*this->soft_->snapshot, at), own);
 }
 
-Vec3 Bending::by(const CompliantPoint& at, bool own) const
+Vec3 BentBy::by(const CompliantPoint& at, bool own) const
 {
   Vec3 sum = Vec3::Zero();
   for (const Force& force : this->forces_)
@@ -43,7 +42,7 @@ Vec3 Bending::by(const CompliantPoint& at, bool own) const
   return sum;
 }
 
-void BentSurface::bend(const Bending& bending, const Box& reached)
+void SoftAsMesh::bend(const BentBy& bending, const Box& reached)
 {
   std::vector<char> is(this->bent_W.size(), 0);
   forEachMeeting(
@@ -73,7 +72,7 @@ void BentSurface::bend(const Bending& bending, const Box& reached)
   }
 }
 
-SurfacePoint BentSurface::placeOn(std::uint32_t triangle, const Vec3& at_W) const
+SurfacePoint SoftAsMesh::placeOn(std::uint32_t triangle, const Vec3& at_W) const
 {
   const auto& corners = this->surface.tree->data().corners(triangle);
   const std::vector<Vec3>& free = this->free_W;
@@ -83,12 +82,12 @@ SurfacePoint BentSurface::placeOn(std::uint32_t triangle, const Vec3& at_W) cons
     weights[0] * free[corners[0]] + weights[1] * free[corners[1]] + weights[2] * free[corners[2]] };
 }
 
-SurfacePoint BentSurface::placeAlong(std::uint32_t a, std::uint32_t b, double share) const
+SurfacePoint SoftAsMesh::placeAlong(std::uint32_t a, std::uint32_t b, double share) const
 {
   return { { a, b, b }, Vec3(1.0 - share, share, 0.0), (1.0 - share) * this->free_W[a] + share * this->free_W[b] };
 }
 
-Vec3 BentSurface::withoutAt(const SurfacePoint& place) const
+Vec3 SoftAsMesh::withoutAt(const SurfacePoint& place) const
 {
   Vec3 at_W = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c)
@@ -98,7 +97,7 @@ Vec3 BentSurface::withoutAt(const SurfacePoint& place) const
   return at_W;
 }
 
-double BentSurface::areaAround(std::uint32_t v, const Vec3& out_W) const
+double SoftAsMesh::areaAround(std::uint32_t v, const Vec3& out_W) const
 {
   double twice_u2 = 0.0;
   this->surface.tree->data().forEachAround(

@@ -14,11 +14,11 @@ namespace palpate
 {
 
 /// The forces on a soft body that bend it, by the same compliance as in the tick.
-class Bending
+class BentBy
 {
 public:
   /// `without`: forces of that body of the plan are its own ones; below 0: all are.
-  Bending(const PressedBody* soft, int soft_i, int without, std::span<const MechanismPress> presses);
+  BentBy(const PressedBody* soft, int soft_i, int without, std::span<const MechanismPress> presses);
 
   [[nodiscard]] bool bends() const { return !this->forces_.empty(); }
   /// No place goes further [u].
@@ -52,7 +52,7 @@ private:
 }
 
 /// One of two surfaces, as the forces bend it near the other one.
-struct BentSurface
+struct SoftAsMesh
 {
   const SidedSurface& surface;
   const std::vector<Vec3>& free_W; ///< vertices without forces, of a soft body or of one that stands
@@ -63,7 +63,7 @@ struct BentSurface
   Box around = Box::empty();       ///< of these, where they are bent
 
   /// The vertices of triangles in that box are near.
-  void bend(const Bending& bending, const Box& reached);
+  void bend(const BentBy& bending, const Box& reached);
   /// A place of the bent surface, as a place of the free one.
   [[nodiscard]] SurfacePoint placeOn(std::uint32_t triangle, const Vec3& at_W) const;
   [[nodiscard]] SurfacePoint placeAlong(std::uint32_t a, std::uint32_t b, double share) const;
