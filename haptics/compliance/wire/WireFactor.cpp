@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/compliance/wire/WireFactor.h"
 
+#include <Eigen/Cholesky>
+
 namespace palpate
 {
 namespace
 {
 
+/// Of a diagonal element: where less of it is left, elimination has lost the softest motions to rounding.
+constexpr double leastLeft = 1e-5;
+
 /// By sweeps (Goodnight 1979): each is a symmetric product of a column, which a compiler makes of vectors. False where
-/// the matrix is not positive definite.
-bool invertPositive(const NodeBlock& matrix, NodeBlock& inverse) noexcept
+/// the matrix is not positive definite or too badly conditioned for that.
+bool sweepInverse(const NodeBlock& matrix, NodeBlock& inverse) noexcept
 {
   NodeBlock swept = matrix;
   for (int k = 0; k < 6; ++k)
   {
     const double pivot = swept(k, k);
-    if (!(pivot > 0.0))
+    if (!(pivot > leastLeft * matrix(k, k)))
     {
       return false;
     }
@@ -31,15 +36,29 @@ bool invertPositive(const NodeBlock& matrix, NodeBlock& inverse) noexcept
   return true;
 }
 
+/// False where the matrix is not positive definite.
+bool choleskyInverse(const NodeBlock& matrix, NodeBlock& inverse) noexcept
+{
+  const Eigen::LLT<NodeBlock> cholesky(matrix);
+  inverse = cholesky.solve(NodeBlock::Identity());
+  return cholesky.info() == Eigen::Success;
+}
+
 } // namespace
 
+/// A limp wire, such as a thread, is stiff along itself alone: all of it needs the slower way.
 bool WireFactor::factor(const WireMatrix& matrix) noexcept
+{
+  return this->factorBy(sweepInverse, matrix) || this->factorBy(choleskyInverse, matrix);
+}
+
+bool WireFactor::factorBy(Inverse inverse, const WireMatrix& matrix) noexcept
 {
   this->nodes_ = matrix.nodes;
   NodeBlock left = matrix.own[0];
   for (int i = 0; i < this->nodes_; ++i)
   {
-    if (!invertPositive(left, this->pivot_[i]))
+    if (!inverse(left, this->pivot_[i]))
     {
       return false;
     }

@@ -23,6 +23,9 @@ public:
   [[nodiscard]] const NodeBlock& transfer(int node) const noexcept { return this->transfer_[node]; }
 
 private:
+  using Inverse = bool (*)(const NodeBlock& matrix, NodeBlock& inverse) noexcept;
+  [[nodiscard]] bool factorBy(Inverse inverse, const WireMatrix& matrix) noexcept;
+
   int nodes_ = 0;
   std::array<NodeBlock, Wire::mostNodes> pivot_; ///< inverse of the block that elimination of the nodes before leaves
   std::array<NodeBlock, Wire::mostBeams> transfer_;
