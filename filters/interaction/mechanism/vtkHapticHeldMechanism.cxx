@@ -362,7 +362,7 @@ std::string vtkHapticHeldMechanism::FeltText(bool runs) const
     (wire ? "a wire's beams" : std::to_string(this->Inputs->mechanism.laws.size()) + " constraints");
   if (!runs)
   {
-    return laws;
+    return wire ? this->Name + ": a wire" : laws;
   }
   if (!this->Felt)
   {

@@ -63,7 +63,9 @@ bool vtkHapticTouchedMechanism::PutBack()
   const std::string inHand = felt && now.held ? palpate::looseInHand(felt->mechanism, now.hand_W) : "";
   if (!inHand.empty())
   {
-    this->Behind().Refuse("the hand is where " + inHand + " would be put back: move the hand away first");
+    const std::string problem = "the hand is where " + inHand + " would be put back: move the hand away first";
+    this->Behind().Refuse(problem);
+    this->Behind().Follow("Put Back", problem);
     return false;
   }
   vtkHapticHeldMechanism& mechanism = this->Behind().Mechanism;
@@ -73,8 +75,10 @@ bool vtkHapticTouchedMechanism::PutBack()
     mechanism.Choose(this->Behind().Core);
   }
   const bool back = held || this->Behind().Core.putBack();
-  this->Behind().Refuse(
-    back ? "" : "no mechanism is held, and no source is loose: hold a mechanism before putting its bodies back");
+  const std::string problem =
+    back ? "" : "no mechanism is held, and no source is loose: hold a mechanism before putting its bodies back";
+  this->Behind().Refuse(problem);
+  this->Behind().Follow("Put Back", problem);
   return back;
 }
 

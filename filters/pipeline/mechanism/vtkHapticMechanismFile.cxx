@@ -11,6 +11,7 @@
 
 #include "haptics/compliance/material/ElasticLaw.h"
 #include "haptics/core/PoseMath.h"
+#include "haptics/geometry/mesh/Material.h"
 #include "haptics/mechanism/sided/SidedSurface.h"
 #include "vtkHapticBodyFile.h"
 #include "vtkHapticMechanismBodies.h"
@@ -227,6 +228,10 @@ void FindContacts(const Node& root, palpate::Mechanism& mechanism)
       "friction", "is that of found contacts: set \"contacts\": \"found\", or give the friction of a constraint");
   }
   mechanism.foundFriction = root.size("friction");
+  if (mechanism.foundFriction > palpate::Material::largestFriction)
+  {
+    root.fail("friction", "must be from 0 to 10");
+  }
 }
 
 constexpr double NoTipGiven = -1.0;

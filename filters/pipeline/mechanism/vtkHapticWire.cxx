@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticWire.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -131,9 +132,10 @@ vtkHapticMechanismResult vtkHapticWire::ReadScene()
   }
   if (this->Centred)
   {
+    const bool moved = !std::equal(this->Placed, this->Placed + 3, this->Mouth);
     std::ostringstream said;
-    said << "the sheath ends at (" << this->Placed[0] << ", " << this->Placed[1] << ", " << this->Placed[2]
-         << ") u, in the middle of the vessel\n";
+    said << "the sheath ends at (" << this->Placed[0] << ", " << this->Placed[1] << ", " << this->Placed[2] << ") u, "
+         << (moved ? "in the middle of the vessel" : "where Mouth is") << "\n";
     this->Text += said.str();
   }
   return read;

@@ -98,7 +98,7 @@ std::vector<std::string> vtkHapticWireText(const palpate::WireCheck& check)
   beams << check.beams << " beams, at most " << check.contacts << " contacts at once";
   bends << "follows bends of a radius of at least " << check.tightest_u << " u, the length of three beams";
   mouth << "clearance at the mouth " << check.clearance_u << " u";
-  cost << "a tick takes at most two steps of " << check.work << " units of work without contacts";
+  cost << "a tick takes at most three steps of " << check.work << " units of work without contacts";
   std::vector<std::string> lines{ beams.str(), bends.str(), mouth.str(), cost.str() };
   lines.insert(lines.end(), check.remarks.begin(), check.remarks.end());
   return lines;
