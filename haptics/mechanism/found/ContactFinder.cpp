@@ -272,6 +272,13 @@ double ContactFinder::apartOnSoft(const Meeting& meeting, double edge_u, const F
   return std::max({ edge_u, acrossBall * ball.contact_u.value_or(0.0), isFirst ? 0.0 : body.tip_u / tipOfPlace });
 }
 
+/// A soft body is the mesh of some of its contacts, and the other body of others.
+bool ContactFinder::isFirstOn(int body, const FoundContacts& found)
+{
+  return std::none_of(found.contacts.begin(), found.contacts.begin() + found.count,
+    [body](const FoundContact& contact) { return contact.body == body || contact.mesh == body; });
+}
+
 void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderView& view, FoundContacts& found)
 {
   const std::size_t m = meeting.mesh, other = meeting.other;
@@ -281,8 +288,7 @@ void ContactFinder::choose(const Meeting& meeting, PlaceRoom room, const FinderV
   const int body = soft ? soft->body : standing->body;
   const auto nearest = std::ranges::min_element(near, {}, &NearPlace::gap_u);
   const double edge_u = edgeAround(soft ? *soft->surface : *standing->surface, nearest->contact.place_B);
-  const bool isFirst = std::none_of(found.contacts.begin(), found.contacts.begin() + found.count,
-    [body](const FoundContact& contact) { return contact.body == body; });
+  const bool isFirst = isFirstOn(body, found);
   const bool loose = this->isOfLoose(meeting);
   const double apart_u = soft ? this->apartOnSoft(meeting, edge_u, view, isFirst)
                          : loose

@@ -194,6 +194,8 @@ private:
   void forget(const std::vector<Meeting>& met);
   /// Least distance between contacts, from the edges of the soft body there and the roundness of the mesh.
   [[nodiscard]] double apartOnSoft(const Meeting& meeting, double edge_u, const FinderView& view, bool isFirst);
+  /// Whether a body has no contact yet in this answer: then the next one says how wide its patches are.
+  [[nodiscard]] static bool isFirstOn(int body, const FoundContacts& found);
   void choose(const Meeting& meeting, PlaceRoom room, const FinderView& view, FoundContacts& found);
   void chooseOfSoft(const Meeting& meeting, PlaceRoom room, const FinderView& view, FoundContacts& found);
   void watch(const Meeting& meeting);

@@ -77,8 +77,7 @@ void ContactFinder::chooseOfSoft(const Meeting& meeting, PlaceRoom room, const F
   for (std::size_t side = 0; side < bodies.size(); ++side)
   {
     const Body& body = *bodies[side];
-    isFirst[side] = std::none_of(found.contacts.begin(), found.contacts.begin() + found.count,
-      [&body](const FoundContact& contact) { return contact.body == body.body || contact.mesh == body.body; });
+    isFirst[side] = isFirstOn(body.body, found);
     apart_u =
       std::max({ apart_u, edgeAround(*body.surface, places[side]), isFirst[side] ? 0.0 : body.tip_u / tipOfPlace });
   }

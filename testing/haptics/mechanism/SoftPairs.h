@@ -156,23 +156,34 @@ inline SoftBodyInput bed(int through, double young_Pa = barYoung_Pa)
   return input;
 }
 
-/// A ball in the hand, the bar, and that bed.
-inline MechanismInputs onBarAndBed(int through, double friction = 0.0)
+/// A ball in the hand, and soft bodies in an order.
+inline MechanismInputs ballOn(const std::vector<MechanismSoftInput>& bodies, double radius_m, double friction = 0.0)
 {
   MechanismInputs inputs;
-  MechanismBody tool, soft, below;
+  MechanismBody tool;
   tool.name = "tool";
   tool.kind = MechanismBodyKind::Held;
-  tool.mesh = heldMesh(makeIcosphere(3, 0.015));
-  soft.name = "bar";
-  below.name = "bed";
-  soft.kind = below.kind = MechanismBodyKind::Soft;
-  inputs.mechanism.bodies = { tool, soft, below };
+  tool.mesh = heldMesh(makeIcosphere(3, radius_m));
+  inputs.mechanism.bodies = { tool };
+  for (const MechanismSoftInput& body : bodies)
+  {
+    MechanismBody soft;
+    soft.name = body.name;
+    soft.kind = MechanismBodyKind::Soft;
+    inputs.mechanism.bodies.push_back(soft);
+  }
   inputs.mechanism.findsContacts = true;
   inputs.mechanism.foundFriction = friction;
-  inputs.soft = { { "bar", std::make_shared<const SoftBodyInput>(bar({ 5 * through, 2 * through, through })) },
-    { "bed", std::make_shared<const SoftBodyInput>(bed(through)) } };
+  inputs.soft = bodies;
   return inputs;
+}
+
+/// The bar, that bed, and a ball.
+inline MechanismInputs onBarAndBed(int through, double friction = 0.0)
+{
+  return ballOn({ { "bar", std::make_shared<const SoftBodyInput>(bar({ 5 * through, 2 * through, through })) },
+                  { "bed", std::make_shared<const SoftBodyInput>(bed(through)) } },
+    0.015, friction);
 }
 
 } // namespace palpate::test
