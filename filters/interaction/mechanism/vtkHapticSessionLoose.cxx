@@ -97,12 +97,23 @@ void vtkHapticSession::Internals::JudgeLoose()
   }
 }
 
+std::shared_ptr<const palpate::MechanismInputs> vtkHapticSession::Internals::AmongLoose() const
+{
+  return this->Core.toolPresses() ? this->Core.feltMechanism() : nullptr;
+}
+
+bool vtkHapticSession::Internals::LooseAreSeen() const
+{
+  const palpate::MechanismNow& now = this->State.mechanism;
+  return this->AmongLoose() && now.held && now.revision == this->Core.status<palpate::MechanismTask>().plan;
+}
+
 std::optional<palpate::Pose> vtkHapticSession::Internals::LooseWay(const std::string& name) const
 {
-  const auto inputs = this->Core.toolPresses() ? this->Core.feltMechanism() : nullptr;
+  const auto inputs = this->AmongLoose();
   const palpate::MechanismBody* const body = inputs ? LooseOf(*inputs, name) : nullptr;
   const palpate::MechanismNow& now = this->State.mechanism;
-  if (!body || !now.held || now.revision != this->Core.status<palpate::MechanismTask>().plan)
+  if (!body || !this->LooseAreSeen())
   {
     return std::nullopt;
   }
@@ -125,7 +136,7 @@ std::string vtkHapticSession::Internals::WhyNotLoose(const std::string& name) co
 std::string vtkHapticSession::Internals::LooseProblem() const
 {
   const std::string& refusal = this->Core.looseRefusal();
-  const auto inputs = this->Core.toolPresses() ? this->Core.feltMechanism() : nullptr;
+  const auto inputs = this->AmongLoose();
   if (!refusal.empty() || !inputs || this->Surfaces.Styles().Densities().empty())
   {
     return refusal;
@@ -137,9 +148,9 @@ std::string vtkHapticSession::Internals::LooseProblem() const
 
 std::string vtkHapticSession::Internals::LooseFallen() const
 {
-  const auto inputs = this->Core.toolPresses() ? this->Core.feltMechanism() : nullptr;
+  const auto inputs = this->AmongLoose();
   const palpate::MechanismNow& now = this->State.mechanism;
-  if (!inputs || !now.held || now.revision != this->Core.status<palpate::MechanismTask>().plan)
+  if (!this->LooseAreSeen())
   {
     return {};
   }
@@ -165,7 +176,7 @@ std::string vtkHapticSession::Internals::LooseTrouble() const
 
 const char* vtkHapticSession::Internals::SayLooseText()
 {
-  const auto inputs = this->Core.toolPresses() ? this->Core.feltMechanism() : nullptr;
+  const auto inputs = this->AmongLoose();
   const palpate::MechanismStatus status =
     inputs ? this->Core.status<palpate::MechanismTask>() : palpate::MechanismStatus();
   const std::string fallen = this->LooseFallen();

@@ -309,6 +309,10 @@ public:
   /// Refuses loose sources that cannot be, once for a reason. Not before the scene is there that has them: with the
   /// scene comes the unit of its lengths. Nor while a surface goes to another shape, as after an edit of its source.
   void JudgeLoose();
+  /// The mechanism of the hand among loose sources or on a soft body; null: there is none.
+  std::shared_ptr<const palpate::MechanismInputs> AmongLoose() const;
+  /// Whether the state of the last tick has the bodies of that mechanism.
+  bool LooseAreSeen() const;
   /// Why no source is loose though some should be, with the remedy; "": all of these are.
   std::string LooseProblem() const;
   /// The first loose source that has gone so far that it sleeps for good; "": none has.

@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <map>
+#include <sstream>
 
 #include "haptics/compliance/material/ElasticLaw.h"
 #include "haptics/core/PoseMath.h"
@@ -22,8 +23,6 @@ namespace
 using Json = nlohmann::json;
 using Node = vtkHapticSceneNode;
 
-constexpr const char* Format = "palpate mechanism";
-constexpr int Version = 1;
 constexpr std::uintmax_t MostBytes = 1 << 20; ///< of a scene file; bodies are files of their own
 
 template<class Kind>
@@ -211,7 +210,7 @@ palpate::MechanismConstraint ConstraintOf(const Node& node, double unit_m)
 void CheckHead(const Node& root)
 {
   root.knows({ "format", "version", "unit_m", "bodies", "laws", "contacts", "friction", "gravity" });
-  palpate::checkHead(root, Format, Version);
+  palpate::checkHead(root, vtkHapticSceneFormat, vtkHapticSceneVersion);
 }
 
 /// Contacts that are found have no other word.
@@ -230,7 +229,9 @@ void FindContacts(const Node& root, palpate::Mechanism& mechanism)
   mechanism.foundFriction = root.size("friction");
   if (mechanism.foundFriction > palpate::Material::largestFriction)
   {
-    root.fail("friction", "must be from 0 to 10");
+    std::ostringstream text;
+    text << "must be from 0 to " << palpate::Material::largestFriction;
+    root.fail("friction", text.str());
   }
 }
 

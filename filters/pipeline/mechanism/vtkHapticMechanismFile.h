@@ -12,6 +12,10 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
+/// The head of a scene file.
+inline constexpr const char* vtkHapticSceneFormat = "palpate mechanism";
+inline constexpr int vtkHapticSceneVersion = 1;
+
 /// A mechanism as a scene file describes it, or why it is none.
 struct vtkHapticMechanismResult
 {

@@ -13,6 +13,7 @@
 #include "vtkHapticMechanismFile.h"
 #include "vtkHapticVesselMiddle.h"
 #include "vtkHapticWholeInput.h"
+#include "vtkHapticWireFile.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -34,7 +35,6 @@ struct Assumed
 /// Nitinol in its austenite phase, stainless steel 304, nylon 6: handbook values, rounded.
 constexpr std::array<Assumed, vtkHapticWire::OTHER> Assumptions{ { { "NiTi", 6e10 }, { "steel", 1.9e11 },
   { "nylon", 2.5e9 } } };
-constexpr std::array<const char*, 4> TipNames{ "straight", "angled", "hook", "helix" };
 
 Ordered PointOf(const double p[3])
 {
@@ -102,14 +102,14 @@ std::string vtkHapticWire::Describe(const std::string& vessel, const double mout
   const Vec3 direction_W = Vec3(this->Ahead) - Vec3(this->Mouth);
   wire["mouth"] = PointOf(mouth);
   wire["direction"] = PointOf(direction_W.data());
-  wire["tip"] = TipNames.at(static_cast<std::size_t>(this->Tip));
+  wire["tip"] = vtkHapticWireTips.at(static_cast<std::size_t>(this->Tip));
   AddUnless(0.0, wire, "tip_length", this->TipLength);
   AddUnless(0.0, wire, "tip_radius", this->TipRadius);
   AddUnless(0.0, wire, "tip_pitch", this->TipPitch);
   AddUnless(0.0, wire, "tip_young_Pa", this->TipYoung);
   AddUnless(0.0, wire, "beams", this->Beams);
-  const Ordered scene{ { "format", "palpate mechanism" }, { "version", 1 }, { "unit_m", this->Unit },
-    { "bodies", Ordered::array({ wire }) } };
+  const Ordered scene{ { "format", vtkHapticSceneFormat }, { "version", vtkHapticSceneVersion },
+    { "unit_m", this->Unit }, { "bodies", Ordered::array({ wire }) } };
   return scene.dump(2) + "\n";
 }
 

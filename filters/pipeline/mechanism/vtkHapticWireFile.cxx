@@ -19,11 +19,10 @@ constexpr double UsualBeam_diameters = 8.0;
 
 palpate::WireTip TipOf(const Node& node)
 {
-  constexpr std::array names{ "straight", "angled", "hook", "helix" };
-  const std::string name = node.text("tip", names[0]);
-  for (std::size_t i = 0; i < names.size(); ++i)
+  const std::string name = node.text("tip", vtkHapticWireTips.front());
+  for (std::size_t i = 0; i < vtkHapticWireTips.size(); ++i)
   {
-    if (name == names[i])
+    if (name == vtkHapticWireTips[i])
     {
       return static_cast<palpate::WireTip>(i);
     }

@@ -2,6 +2,7 @@
 #ifndef vtkHapticWireFile_h
 #define vtkHapticWireFile_h
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "haptics/core/JsonNode.h"
 #include "haptics/mechanism/wire/WirePlan.h"
 #include "vtkHapticJson.h"
+
+/// The names of tips in a scene file, in the order of palpate::WireTip.
+inline constexpr std::array<const char*, 4> vtkHapticWireTips{ "straight", "angled", "hook", "helix" };
 
 /// An object of a scene file.
 using vtkHapticSceneNode = palpate::JsonNode<nlohmann::json>;

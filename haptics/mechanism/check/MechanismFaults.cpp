@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/mechanism/check/MechanismFaults.h"
+#include "haptics/mechanism/SoundPose.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,8 +129,8 @@ private:
     const auto size = [](double x) { return x > 0.0 && x <= farthest_u; };
     const bool rod = size(body.length_u) && size(body.diameter_u);
     const bool box = std::ranges::all_of(body.halfSize_u, size);
-    const bool placed = isNear(body.pose_W.p) && std::abs(body.pose_W.q.squaredNorm() - 1.0) < 1e-6 &&
-                        body.load_W.allFinite() && body.load_W.norm() <= strongest_N;
+    const bool placed =
+      isNear(body.pose_W.p) && isSound(body.pose_W) && body.load_W.allFinite() && body.load_W.norm() <= strongest_N;
     const bool soft = softNamed(this->soft_, body.name) && softNamed(this->soft_, body.name)->body;
     this->require(body.kind != MechanismBodyKind::Held || body.mesh || rod,
       name + "has no length or no diameter: set both, above 0 and at most 1e9.");

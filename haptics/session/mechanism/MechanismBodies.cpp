@@ -87,6 +87,29 @@ std::uint64_t MechanismBodies::continues(const Mechanism& mechanism, const Mecha
   return same ? this->plan_ : 0;
 }
 
+void MechanismBodies::makeFinder(const Mechanism& mechanism, const MechanismPlan& plan)
+{
+  const auto most = static_cast<std::size_t>(roomForFound(mechanism));
+  std::vector<FinderMesh> meshes;
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b)
+  {
+    if (mechanism.bodies[b].mesh)
+    {
+      const MechanismBody& body = mechanism.bodies[b];
+      meshes.push_back({ static_cast<int>(b), body.mesh, foundFrictionOf(mechanism, body), isLoose(body) });
+    }
+  }
+  this->finder_ = std::make_unique<ContactFinder>(std::move(meshes), plan.held, most);
+  for (std::size_t s = 0; s < this->first_.size(); ++s)
+  {
+    const auto body = std::ranges::find(plan.bodies, static_cast<int>(s), &PlannedBody::soft);
+    this->finder_->add(
+      static_cast<int>(body - plan.bodies.begin()), *this->first_[s], this->stiffness_[s], mechanism.foundFriction);
+    const SurfaceData& surface = this->first_[s]->scene->surfaces()[this->first_[s]->touch.surface].tree->data();
+    this->diagonal_u_ = std::max(this->diagonal_u_, (surface.high_W - surface.low_W).norm());
+  }
+}
+
 void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan)
 {
   this->before_ = this->continues(mechanism, plan);
@@ -115,25 +138,7 @@ void MechanismBodies::hold(const Mechanism& mechanism, const MechanismPlan& plan
   }
   if (mechanism.findsContacts)
   {
-    const auto most = static_cast<std::size_t>(roomForFound(mechanism));
-    std::vector<FinderMesh> meshes;
-    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b)
-    {
-      if (mechanism.bodies[b].mesh)
-      {
-        const MechanismBody& body = mechanism.bodies[b];
-        meshes.push_back({ static_cast<int>(b), body.mesh, foundFrictionOf(mechanism, body), isLoose(body) });
-      }
-    }
-    this->finder_ = std::make_unique<ContactFinder>(std::move(meshes), plan.held, most);
-    for (std::size_t s = 0; s < this->first_.size(); ++s)
-    {
-      const auto body = std::ranges::find(plan.bodies, static_cast<int>(s), &PlannedBody::soft);
-      this->finder_->add(
-        static_cast<int>(body - plan.bodies.begin()), *this->first_[s], this->stiffness_[s], mechanism.foundFriction);
-      const SurfaceData& surface = this->first_[s]->scene->surfaces()[this->first_[s]->touch.surface].tree->data();
-      this->diagonal_u_ = std::max(this->diagonal_u_, (surface.high_W - surface.low_W).norm());
-    }
+    this->makeFinder(mechanism, plan);
   }
   this->places_.assign(this->makers_.size(), {});
   for (int i = 0; i < plan.lawCount; ++i)

@@ -95,6 +95,7 @@ private:
   [[nodiscard]] const FoundContacts& find();
   void findAt(double time_s);
   void tellBodies();
+  void makeFinder(const Mechanism& mechanism, const MechanismPlan& plan);
   void gatherMeshes(const Mechanism& mechanism, const MechanismPlan& plan);
   void reachLoose(double heldMotion_u);
   void lookAround(std::size_t body, BodyHand& hand) const;

@@ -71,7 +71,8 @@ double pressed_N(const MechanismResult& result)
   return sum_N;
 }
 
-/// Of those the heaviest one on the softest pad is left out: it sinks by more than a third of the pad.
+/// As far as docs/mechanisms.md says that a pad holds a stone up: its even load would strain the pad by no more than a
+/// quarter.
 TEST(LooseOnSoft, AStoneIsGivenNoEnergyAndComesToRestWithItsWeightAtAnyRate)
 {
   for (const double rate_Hz : { 30.0, 60.0, 200.0 })
@@ -80,7 +81,8 @@ TEST(LooseOnSoft, AStoneIsGivenNoEnergyAndComesToRestWithItsWeightAtAnyRate)
     {
       for (const double young_Pa : { 5e3, 20e3, 50e3 })
       {
-        if (density_kg_per_m3 > 5000.0 && young_Pa < 1e4)
+        const double strain = density_kg_per_m3 * gravity_m_per_s2 * 2.0 * halfOfStone_m.z() / young_Pa;
+        if (strain > 0.25)
         {
           continue;
         }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A simulated device that feels torque holds the ball among loose sources: it comes to rest, and is given no energy.
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +9,7 @@
 #include "haptics/session/HapticSession.h"
 #include "haptics/tool/motion/Turn.h"
 #include "testing/haptics/session/LooseStones.h"
+#include "testing/haptics/session/WatchedHand.h"
 
 namespace palpate::test
 {
@@ -24,54 +24,37 @@ Pose swayingHand_W(double time_s)
     turnBy(Vec3(0.2 * sways, 0.3 * sways, 0.1 * sways)) };
 }
 
-struct Rubbed
-{
-  double pressed_N = 0.0, turned_Nm = 0.0, excess_J = 0.0, trembles_m = 0.0, trembles_rad = 0.0;
-  Fault fault = Fault::None;
-};
+constexpr double friction = 0.5;
 
-Rubbed rub(const HandModel& hand)
+/// A ball in the hand, and the stone on the floor.
+void beginAmongStones(HapticSession& session, HapticParameters parameters)
 {
-  HapticSession session;
-  HapticParameters parameters;
-  parameters.stiffness_N_per_m = 1000.0;
   parameters.contact.radius_u = fingertip_m;
-  parameters.contact.friction = { 0.5, 0.5 };
+  parameters.contact.friction = { friction, friction };
   parameters.safety = SafetyLimits::none();
   EXPECT_EQ(session.setParameters(parameters), "");
   session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
   session.setLoose(stones());
+}
+
+SessionOptions virtualTime()
+{
   SessionOptions options;
   options.virtualTime = true;
+  return options;
+}
+
+WatchedHand rub(const HandModel& hand)
+{
+  HapticSession session;
+  HapticParameters parameters;
+  parameters.stiffness_N_per_m = 1000.0;
+  beginAmongStones(session, parameters);
   auto made =
     std::make_unique<SimulatedDevice>(*deviceModel("simulated-6d"), hand, HandPath{ { swayingHand_W(0.0).p } });
   SimulatedDevice& device = *made;
-  EXPECT_EQ(session.start(std::move(made), options), "");
-  Rubbed seen;
-  Vec3 low_m = Vec3::Constant(std::numeric_limits<double>::infinity()), high_m = -low_m, low_rad = low_m,
-       high_rad = high_m;
-  constexpr int ticks = 1600, last = 200;
-  for (int i = 0; i < ticks; ++i)
-  {
-    device.lead(swayingHand_W(handTick_s * i));
-    session.step(1);
-    const HapticState& state = session.state();
-    seen.pressed_N = std::max(seen.pressed_N, state.force_D.norm());
-    seen.turned_Nm = std::max(seen.turned_Nm, state.torque_D.norm());
-    seen.excess_J = std::max(seen.excess_J, state.energy.peakExcess_J);
-    seen.fault = i > 5 && state.fault != Fault::None ? state.fault : seen.fault;
-    if (i >= ticks - last)
-    {
-      const Vec3 turn = rotationVector(device.turning()->turn_D());
-      low_m = low_m.cwiseMin(device.position_D());
-      high_m = high_m.cwiseMax(device.position_D());
-      low_rad = low_rad.cwiseMin(turn);
-      high_rad = high_rad.cwiseMax(turn);
-    }
-  }
-  seen.trembles_m = (high_m - low_m).maxCoeff();
-  seen.trembles_rad = (high_rad - low_rad).maxCoeff();
-  return seen;
+  EXPECT_EQ(session.start(std::move(made), virtualTime()), "");
+  return watchHand(session, device, swayingHand_W, 1600, 200);
 }
 
 TEST(BallAmongLoose, ComesToRestInAHandThatFeelsTorque)
@@ -84,7 +67,7 @@ TEST(BallAmongLoose, ComesToRestInAHandThatFeelsTorque)
     {
       continue; // nobody holds it
     }
-    const Rubbed seen = rub(hand);
+    const WatchedHand seen = rub(hand);
     SCOPED_TRACE(hand.name);
     EXPECT_EQ(seen.fault, Fault::None);
     EXPECT_GT(seen.pressed_N, 0.2);
@@ -98,24 +81,17 @@ TEST(BallAmongLoose, ComesToRestInAHandThatFeelsTorque)
 /// R: so much torque there is per turn of the ball against the hand, however stiff the spring is that keeps it upright.
 TEST(BallAmongLoose, IsFeltToTurnByTheSpringOfTheLeverThatTheDampersAndLimitsAreOf)
 {
-  constexpr double deep_m = 5e-4, friction = 0.5;
+  constexpr double deep_m = 5e-4;
   HapticSession session;
   HapticParameters parameters;
   parameters.stiffness_N_per_m = firm_N_per_m;
   parameters.limitStiffness = false;
-  parameters.contact.radius_u = fingertip_m;
-  parameters.contact.friction = { friction, friction };
-  parameters.safety = SafetyLimits::none();
-  ASSERT_EQ(session.setParameters(parameters), "");
-  session.setScene(sceneOfAll({ floorInput(), stoneInput() }));
-  session.setLoose(stones());
-  SessionOptions options;
-  options.virtualTime = true;
+  beginAmongStones(session, parameters);
   auto device = std::make_unique<FedDevice>();
   FedDevice& fed = *device;
   Pose hand{ Vec3(0.2, 0.2, fingertip_m + 1e-3), Quat::Identity() };
   fed.feed(sampleAt(hand));
-  ASSERT_EQ(session.start(std::move(device), options), "");
+  ASSERT_EQ(session.start(std::move(device), virtualTime()), "");
   session.step(200);
   for (; hand.p.z() > fingertip_m - deep_m; hand.p.z() -= 1e-5)
   {

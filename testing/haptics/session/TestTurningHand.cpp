@@ -14,6 +14,7 @@
 #include "haptics/session/SessionWorkers.h"
 #include "haptics/session/tool/ToolChoice.h"
 #include "haptics/tool/motion/Turn.h"
+#include "testing/haptics/session/WatchedHand.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Thread.h"
 
@@ -94,17 +95,7 @@ Deed onScrew()
     } };
 }
 
-/// The outcome.
-struct Seen
-{
-  double pressed_N = 0.0, turned_Nm = 0.0;
-  double step_N = 0.0;                         ///< largest change of the force in a tick
-  double trembles_m = 0.0, trembles_rad = 0.0; ///< in the last fifth of a second
-  double excess_J = 0.0;
-  Fault fault = Fault::None;
-};
-
-Seen play(const Deed& deed, const HandModel& hand)
+WatchedHand play(const Deed& deed, const HandModel& hand)
 {
   HapticParameters parameters;
   parameters.stiffness_N_per_m = 1000.0;
@@ -118,33 +109,8 @@ Seen play(const Deed& deed, const HandModel& hand)
   auto made = std::make_unique<SimulatedDevice>(*deviceModel("simulated-6d"), hand, HandPath{ { deed.hand_W(0.0).p } });
   SimulatedDevice& device = *made;
   EXPECT_EQ(session.start(std::move(made), options), "");
-  Seen seen;
-  Vec3 low_m = Vec3::Constant(std::numeric_limits<double>::infinity()), high_m = -low_m, low_rad = low_m,
-       high_rad = high_m, before_N = Vec3::Zero();
   const int ticks = static_cast<int>((deed.restFrom_s + 0.4) / tick_s);
-  for (int i = 0; i < ticks; ++i)
-  {
-    device.lead(deed.hand_W(i * tick_s));
-    session.step(1);
-    const HapticState& state = session.state();
-    seen.pressed_N = std::max(seen.pressed_N, state.force_D.norm());
-    seen.turned_Nm = std::max(seen.turned_Nm, state.torque_D.norm());
-    seen.excess_J = std::max(seen.excess_J, state.energy.peakExcess_J);
-    seen.step_N = std::max(seen.step_N, (state.force_D - before_N).norm());
-    before_N = state.force_D;
-    seen.fault = i > 5 && state.fault != Fault::None ? state.fault : seen.fault;
-    if (i >= ticks - 200)
-    {
-      const Vec3 turn = rotationVector(device.turning()->turn_D());
-      low_m = low_m.cwiseMin(device.position_D());
-      high_m = high_m.cwiseMax(device.position_D());
-      low_rad = low_rad.cwiseMin(turn);
-      high_rad = high_rad.cwiseMax(turn);
-    }
-  }
-  seen.trembles_m = (high_m - low_m).maxCoeff();
-  seen.trembles_rad = (high_rad - low_rad).maxCoeff();
-  return seen;
+  return watchHand(session, device, deed.hand_W, ticks, 200);
 }
 
 } // namespace
@@ -162,7 +128,7 @@ TEST(TurningHand, ComesToRestWithEveryDeedIsGivenNoEnergyAndFeelsNoStep)
       {
         continue; // nobody holds it
       }
-      const Seen seen = play(deed, hand);
+      const WatchedHand seen = play(deed, hand);
       SCOPED_TRACE(deed.name + ", " + hand.name);
       EXPECT_EQ(seen.fault, Fault::None);
       EXPECT_GT(seen.pressed_N, 0.2) << "what is not felt shows nothing";
@@ -188,7 +154,8 @@ TEST(TurningHand, WithALongLeverIsGivenTheStiffnessThatItsTurnsHold)
     "");
   session.step(2);
   const double ofWays_N_per_m = session.state().stiffness_N_per_m;
-  const auto tool = std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-0.1), Vec3::Constant(0.1))).value);
+  const auto tool =
+    std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-0.1), Vec3::Constant(0.1))).value);
   session.choose<ToolTask>({ tool, 3.0 });
   session.step(2);
   EXPECT_LT(session.state().stiffness_N_per_m, 0.5 * ofWays_N_per_m);
